@@ -42,6 +42,7 @@ command_or text2pcap "it comes with Wireshark (Debian: apt-get install wireshark
 command_or g++ "install it (Debian: apt-get install g++)"
 command_or clang "install it (Debian: apt-get install clang)"
 command_or clang++ "install it (Debian: apt-get install clang)"
+command_or x86_64-w64-mingw32-gcc "install it (Debian: apt-get install gcc-mingw-w64-x86-64)"
 command_or arduino-builder "install it (Debian: apt-get install arduino-builder)"
 [ -d /usr/share/arduino/hardware/arduino/avr ] ||
     lacks "the core of Arduino's AVR boards" "install it (Debian: apt-get install arduino-core-avr)"

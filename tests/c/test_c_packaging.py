@@ -64,6 +64,27 @@ def meson(*arguments: str | Path) -> str:
     return run(need("meson"), *arguments, NINJA=need("ninja"), PKG_CONFIG=need("pkg-config"))
 
 
+def add_unmarked(library: Path) -> None:
+    """A function that MIP_API does not mark; there may be none."""
+    with (library / "src/mip/core.c").open("a") as file:
+        file.write("\nint mip_unmarked(void);\nint mip_unmarked(void) { return 0; }\n")
+
+
+def exported(library: Path) -> set[str]:
+    lines = run(need("nm"), "--dynamic", "--defined-only", library).splitlines()
+    return {name for line in lines if (name := line.split()[-1]).startswith("mip_")}
+
+
+def marked() -> set[str]:
+    """What headers mark with MIP_API."""
+    found: set[str] = set()
+    for header in (folder("real") / "src/mip").glob("*.h"):
+        if header.name != "export.h":
+            text = re.sub(r"/\*.*?\*/", "", header.read_text("utf-8"), flags=re.S)
+            found.update(re.findall(r"\bMIP_API\b[^;({]*?\b(mip_\w+)\s*(?:\(|\[|;)", text))
+    return found
+
+
 # --------------------------------------------------------------------------- the folder
 
 
@@ -139,6 +160,7 @@ def test_cmake_installed(kind: str, project: Path, tmp_path: Path) -> None:
         "cmake -S mip -B build -DCMAKE_INSTALL_PREFIX=/usr/local", "cmake --build build", "cmake --install build",
     ]  # fmt: skip
     build, prefix, moved = project / "build", tmp_path / "prefix", tmp_path / "moved away"
+    add_unmarked(project / "mip")
     options = ["-DCMAKE_INSTALL_LIBDIR=lib", *(["-DBUILD_SHARED_LIBS=ON"] if kind == "shared" else [])]
     cmake(project / "mip", build, f"-DCMAKE_INSTALL_PREFIX={prefix}", *options)
     run(need("cmake"), "--install", build)
@@ -149,6 +171,8 @@ def test_cmake_installed(kind: str, project: Path, tmp_path: Path) -> None:
     series = VERSION.rpartition(".")[0]
     names = {"static": {"libmip.a"}, "shared": {"libmip.so", f"libmip.so.{series}", f"libmip.so.{VERSION}"}}
     assert {p.name for p in library.glob("libmip*")} == names[kind]
+    if kind == "shared":
+        assert exported(library / "libmip.so") == marked() > {"mip_parser_next"}
 
     cmake(user(project, shown("CMake", "cmake")[2]), tmp_path / "user", f"-DCMAKE_PREFIX_PATH={moved}")
     taste(tmp_path / "user/main")
@@ -175,6 +199,20 @@ def test_pkg_config_of_other_folders(libdir: str, tmp_path: Path) -> None:
     assert folders == wanted
 
 
+@heavy("MinGW")
+def test_a_library_for_windows(project: Path, tmp_path: Path) -> None:
+    """A DLL and a program that imports from it."""
+    compiler, build = need("x86_64-w64-mingw32-gcc"), tmp_path / "build"
+    machine = ("-DCMAKE_SYSTEM_NAME=Windows", f"-DCMAKE_C_COMPILER={compiler}", "-DCMAKE_RC_COMPILER=false")
+    cmake(user(project, shown("CMake", "cmake")[0]), build, *machine, "-DBUILD_SHARED_LIBS=ON")
+    dump = need("x86_64-w64-mingw32-objdump")
+    table = run(dump, "-p", build / "mip/libmip.dll").partition("[Ordinal/Name Pointer] Table")[2]
+    assert set(re.findall(r"\b(mip_\w+)", table)) == marked() > {"mip_parser_next"}
+    assert "DLL Name: libmip.dll" in run(dump, "-p", build / "main.exe")
+    unresolved = run(need("x86_64-w64-mingw32-nm"), *build.glob("CMakeFiles/main.dir/*.obj"))
+    assert "U __imp_mip_parser_next" in unresolved  # imported without a detour
+
+
 # --------------------------------------------------------------------------- Meson
 
 
@@ -193,6 +231,7 @@ def test_meson_subproject(project: Path, tmp_path: Path) -> None:
 def test_meson_installed(project: Path, tmp_path: Path) -> None:
     """A shared library, which is Meson's default, found by another project of Meson, which asks pkg-config."""
     prefix = tmp_path / "prefix"
+    add_unmarked(project / "mip")
     options = (f"--prefix={prefix}", "--libdir=lib", "-Dpkgconfig.relocatable=true")
     meson("setup", tmp_path / "build", project / "mip", *options)
     meson("install", "-C", tmp_path / "build")
@@ -204,6 +243,7 @@ def test_meson_installed(project: Path, tmp_path: Path) -> None:
     meson("setup", tmp_path / "user", project, f"--pkg-config-path={moved}/lib/pkgconfig")
     meson("compile", "-C", tmp_path / "user")
     taste(tmp_path / "user/main", LD_LIBRARY_PATH=f"{moved}/lib")
+    assert exported(moved / "lib/libmip.so") == marked() > {"mip_parser_next"}
 
 
 # --------------------------------------------------------------------------- boards
