@@ -87,6 +87,10 @@ quick: $(VENV)/development.stamp ## run the tests of the generator alone, in les
 mutate: $(VENV)/development.stamp ## change the project at random and report what no test sees: make mutate COUNT=5 PART=c SEED=2
 	@$(RUN) tests/mutate.py $(addprefix --count ,$(COUNT)) $(addprefix --part ,$(PART)) $(addprefix --seed ,$(SEED)) $(addprefix --path ,$(FILE))
 
+.PHONY: fuzz
+fuzz: tools-fuzz $(VENV)/development.stamp ## search for inputs that break C, and keep those that reach new code: make fuzz TIME=60 TARGETS="parser client"
+	@$(RUN) tests/c/fuzz/fuzz.py $(addprefix --time ,$(TIME)) $(if $(TARGETS),--targets $(TARGETS))
+
 .PHONY: check
 check: tools-check $(VENV)/development.stamp ## validate, compare generated/ with the specification, run formatters and linters
 	@$(MIPGEN) check --spec $(SPEC) --out $(OUT)
@@ -118,7 +122,7 @@ conformance-driver: $(VENV)/generator.stamp ## build a driver and print its comm
 
 # ----------------------------------------------------------------- tools and dirt
 
-.PHONY: tools tools-check tools-all
+.PHONY: tools tools-check tools-all tools-fuzz
 tools:
 	@tests/tools.sh test
 
@@ -127,6 +131,9 @@ tools-check:
 
 tools-all:
 	@tests/tools.sh all
+
+tools-fuzz:
+	@tests/tools.sh fuzz
 
 .PHONY: clean
 clean: ## remove what was built; generated/ stays

@@ -1,5 +1,5 @@
 #!/bin/sh
-# tools.sh check|test|all: brings what can be brought, and names what is missing with its remedy, all of it at once.
+# tools.sh check|test|all|fuzz: brings what can be brought, and names what is missing with its remedy, all of it at once.
 set -u
 missing=0
 
@@ -19,6 +19,14 @@ component() {
     rustup --quiet component add "$1" >/dev/null 2>&1
     "$2" --version >/dev/null 2>&1 || lacks "$1" "rustup component add $1 (Debian without rustup: apt-get install $3)"
 }
+
+if [ "$1" = fuzz ]; then
+    command_or clang "install it (Debian: apt-get install clang)"
+    printf '#include <stddef.h>\nint LLVMFuzzerTestOneInput(const void *d, size_t n) { return d == NULL && n > 0; }\n' |
+        clang -fsanitize=fuzzer,address,undefined -x c - -o /dev/null 2>/dev/null ||
+        lacks libFuzzer "clang must link with -fsanitize=fuzzer,address,undefined (Debian: apt-get install libclang-rt-dev)"
+    exit $missing
+fi
 
 component rustfmt rustfmt rustfmt
 [ "$1" = check ] && exit $missing

@@ -1,0 +1,16 @@
+/* The few things of the library that more than one fuzz target needs. */
+#ifndef FUZZ_LIBRARY_H
+#define FUZZ_LIBRARY_H
+
+#include "fuzz.h"
+
+#include "mip/registry.h"
+
+/* May a packet of this set hold a field of this codec? */
+static inline bool belongs(const struct mip_codec *codec, uint8_t set) {
+    return codec->descriptor_set >= 0x80 ? set >= 0x80
+           : codec->descriptor_set == 0  ? set < 0x80
+                                         : set == codec->descriptor_set;
+}
+
+#endif
