@@ -12,6 +12,10 @@ from support import BUILD, SPECS, locked, need
 
 HERE = Path(__file__).parent
 WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror"]
+#: What further gcc can say of the library; programs of tests need not be so clean.
+PEDANTIC = ["-Wcast-align=strict", "-Wcast-qual", "-Wdouble-promotion", "-Wfloat-equal", "-Wlogical-op",
+            "-Wmissing-prototypes", "-Wnull-dereference", "-Wredundant-decls", "-Wsign-conversion",
+            "-Wstrict-prototypes", "-Wswitch-enum", "-Wundef", "-Wvla", "-Wwrite-strings"]  # fmt: skip
 SANITIZE = ["-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
 
 
@@ -61,7 +65,7 @@ def archive(spec: str, compiler: str, *flags: str) -> Path:
     return library
 
 
-def program(
+def compiled(
     out: Path,
     spec: str,
     compiler: str,

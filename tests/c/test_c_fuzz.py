@@ -32,7 +32,7 @@ def replay(program: Path, inputs: list[bytes], count: int) -> subprocess.Complet
 def test_replay(name: str, tmp_path: Path) -> None:
     program, inputs = tmp_path / "replay", [*fuzz.begin(name), *fuzz.kept(name)]
     source, spec = fuzz.TARGETS[name]
-    c_build.program(program, spec, "cc", HERE / f"fuzz/{source}.c", *FLAGS, also=[HERE / "fuzz/replay.c"])
+    c_build.compiled(program, spec, "cc", HERE / f"fuzz/{source}.c", *FLAGS, also=[HERE / "fuzz/replay.c"])
     done = replay(program, inputs, 50_000)
     assert done.returncode == 0, done.stderr[-6000:]
     assert done.stdout == f"{len(inputs)} inputs and 50000 that were made from them\n"

@@ -54,7 +54,7 @@ def keep(name: str, inputs: list[bytes]) -> None:
 def build(name: str, program: Path) -> Path:
     source, spec = TARGETS[name]
     library = c_build.archive(spec, "clang", *FLAGS)
-    return c_build.program(program, spec, "clang", HERE / f"{source}.c", *FLAGS, "-fsanitize=fuzzer", library=library)
+    return c_build.compiled(program, spec, "clang", HERE / f"{source}.c", *FLAGS, "-fsanitize=fuzzer", library=library)
 
 
 def write(folder: Path, inputs: list[bytes]) -> Path:
