@@ -3,9 +3,8 @@
  * Only the first part depends on the system: on a microcontroller, it is replaced by the UART. */
 #define _POSIX_C_SOURCE 200809L
 
-#include "mip/3dm.h"
-#include "mip/base.h"
-#include "mip/client.h"
+#include "mip/3dm_commands.h"
+#include "mip/base_commands.h"
 #include "mip/sensor.h"
 #include "mip/shared.h"
 
@@ -135,15 +134,15 @@ static bool update(struct device *device) {
 }
 
 /* Sends one command and waits for its answer; the response, if it has one, is stored. */
-static bool command(struct device *device, const char *name, const struct mip_codec *codec,
+static bool command(struct device *device, const char *name, const struct mip_command *command,
                     const void *value, const struct mip_codec *response_codec, void *response) {
     uint8_t buffer[MIP_MAX_PACKET];
     struct mip_builder builder;
     struct mip_request request;
     struct mip_packet packet;
 
-    mip_builder_start(&builder, buffer, sizeof(buffer), codec->descriptor_set);
-    if (mip_client_add(&device->client, &request, &builder, codec, value, milliseconds()) !=
+    mip_builder_start(&builder, buffer, sizeof(buffer), command->codec->descriptor_set);
+    if (mip_client_add(&device->client, &request, &builder, command, value, milliseconds()) !=
         MIP_OK) {
         fprintf(stderr, "%s: the values do not fit\n", name);
         return false;
@@ -184,17 +183,18 @@ static bool command(struct device *device, const char *name, const struct mip_co
 
 static bool configure(struct device *device) {
     struct mip_base_get_device_info_response info;
-    struct mip_3dm_get_base_rate ask = mip_3dm_get_base_rate_make(MIP_SENSOR_SET);
+    struct mip_3dm_get_base_rate ask;
     struct mip_3dm_get_base_rate_response base;
     struct mip_descriptor_rate fields[2];
     struct mip_3dm_message_format format;
     struct mip_3dm_data_stream_control stream;
 
+    mip_3dm_get_base_rate_make(&ask, MIP_SENSOR_SET);
     /* Without data in between, the answers come at once, whatever was set before. */
-    if (!command(device, "idle", &mip_base_set_idle_codec, NULL, NULL, NULL) ||
-        !command(device, "device information", &mip_base_get_device_info_codec, NULL,
+    if (!command(device, "idle", &mip_base_set_idle_command, NULL, NULL, NULL) ||
+        !command(device, "device information", &mip_base_get_device_info_command, NULL,
                  &mip_base_get_device_info_response_codec, &info) ||
-        !command(device, "base rate", &mip_3dm_get_base_rate_codec, &ask,
+        !command(device, "base rate", &mip_3dm_get_base_rate_command, &ask,
                  &mip_3dm_get_base_rate_response_codec, &base)) {
         return false;
     }
@@ -206,11 +206,12 @@ static bool configure(struct device *device) {
     fields[0].descriptor = MIP_SHARED_GPS_TIMESTAMP_DESCRIPTOR;
     fields[1].descriptor = MIP_SENSOR_SCALED_ACCEL_DESCRIPTOR;
     fields[0].decimation = fields[1].decimation = (uint16_t)(base.rate / RATE);
-    format = mip_3dm_message_format_write(MIP_SENSOR_SET, 2, fields);
-    stream = mip_3dm_data_stream_control_write(MIP_SENSOR_SET, true);
-    return command(device, "message format", &mip_3dm_message_format_codec, &format, NULL, NULL) &&
-           command(device, "stream", &mip_3dm_data_stream_control_codec, &stream, NULL, NULL) &&
-           command(device, "resume", &mip_base_resume_codec, NULL, NULL, NULL);
+    mip_3dm_message_format_write(&format, MIP_SENSOR_SET, 2, fields);
+    mip_3dm_data_stream_control_write(&stream, MIP_SENSOR_SET, true);
+    return command(device, "message format", &mip_3dm_message_format_command, &format, NULL,
+                   NULL) &&
+           command(device, "stream", &mip_3dm_data_stream_control_command, &stream, NULL, NULL) &&
+           command(device, "resume", &mip_base_resume_command, NULL, NULL, NULL);
 }
 
 int main(int argc, char **argv) {

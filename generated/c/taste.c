@@ -23,9 +23,7 @@ int main(void) {
         struct mip_field field;
         while (mip_walk_next(&walk, &field)) {
             struct mip_sensor_scaled_accel accel;
-            if (field.descriptor_set == MIP_SENSOR_SET &&
-                field.descriptor == MIP_SENSOR_SCALED_ACCEL_DESCRIPTOR &&
-                mip_sensor_scaled_accel_decode(&accel, &field) == MIP_OK) {
+            if (mip_sensor_scaled_accel_decode(&accel, &field) == MIP_OK) {
                 printf("%.4f g along x\n", (double)accel.scaled_accel[0]);
             }
         }

@@ -1,15 +1,15 @@
-#include "mip/3dm.h"
-#include "mip/client.h"
+#include "mip/3dm_commands.h"
 
-bool set_pps_source(struct mip_client *client, struct mip_parser *parser, mip_3dm_pps_source source) {
+bool set_pps_source(struct mip_client *client, struct mip_parser *parser, enum mip_3dm_pps_source source) {
     uint8_t buffer[MIP_MAX_PACKET];
     struct mip_builder builder;
     struct mip_request request;
-    struct mip_3dm_pps_source_control command = mip_3dm_pps_source_control_write(source);
+    struct mip_3dm_pps_source_control command;
+    mip_3dm_pps_source_control_write(&command, source);
 
     mip_builder_start(&builder, buffer, sizeof(buffer), MIP_3DM_SET);
-    if (mip_client_add(client, &request, &builder, &mip_3dm_pps_source_control_codec, &command,
-                       milliseconds()) != MIP_OK) {
+    if (mip_send_3dm_pps_source_control(client, &request, &builder, &command, NULL,
+                                        milliseconds()) != MIP_OK) {
         return false;
     }
     transmit(mip_builder_finish(&builder));

@@ -26,7 +26,7 @@ compilers = pytest.mark.parametrize("compiler", COMPILERS)
 
 def written(path: Path, of: m.Model, checks: list[str]) -> Path:
     """A program that makes these checks, with the headers of all sets and of all tables."""
-    headers = [*(names.module(s.name) for s in of.sets), "protocol", "registry", "reflect", "devices"]
+    headers = [*(names.module(s.name) for s in of.sets), "protocol", "registry", "reflect", "names", "profiles"]
     includes = "".join(f'#include "mip/{name}.h"\n' for name in headers)
     body = "\n    ".join(checks)
     path.write_text(f'#include "check.h"\n{includes}int main(void) {{\n    {body}\n    return 0;\n}}\n')
@@ -57,7 +57,7 @@ def test_only_the_promised_headers(spec: str) -> None:
         vectors = {"<arm_neon.h>", "<emmintrin.h>"} if path.name == "checksum.c" else set()  # of compilers
         assert set(re.findall(r"#include (<.*>)", text)) <= allowed | vectors, path
         assert not re.search(r"\b(malloc|calloc|realloc|free|printf|abort|assert)\(|__attribute__|#pragma", text), path
-        assert not re.search(r"^ +enum ", text, re.M), path
+        assert not re.search(r"^ +enum \w+ \w+(\[\d+\])?;", text, re.M), path  # members have a fixed width
 
 
 @both
@@ -95,11 +95,12 @@ def test_files_of_two_versions_do_not_mix(tmp_path: Path) -> None:
 def test_names_of_the_core_are_taken() -> None:
     """language.yaml knows all of them, so that no name of a specification becomes one."""
     found, constants = set(), set()
-    for header in ("constants", "core", "client", "registry", "reflect", "profile"):
-        text = (folder("real") / f"src/mip/{header}.h").read_text("utf-8")
+    headers = [p.name for p in (ROOT / "templates/c/runtime/src/mip").glob("*.h")]
+    for header in ("constants.h", *headers):
+        text = (folder("real") / "src/mip" / header).read_text("utf-8")
         text = re.sub(r"/\*.*?\*/|#include[^\n]*", "", text, flags=re.S)
         found |= set(re.findall(r"\bmip_(\w+)", text)) - {"ack_code"}
-        constants |= set(re.findall(r"^(?:#define| {3}) MIP_(\w+)", text, re.M)) - {f"{header.upper()}_H"}
+        constants |= set(re.findall(r"^(?: *#define| {3}) MIP_(\w+)", text, re.M)) - {header.upper().replace(".", "_")}
     assert set(names.LANGUAGE["runtime"]) == found and set(names.LANGUAGE["constants"]) == constants
 
 
@@ -218,7 +219,8 @@ def test_every_constructor(spec: str, tmp_path: Path) -> None:
         struct {name} x;
         struct mip_field field = field_of(0x{f.set:02X}, {names.macro(name)}_DESCRIPTOR, "{data}");
         CHECK({name}_decode(&x, &field) == MIP_OK);
-        struct {name} v = {name}_{made.name}({arguments});
+        struct {name} v;
+        CHECK({name}_{made.name}({", ".join(["&v", *filter(None, [arguments])])}) == &v);
         CHECK(mip_builder_start(&b, buffer, sizeof(buffer), 0x{f.set:02X}) == MIP_OK);
         CHECK({name}_encode(&v, &b) == MIP_OK && strcmp(only_field(&b), "{data}") == 0);
     }}
@@ -288,9 +290,13 @@ def test_every_constant(spec: str, tmp_path: Path) -> None:
     of = model(spec)
     types = [of.protocol.function_selector, *of.all_types]
     checks = [
-        f"{{ {names.type_name(t)} e = {names.constant(t, v)}; CHECK(e == UINT64_C({v.value})); }}"
-        for t in types if isinstance(t, m.Enum) for v in t.values
-    ]  # fmt: skip
+        f"{{ {'enum ' + names.type_name(t) if names.is_enum(t) else names.c_type(t)} e = {names.constant(t, v)}; "
+        f"CHECK((uint64_t)e == UINT64_C({v.value})); "
+        f'CHECK(strcmp({names.type_name(t)}_name(e), "{v.name}") == 0); }}'
+        for t in types
+        if isinstance(t, m.Enum)
+        for v in t.values
+    ]
     for f in of.fields:
         name = names.macro(names.field_name(f))
         checks.append(f'CHECK({name}_DESCRIPTOR == {f.descriptor} && strcmp({name}_NAME, "{f.full_name}") == 0);')
@@ -325,27 +331,27 @@ def parameter_checks(record: m.Field | m.Struct, table: str) -> Iterator[str]:
 
 
 def device_checks(d: m.Device) -> Iterator[str]:
-    name = f"mip_device_{d.name}"
-    yield f'CHECK(mip_device_find("{d.id}") == &{name} && {name}.model_number == {d.model_number or 0});'
+    name = f"mip_profile_{d.name}"
+    yield f'CHECK(mip_profile_find("{d.id}") == &{name} && {name}.model_number == {d.model_number or 0});'
     yield f"CHECK({name}.field_count == {len(d.supports)} && {name}.rate_count == {len(d.base_rates)});"
     for text in (d.title, *d.also):
-        yield f'CHECK(mip_device_find("{text}") == &{name});'
+        yield f'CHECK(mip_profile_find("{text}") == &{name});'
     if d.model_number is not None:
-        yield f"CHECK(mip_device_by_model({d.model_number}) == &{name});"
+        yield f"CHECK(mip_profile_by_model({d.model_number}) == &{name});"
     yield f'CHECK({name}.generation == {d.generation or 0} && strcmp({name}.manual, "{d.manual or ""}") == 0);'
     yield f"CHECK({name}.also_count == {len(d.also)} && {name}.incomplete_count == {len(d.incomplete)});"
     for i, text in enumerate(d.incomplete):
         yield f"CHECK(strcmp({name}.incomplete[{i}], {literals.string(text)}) == 0);"
     for s in d.supports:
-        found = f"mip_device_may_support(&{name}, {s.field.set}, {s.field.descriptor})"
-        certain = f"mip_device_supports(&{name}, {s.field.set}, {s.field.descriptor})"
+        found = f"mip_profile_may_support(&{name}, {s.field.set}, {s.field.descriptor})"
+        certain = f"mip_profile_supports(&{name}, {s.field.set}, {s.field.descriptor})"
         yield f"CHECK({certain} == {'NULL' if s.evidence else found});"
         evidence = f"strcmp({found}->evidence, {literals.string(s.evidence)})" if s.evidence else f"{found}->evidence"
         yield f"CHECK({evidence} == {'0' if s.evidence else 'NULL'});"
         yield f'CHECK(strcmp({found}->functions, "{m.letters(s.functions)}") == 0);'
     for r in d.base_rates:
-        yield f"CHECK(!(mip_device_base_rate(&{name}, {r.set.number}) < {r.hertz}));"
-        yield f"CHECK(!(mip_device_base_rate(&{name}, {r.set.number}) > {r.hertz}));"
+        yield f"CHECK(!(mip_profile_base_rate(&{name}, {r.set.number}) < {r.hertz}));"
+        yield f"CHECK(!(mip_profile_base_rate(&{name}, {r.set.number}) > {r.hertz}));"
     for i, x in enumerate(d.limits):
         limit = f"{name}.limits[{i}]"
         yield f'CHECK(strcmp({limit}.unit, "{x.unit or ""}") == 0);'
@@ -354,7 +360,7 @@ def device_checks(d: m.Device) -> Iterator[str]:
     yield f"CHECK({name}.reading_count == {len(readings)});"
     for v in readings:
         assert v.variant.type is not None
-        yield f'CHECK(strcmp(mip_device_reading_of(&{name}, "{v.path}"), "{names.spec_name(v.variant.type)}") == 0);'
+        yield f'CHECK(strcmp(mip_profile_reading_of(&{name}, "{v.path}"), "{names.spec_name(v.variant.type)}") == 0);'
     yield f"CHECK({name}.ack_code_count == {len(d.ack_codes)});"
     for i, code in enumerate(d.ack_codes):
         yield f"CHECK({name}.ack_codes[{i}] == {code});"
@@ -364,9 +370,9 @@ def device_checks(d: m.Device) -> Iterator[str]:
 def test_every_row_of_the_tables(spec: str, tmp_path: Path) -> None:
     """Units, readings, links and device profiles, each against the specification."""
     of = model(spec)
-    own = [of.protocol.acknowledge, *(f for f in of.fields if f.definition is None)]
-    checks = [f"CHECK(mip_reflection_count == {len(own)} && mip_registry_size == {len(of.fields) + 1});"]
-    for f in own:
+    every = [of.protocol.acknowledge, *of.fields]
+    checks = [f"CHECK(mip_reflection_count == {len(every)} && mip_registry_size == {len(every)});"]
+    for f in every:
         checks += parameter_checks(f, f"mip_reflect(&{names.field_name(f)}_codec)->record")
     for f in of.fields:
         links = of.responses(f) if f.role == m.COMMAND else of.commands(f)
@@ -401,14 +407,14 @@ def test_a_small_program_stays_small(tmp_path: Path) -> None:
     # Any linker takes only the objects that are needed: no registry, no tables, no client, no other sets.
     run(*command)
     found = {name for name in symbols(program) if "mip" in name}
-    objects = {"mip_sensor_", "mip_parser_", "mip_walk_", "mip_packet_", "mip_builder_", "mip_checksum", "mip_read_",
-               "mip_write_", "mip_decode", "mip_encode", "mip_copy", "mip_get_bits", "mip_set_bits"}  # fmt: skip
+    objects = {"mip_sensor_", "mip_parser_", "mip_walk_", "mip_packet_", "mip_builder_", "mip_checksum", "mip_codec_",
+               "mip_decode", "mip_encode", "mip_copy", "mip_get_bits", "mip_set_bits", "mip_set_has"}  # fmt: skip
     assert {n for n in found if not n.startswith(tuple(objects))} == set()
     # One that leaves out what is not called takes the functions alone.
     run(*command, "-Wl,--gc-sections")
     assert {n for n in symbols(program) if n.startswith("mip_")} == {
-        "mip_checksum", "mip_decode_field", "mip_parser_init", "mip_parser_next", "mip_read_32",
-        "mip_sensor_scaled_accel_decode", "mip_walk_next", "mip_walk_packet",
+        "mip_checksum", "mip_decode", "mip_parser_init", "mip_parser_next", "mip_sensor_scaled_accel_codec",
+        "mip_set_has", "mip_walk_next", "mip_walk_packet",
     }  # fmt: skip
 
 
@@ -481,7 +487,7 @@ def test_readme_shows_programs_that_run(tmp_path: Path) -> None:
     includes, _, code = blocks[1].rpartition("#include")
     header, _, rest = code.partition("\n")
     prototype = (
-        "bool set_pps_source(struct mip_client *client, struct mip_parser *parser, mip_3dm_pps_source source);\n"
+        "bool set_pps_source(struct mip_client *client, struct mip_parser *parser, enum mip_3dm_pps_source source);\n"
     )
     program.write_text(f"{includes}#include{header}\n{outside}{prototype}{rest}")
     run(need("cc"), "-std=c99", *WARNINGS, include("real"), "-fsyntax-only", program)

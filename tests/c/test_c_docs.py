@@ -19,7 +19,8 @@ both = pytest.mark.parametrize("spec", sorted(SPECS))
 TOKEN = re.compile(
     r"/\*\*(?P<doc>.*?)\*/|/\*.*?\*/"
     r"|^\#define\s+(?P<macro>\w+)[^\n\\]*(?:\\\n[^\n]*)?|^\#[^\n]*"
-    r"|(?:struct|union)\s*(?P<opened>\w*)\s*\{|(?P<closed>\})|(?P<statement>[^;{}/#]+);",
+    r"|(?P<constant>MIP_\w+) = \d+,?"
+    r"|(?:struct|union|enum)\s*(?P<opened>\w*)\s*\{|(?P<closed>\})|(?P<statement>[^;{}/#]+);",
     re.S | re.M,
 )
 
@@ -40,8 +41,8 @@ def documented(text: str) -> dict[str, str]:
         if token["doc"] is not None:
             doc = plain(token["doc"])
             continue
-        if token["macro"]:
-            found.setdefault(token["macro"], doc)
+        if token["macro"] or token["constant"]:
+            found.setdefault(token["macro"] or token["constant"], doc)
         elif token["opened"] is not None:
             scopes.append(token["opened"] or scopes[-1])  # one without a name: its members are those of the outer one
             found.setdefault(token["opened"], doc)
@@ -88,11 +89,12 @@ def wanted(of: m.Model) -> Iterator[tuple[str, list[str]]]:
         yield name, [f.title, prose(f.description, of), *said(describe.field(f, of)), *describe.sources(f)]
         place = f"(0x{f.set:02X},0x{f.descriptor:02X})" if f.set else f"0x{f.descriptor:02X}"
         yield name, [f"{f.role} {place}."]
-        if not f.definition:
-            yield from of_record(f, of)
+        yield from of_record(f, of)
     for t in (of.protocol.function_selector, *of.all_types):
         if not isinstance(t, m.Vector):
-            yield names.type_name(t), [prose(t.description, of), *said(describe.type(t, of)), *describe.sources(t)]
+            told = [prose(t.description, of), *said(describe.type(t, of)), *describe.sources(t)]
+            whole = not isinstance(t, m.Enum) or names.is_enum(t)  # one that C cannot have is only its values
+            yield names.type_name(t) if whole else names.constant(t, t.values[0]), told
         if isinstance(t, m.Struct):
             yield from of_record(t, of)
         elif isinstance(t, m.Enum):
@@ -108,7 +110,7 @@ def wanted(of: m.Model) -> Iterator[tuple[str, list[str]]]:
                     yield f"{names.type_name(t)}_get_{b.name}", told
     for d in of.devices:
         told = [d.title, prose(d.description, of), *said(describe.device(d, of)), *describe.sources(d)]
-        yield f"mip_device_{d.name}", told
+        yield f"mip_profile_{d.name}", told
 
 
 def of_record(record: m.Field | m.Struct, of: m.Model) -> Iterator[tuple[str, list[str]]]:
@@ -164,7 +166,7 @@ def test_words_of_c() -> None:
     """References are names of C."""
     found = comments("invented")
     assert found["mip_tools_settings.mode"] == (
-        "What to do. Default: MIP_MODE_FAST. Required for write, read and apply. "
+        "What to do. A value of enum mip_mode. Default: MIP_MODE_FAST. Required for write, read and apply. "
         "On the Model C: only MIP_MODE_DEFAULT and MIP_MODE_FAST; not deprecated."
     )
     assert found["mip_tools_settings.limit"] == (
@@ -176,12 +178,14 @@ def test_words_of_c() -> None:
         "On the wire only, without a member: - model: The model that the layouts belong to. Always 4711. "
         "- guide: Status"
     )
-    assert found["MIP_STATE_FLAGS_MODE"] == "Bits 8 to 9. An enumeration inside the bitfield. A value of mip_mode."
+    assert found["MIP_STATE_FLAGS_MODE"] == "Bits 8 to 9. An enumeration inside the bitfield. A value of enum mip_mode."
     assert found["mip_tools_choice_parameters.label"] == "If shape is MIP_TOOLS_SHAPE_LABEL. A name."
     assert "Use measurements.numbers instead" not in found["mip_measurements_health"]
     assert "Deprecated: use mip_measurements_numbers instead." in found["mip_measurements_health"]
     gust = found["mip_measurements_gust"]
-    assert "mip_measurements_breeze has the same place." in gust and "see mip_mode and mip_tools_shape." in gust
+    assert (
+        "mip_measurements_breeze has the same place." in gust and "see enum mip_mode and enum mip_tools_shape." in gust
+    )
     ping = model("real").field("base.ping")
     assert reference(describe.Ref(ping, "base.ping")) == "mip_base_ping"
 
@@ -189,24 +193,13 @@ def test_words_of_c() -> None:
 def test_the_text_of_a_set() -> None:
     of = model("invented")
     s = replace(of.sets[0], description="As `tools.ping`.", uncertain=("How `mode` is.",))
-    assert Comments(of).set(s) == ["@file", "Tools (0x01). As mip_tools_ping. Uncertain: How mip_mode is."]
+    assert Comments(of).set(s) == ["@file", "Tools (0x01). As mip_tools_ping. Uncertain: How enum mip_mode is."]
 
 
 def test_the_text_of_a_device() -> None:
     of = model("invented")
     d = replace(of.devices[0], description="Has `tools.ping`.")
     assert Comments(of).device(d)[:1] == ["Model A: Has mip_tools_ping."]
-
-
-def test_a_repeated_field_says_what_differs() -> None:
-    of = model("invented")
-    f = of.field("more.accel")
-    assert f is not None
-    variant = m.Variant(m.DEVICE, "model-a", units=("m/s",))
-    first, *others = f.parameters
-    varied = replace(f, parameters=(replace(first, variants=(variant,)), *others))
-    assert "- scaled_accel: On the Model A: unit m/s." in Comments(of).field(varied)
-    assert not any("scaled_accel" in line for line in Comments(of).field(f))
 
 
 def test_comments_are_wrapped() -> None:

@@ -55,7 +55,7 @@ def test_what_the_new_specification_generates_is_usable(tmp_path: Path) -> None:
     assert mipgen("generate", cwd=tmp_path).returncode == 0
     c = tmp_path / "generated/c"
     sources = map(str, sorted((c / "src/mip").glob("*.c")))
-    flags = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-fsyntax-only", f"-I{c / 'include'}"]
+    flags = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-fsyntax-only", f"-I{c / 'src'}"]
     subprocess.run([need("cc"), *flags, *sources], check=True)
     code = """if True:
         from mip_protocol import Parser, measurements, tools

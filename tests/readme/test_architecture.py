@@ -38,8 +38,10 @@ def test_the_way_of_a_fact() -> None:
     python = (ROOT / "generated/python/mip_protocol/base.py").read_text("utf-8")
     rust = (ROOT / "generated/rust/src/sets/base.rs").read_text("utf-8")
     markdown = (ROOT / "generated/markdown/docs/sets/base.md").read_text("utf-8")
-    assert re.search(r"mip_base_comm_speed_write\(uint8_t port, uint32_t baud\)", c)
-    assert re.search(r"mip_base_comm_speed_read\(uint8_t port\)", c)
+    assert re.search(
+        r"mip_base_comm_speed_write\(\s*struct mip_base_comm_speed \*command,\s*uint8_t port,\s*uint32_t baud\)", c
+    )
+    assert re.search(r"mip_base_comm_speed_read\(\s*struct mip_base_comm_speed \*command,\s*uint8_t port\)", c)
     own = python.partition("\nclass CommSpeed(")[2].partition("\nclass ")[0]
     assert "def write(cls, port: int, baud: int)" in own and "def read(cls, port: int)" in own
     assert "\n    REQUIRED = {1: 2, 2: 1, 3: 1, 4: 1, 5: 1}" in own and "Required for `write`." in own

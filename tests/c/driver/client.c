@@ -63,7 +63,7 @@ static const char *add(struct session *s, struct mip_builder *builder, const str
         return "unknown";
     }
     struct command *c = (struct command *)arena_take(s->arena, sizeof(struct command));
-    const mip_error error = mip_client_add(&s->client, &c->request, builder, entry->codec, values, s->now);
+    const mip_error error = mip_client_add(&s->client, &c->request, builder, entry->command, values, s->now);
     if (error != MIP_OK) {
         return mip_error_name(error);
     }
@@ -220,7 +220,7 @@ static void take(struct session *s, const struct mip_packet *packet) {
             put_field(&others, s->arena, &field);
         }
     }
-    if (walk.malformed) {
+    if (walk.error != MIP_OK) {
         put(&others, others.size == 0 ? "" : ",");
         put(&others, "{\"error\":\"field_length\"}");
     }

@@ -316,7 +316,7 @@ static const char *decode(struct output *out, struct arena *arena, const struct 
         put_field(out, arena, &field);
         first = false;
     }
-    if (walk.malformed) {
+    if (walk.error != MIP_OK) {
         put(out, first ? "" : ",");
         put(out, "{\"error\":\"field_length\"}");
     }

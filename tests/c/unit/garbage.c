@@ -44,7 +44,8 @@ static void decode(const struct mip_codec *codec) {
     free(value);
 }
 
-static void encode(const struct mip_codec *codec) {
+static void encode(const struct mip_entry *entry) {
+    const struct mip_codec *codec = entry->codec;
     uint8_t buffer[MIP_MAX_PACKET];
     struct mip_builder b;
     uint8_t *value = (uint8_t *)malloc(codec->size);
@@ -60,8 +61,8 @@ static void encode(const struct mip_codec *codec) {
     CHECK((error == MIP_OK) == (b.length != before) && b.length <= b.capacity - MIP_CHECKSUM_SIZE);
     struct mip_packet packet = mip_builder_finish(&b);
     CHECK(mip_packet_check(packet.bytes, packet.size, &packet) == MIP_OK);
-    if (codec->silent != NULL) {
-        codec->silent(value);
+    if (entry->command != NULL && entry->command->silent != NULL) {
+        entry->command->silent(value);
     }
     free(value);
 }
@@ -70,7 +71,7 @@ int main(void) {
     for (size_t i = 0; i < mip_registry_size; i++) {
         for (int k = 0; k < 300; k++) {
             decode(mip_registry[i].codec);
-            encode(mip_registry[i].codec);
+            encode(&mip_registry[i]);
         }
     }
     return 0;

@@ -67,10 +67,10 @@ static void walk(void) {
     struct mip_walk w = mip_walk_packet(&packet);
     struct mip_field field;
     CHECK(mip_walk_next(&w, &field) && field.descriptor_set == 0x80 && field.descriptor == 7);
-    CHECK(field.size == 1 && field.data == bad + 6 && !w.malformed);
+    CHECK(field.size == 1 && field.data == bad + 6 && w.error == MIP_OK);
     CHECK(mip_walk_next(&w, &field) && field.descriptor == 8 && field.size == 0);
-    CHECK(!mip_walk_next(&w, &field) && w.malformed);
-    CHECK(!mip_walk_next(&w, &field) && w.malformed);
+    CHECK(!mip_walk_next(&w, &field) && w.error == MIP_ERROR_FIELD_LENGTH);
+    CHECK(!mip_walk_next(&w, &field) && w.error == MIP_ERROR_FIELD_LENGTH);
 }
 
 static void parser(void) {

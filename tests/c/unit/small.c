@@ -12,7 +12,7 @@ float newest(const uint8_t *data, size_t size) {
     while (mip_parser_next(&parser, &data, &size, &packet)) {
         struct mip_walk walk = mip_walk_packet(&packet);
         while (mip_walk_next(&walk, &field)) {
-            if (field.descriptor_set == MIP_SENSOR_SET && field.descriptor == MIP_SENSOR_SCALED_ACCEL_DESCRIPTOR) {
+            if (mip_field_key(&field) == MIP_SENSOR_SCALED_ACCEL) {
                 (void)mip_sensor_scaled_accel_decode(&accel, &field);
             }
         }

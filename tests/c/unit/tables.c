@@ -1,8 +1,9 @@
 /* Registry, reflection and device profiles. */
 #include "check.h"
 
-#include "mip/devices.h"
+#include "mip/profiles.h"
 #include "mip/measurements.h"
+#include "mip/more.h"
 #include "mip/protocol.h"
 #include "mip/reflect.h"
 #include "mip/registry.h"
@@ -35,7 +36,7 @@ static void registry(void) {
     CHECK(is(mip_registry_find(&field)->name, "shared.timestamp"));
     field = field_of(0x81, 0x01, "");
     CHECK(is(mip_registry_find(&field)->name, "more.accel"));
-    CHECK(mip_registry_find(&field)->codec == &mip_measurements_accel_codec);
+    CHECK(mip_registry_find(&field)->codec == &mip_more_accel_codec);
     CHECK(mip_registry_by_name("no.such_field") == NULL);
 
     /* Commands and responses, both ways. */
@@ -56,7 +57,7 @@ static void registry(void) {
     }
 }
 
-/* Commands and responses stand in packets of their own set, the acknowledge in all command sets, data in data sets. */
+/* Commands and responses stand in packets of their own set, data in their own too, the acknowledge in all command sets, shared data in all data sets. */
 static void sets(void) {
     static union {
         double aligned;
@@ -68,9 +69,9 @@ static void sets(void) {
         CHECK(e->codec->size <= sizeof(value));
         for (unsigned set = 1; set < 256; set++) {
             const bool data = set >= 0x80;
-            const bool right = e->role == MIP_DATA      ? data
-                               : e->descriptor_set == 0 ? !data
-                                                        : set == e->descriptor_set;
+            const bool right = e->descriptor_set == 0xFF ? data
+                               : e->descriptor_set == 0  ? !data
+                                                         : set == e->descriptor_set;
             struct mip_builder b;
             CHECK(mip_builder_start(&b, buffer, sizeof(buffer), (uint8_t)set) == MIP_OK);
             CHECK(mip_encode(e->codec, &value, &b) == (right ? MIP_OK : MIP_ERROR_SET));
@@ -94,26 +95,26 @@ static void reflection(void) {
     CHECK(mip_names_find("tools.shape")->count == 5 && mip_names_find("nothing") == NULL);
     r = mip_reflect(&mip_tools_status_short_codec);
     CHECK(is(r->record->parameters[2].readings[1].device, "model-b"));
-    static const struct mip_codec other = {0, 0, 0, 0, 0, NULL, NULL, NULL, NULL, NULL};
+    static const struct mip_codec other = {0, 0, 0, 0, NULL};
     CHECK(mip_reflect(&other) == NULL);
 }
 
 static void devices(void) {
-    const struct mip_device *a = mip_device_find("model-a");
-    const struct mip_device *b = mip_device_find("model-b");
-    CHECK(mip_device_count == 5 && a == &mip_device_model_a && b == &mip_device_model_b);
-    CHECK(mip_device_find("model-d") == NULL && mip_device_find("") == NULL);
+    const struct mip_profile *a = mip_profile_find("model-a");
+    const struct mip_profile *b = mip_profile_find("model-b");
+    CHECK(mip_profile_count == 5 && a == &mip_profile_model_a && b == &mip_profile_model_b);
+    CHECK(mip_profile_find("model-d") == NULL && mip_profile_find("") == NULL);
     CHECK(a->model_number == 4711 && b->model_number == 0);
-    CHECK(is(mip_device_supports(a, MIP_TOOLS_SET, MIP_TOOLS_SETTINGS_DESCRIPTOR)->functions, "WRSLDA"));
-    CHECK(is(mip_device_supports(b, MIP_TOOLS_SET, MIP_TOOLS_SETTINGS_DESCRIPTOR)->functions, "WR"));
-    CHECK(is(mip_device_supports(b, MIP_TOOLS_SET, MIP_TOOLS_PING_DESCRIPTOR)->functions, ""));
-    CHECK(mip_device_supports(b, MIP_TOOLS_SET, MIP_TOOLS_CHOICE_DESCRIPTOR) == NULL);
-    CHECK(mip_device_base_rate(a, 0x80) > 999 && mip_device_base_rate(a, 0x80) < 1001);
-    CHECK(mip_device_base_rate(b, 0x81) < 0);
-    CHECK(is(mip_device_reading_of(b, "protocol.acknowledge.code"), "mode"));
-    CHECK(mip_device_reading_of(a, "protocol.acknowledge.code") == NULL);
-    CHECK(mip_device_reading_of(b, "measurements.accel.scaled_accel") == NULL); /* another unit, but no type */
-    CHECK(is(mip_device_reading_of(a, "tools.status_short.flags"), "tools.model_a_faults"));
+    CHECK(is(mip_profile_supports(a, MIP_TOOLS_SET, MIP_TOOLS_SETTINGS_DESCRIPTOR)->functions, "WRSLDA"));
+    CHECK(is(mip_profile_supports(b, MIP_TOOLS_SET, MIP_TOOLS_SETTINGS_DESCRIPTOR)->functions, "WR"));
+    CHECK(is(mip_profile_supports(b, MIP_TOOLS_SET, MIP_TOOLS_PING_DESCRIPTOR)->functions, ""));
+    CHECK(mip_profile_supports(b, MIP_TOOLS_SET, MIP_TOOLS_CHOICE_DESCRIPTOR) == NULL);
+    CHECK(mip_profile_base_rate(a, 0x80) > 999 && mip_profile_base_rate(a, 0x80) < 1001);
+    CHECK(mip_profile_base_rate(b, 0x81) < 0);
+    CHECK(is(mip_profile_reading_of(b, "protocol.acknowledge.code"), "mode"));
+    CHECK(mip_profile_reading_of(a, "protocol.acknowledge.code") == NULL);
+    CHECK(mip_profile_reading_of(b, "measurements.accel.scaled_accel") == NULL); /* another unit, but no type */
+    CHECK(is(mip_profile_reading_of(a, "tools.status_short.flags"), "tools.model_a_faults"));
     CHECK(a->port_count == 2 && a->ports[0].id == 0x11 && a->ports[0].baud_rates[1] == 115200);
     CHECK(is(a->ports[0].protocols, "MIP, NMEA") && a->ports[1].baud_rate_count == 0);
     CHECK(a->note_count == 1 && a->notes[0].rows == 3 && a->notes[0].columns == 2);
@@ -121,15 +122,15 @@ static void devices(void) {
 }
 
 static void uncertain(void) {
-    const struct mip_device *old = mip_device_by_model(4001);
-    CHECK(old == mip_device_find("First") && old == mip_device_find("Old 1") && old == mip_device_find("old-1"));
-    CHECK(mip_device_by_model(0) == NULL && mip_device_by_model(4003) == NULL);
-    CHECK(old->generation == 1 && is(old->manual, "") && is(mip_devices[0]->manual, "guide"));
+    const struct mip_profile *old = mip_profile_by_model(4001);
+    CHECK(old == mip_profile_find("First") && old == mip_profile_find("Old 1") && old == mip_profile_find("old-1"));
+    CHECK(mip_profile_by_model(0) == NULL && mip_profile_by_model(4003) == NULL);
+    CHECK(old->generation == 1 && is(old->manual, "") && is(mip_profiles[0]->manual, "guide"));
     CHECK(old->incomplete_count == 1 && is(old->incomplete[0], "No manual is known; see `tools.ping`."));
-    CHECK(mip_device_supports(old, 0x01, 0x01)->evidence == NULL);
-    CHECK(mip_device_supports(old, 0x80, 0x02) == NULL);
-    CHECK(is(mip_device_may_support(old, 0x80, 0x02)->evidence, "All old devices have it."));
-    CHECK(mip_device_may_support(old, 0x80, 0x03) == NULL);
+    CHECK(mip_profile_supports(old, 0x01, 0x01)->evidence == NULL);
+    CHECK(mip_profile_supports(old, 0x80, 0x02) == NULL);
+    CHECK(is(mip_profile_may_support(old, 0x80, 0x02)->evidence, "All old devices have it."));
+    CHECK(mip_profile_may_support(old, 0x80, 0x03) == NULL);
 }
 
 static uint16_t number_of(const char *text) {

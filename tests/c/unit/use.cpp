@@ -1,18 +1,18 @@
 // The headers in a C++ program, linked with the library in C.
-#include "mip/client.h"
-#include "mip/devices.h"
 #include "mip/measurements.h"
 #include "mip/more.h"
+#include "mip/profiles.h"
 #include "mip/reflect.h"
 #include "mip/registry.h"
-#include "mip/tools.h"
+#include "mip/tools_commands.h"
 
 #include <cstring>
 
 int main() {
     uint8_t buffer[MIP_MAX_PACKET];
     mip_builder builder;
-    mip_tools_settings command = mip_tools_settings_write(1, MIP_MODE_SLOW, 9600);
+    mip_tools_settings command;
+    mip_tools_settings_write(&command, 1, MIP_MODE_SLOW, 9600);
     mip_more_accel accel = {{1.0F, 2.0F, 3.0F}, MIP_STATE_FLAGS_READY};
     mip_clear_16(&accel.valid_flags, MIP_STATE_FLAGS_READY | MIP_STATE_FLAGS_HOT);
     mip_state_flags_set_level(&accel.valid_flags, 5);
@@ -20,8 +20,10 @@ int main() {
                 mip_tools_settings_encode(&command, &builder) == MIP_OK &&
                 mip_builder_finish(&builder).size == 15 && mip_state_flags_get_level(accel.valid_flags) == 5;
     good = good && std::strcmp(mip_registry_by_name("tools.ping")->name, MIP_TOOLS_PING_NAME) == 0 &&
-           mip_reflect(&mip_more_accel_codec) != nullptr && mip_device_find("model-a") == &mip_device_model_a;
+           mip_reflect(&mip_more_accel_codec) != nullptr && mip_profile_find("model-a") == &mip_profile_model_a;
     mip_client client;
+    mip_request request;
     mip_client_init(&client);
-    return good && client.waiting == nullptr ? 0 : 1;
+    good = good && mip_send_tools_settings(&client, &request, &builder, &command, nullptr, 0) == MIP_OK;
+    return good && client.waiting == &request ? 0 : 1;
 }

@@ -1,475 +1,163 @@
 /* 3DM. */
 #include "mip/3dm.h"
+#include "mip/3dm_commands.h"
+#include "mip/program.h"
 
-#include <string.h>
+static const uint8_t program_poll_imu_data[] = {
+    MIP_8_BITS(2, MIP_AT(struct mip_3dm_poll_imu_data, suppress_ack)),
+    MIP_COUNTED(MIP_SIZE(struct mip_3dm_poll_imu_data, num_descriptors), 83, 3,
+                MIP_AT(struct mip_3dm_poll_imu_data, num_descriptors)),
+    MIP_EACH(1, struct mip_3dm_poll_entry, 5, MIP_AT(struct mip_3dm_poll_imu_data, descriptors)),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_poll_entry, descriptor)),
+    MIP_16_BITS(1, MIP_AT(struct mip_3dm_poll_entry, reserved)),
+    MIP_END,
+    MIP_END,
+};
 
-void mip_3dm_poll_entry_read(struct mip_reader *r, struct mip_3dm_poll_entry *v) {
-    mip_read_u8(r, &v->descriptor, 1);
-    mip_read_u16(r, &v->reserved, 1);
-}
-
-void mip_3dm_poll_entry_write(struct mip_writer *w, const struct mip_3dm_poll_entry *v) {
-    mip_write_u8(w, &v->descriptor, 1);
-    mip_write_u16(w, &v->reserved, 1);
-}
-
-void mip_3dm_constellation_settings_entry_read(struct mip_reader *r,
-                                               struct mip_3dm_constellation_settings_entry *v) {
-    mip_read_u8(r, &v->constellation_id, 1);
-    mip_read_u8(r, &v->enable, 1);
-    mip_read_u8(r, &v->reserved_channels, 1);
-    mip_read_u8(r, &v->max_channels, 1);
-    mip_read_u16(r, &v->option_flags, 1);
-}
-
-void mip_3dm_constellation_settings_entry_write(
-    struct mip_writer *w, const struct mip_3dm_constellation_settings_entry *v) {
-    mip_write_u8(w, &v->constellation_id, 1);
-    mip_write_u8(w, &v->enable, 1);
-    mip_write_u8(w, &v->reserved_channels, 1);
-    mip_write_u8(w, &v->max_channels, 1);
-    mip_write_u16(w, &v->option_flags, 1);
-}
-
-void mip_3dm_event_support_info_read(struct mip_reader *r, struct mip_3dm_event_support_info *v) {
-    mip_read_u8(r, &v->type, 1);
-    mip_read_u8(r, &v->count, 1);
-}
-
-void mip_3dm_event_support_info_write(struct mip_writer *w,
-                                      const struct mip_3dm_event_support_info *v) {
-    mip_write_u8(w, &v->type, 1);
-    mip_write_u8(w, &v->count, 1);
-}
-
-void mip_3dm_event_trigger_status_entry_read(struct mip_reader *r,
-                                             struct mip_3dm_event_trigger_status_entry *v) {
-    mip_read_u8(r, &v->type, 1);
-    mip_read_u8(r, &v->status, 1);
-}
-
-void mip_3dm_event_trigger_status_entry_write(struct mip_writer *w,
-                                              const struct mip_3dm_event_trigger_status_entry *v) {
-    mip_write_u8(w, &v->type, 1);
-    mip_write_u8(w, &v->status, 1);
-}
-
-void mip_3dm_event_action_status_entry_read(struct mip_reader *r,
-                                            struct mip_3dm_event_action_status_entry *v) {
-    mip_read_u8(r, &v->action_type, 1);
-    mip_read_u8(r, &v->trigger_id, 1);
-}
-
-void mip_3dm_event_action_status_entry_write(struct mip_writer *w,
-                                             const struct mip_3dm_event_action_status_entry *v) {
-    mip_write_u8(w, &v->action_type, 1);
-    mip_write_u8(w, &v->trigger_id, 1);
-}
-
-void mip_3dm_sensor_range_entry_read(struct mip_reader *r, struct mip_3dm_sensor_range_entry *v) {
-    mip_read_u8(r, &v->setting, 1);
-    mip_read_float(r, &v->range, 1);
-}
-
-void mip_3dm_sensor_range_entry_write(struct mip_writer *w,
-                                      const struct mip_3dm_sensor_range_entry *v) {
-    mip_write_u8(w, &v->setting, 1);
-    mip_write_float(w, &v->range, 1);
-}
-
-static void read_poll_imu_data(struct mip_reader *r, void *value) {
-    struct mip_3dm_poll_imu_data *v = (struct mip_3dm_poll_imu_data *)value;
-    mip_read_bool(r, &v->suppress_ack, 1);
-    mip_read_u8(r, &v->num_descriptors, 1);
-    for (size_t i = 0, n = mip_read_count(r, v->num_descriptors, 83, 3); i < n; i++) {
-        mip_3dm_poll_entry_read(r, &v->descriptors[i]);
-    }
-}
-
-static void write_poll_imu_data(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_poll_imu_data *v = (const struct mip_3dm_poll_imu_data *)value;
-    mip_write_bool(w, &v->suppress_ack, 1);
-    mip_write_u8(w, &v->num_descriptors, 1);
-    for (size_t i = 0, n = mip_write_count(w, v->num_descriptors, 83); i < n; i++) {
-        mip_3dm_poll_entry_write(w, &v->descriptors[i]);
-    }
-}
+const struct mip_codec mip_3dm_poll_imu_data_codec = {
+    0x0C, 0x01, MIP_COMMAND, sizeof(struct mip_3dm_poll_imu_data), program_poll_imu_data};
 
 static bool silent_poll_imu_data(const void *value) {
     const struct mip_3dm_poll_imu_data *v = (const struct mip_3dm_poll_imu_data *)value;
     return v->suppress_ack == 1;
 }
 
-const struct mip_codec mip_3dm_poll_imu_data_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_POLL_IMU_DATA_DESCRIPTOR,
-    MIP_COMMAND,
-    sizeof(struct mip_3dm_poll_imu_data),
-    0, /* time-out */
-    read_poll_imu_data,
-    write_poll_imu_data,
-    silent_poll_imu_data,
-    NULL,
-    NULL,
+const struct mip_command mip_3dm_poll_imu_data_command = {&mip_3dm_poll_imu_data_codec,
+                                                          silent_poll_imu_data, NULL, 0};
+
+static const uint8_t program_poll_gnss_data[] = {
+    MIP_8_BITS(2, MIP_AT(struct mip_3dm_poll_gnss_data, suppress_ack)),
+    MIP_COUNTED(MIP_SIZE(struct mip_3dm_poll_gnss_data, num_descriptors), 83, 3,
+                MIP_AT(struct mip_3dm_poll_gnss_data, num_descriptors)),
+    MIP_EACH(1, struct mip_3dm_poll_entry, 5, MIP_AT(struct mip_3dm_poll_gnss_data, descriptors)),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_poll_entry, descriptor)),
+    MIP_16_BITS(1, MIP_AT(struct mip_3dm_poll_entry, reserved)),
+    MIP_END,
+    MIP_END,
 };
 
-mip_error mip_3dm_poll_imu_data_decode(struct mip_3dm_poll_imu_data *value,
-                                       const struct mip_field *field) {
-    return mip_decode_field(field, read_poll_imu_data, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_poll_imu_data_encode(const struct mip_3dm_poll_imu_data *value,
-                                       struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_POLL_IMU_DATA_DESCRIPTOR, write_poll_imu_data,
-                            value);
-}
-
-struct mip_3dm_poll_imu_data mip_3dm_poll_imu_data_make(
-    mip_bool suppress_ack, uint8_t num_descriptors, const struct mip_3dm_poll_entry descriptors[]) {
-    struct mip_3dm_poll_imu_data v;
-    memset(&v, 0, sizeof(v));
-    v.suppress_ack = suppress_ack;
-    v.num_descriptors = num_descriptors;
-    mip_copy(v.descriptors, sizeof(v.descriptors), descriptors,
-             num_descriptors * sizeof(descriptors[0]));
-    return v;
-}
-
-static void read_poll_gnss_data(struct mip_reader *r, void *value) {
-    struct mip_3dm_poll_gnss_data *v = (struct mip_3dm_poll_gnss_data *)value;
-    mip_read_bool(r, &v->suppress_ack, 1);
-    mip_read_u8(r, &v->num_descriptors, 1);
-    for (size_t i = 0, n = mip_read_count(r, v->num_descriptors, 83, 3); i < n; i++) {
-        mip_3dm_poll_entry_read(r, &v->descriptors[i]);
-    }
-}
-
-static void write_poll_gnss_data(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_poll_gnss_data *v = (const struct mip_3dm_poll_gnss_data *)value;
-    mip_write_bool(w, &v->suppress_ack, 1);
-    mip_write_u8(w, &v->num_descriptors, 1);
-    for (size_t i = 0, n = mip_write_count(w, v->num_descriptors, 83); i < n; i++) {
-        mip_3dm_poll_entry_write(w, &v->descriptors[i]);
-    }
-}
+const struct mip_codec mip_3dm_poll_gnss_data_codec = {
+    0x0C, 0x02, MIP_COMMAND, sizeof(struct mip_3dm_poll_gnss_data), program_poll_gnss_data};
 
 static bool silent_poll_gnss_data(const void *value) {
     const struct mip_3dm_poll_gnss_data *v = (const struct mip_3dm_poll_gnss_data *)value;
     return v->suppress_ack == 1;
 }
 
-const struct mip_codec mip_3dm_poll_gnss_data_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_POLL_GNSS_DATA_DESCRIPTOR,
-    MIP_COMMAND,
-    sizeof(struct mip_3dm_poll_gnss_data),
-    0, /* time-out */
-    read_poll_gnss_data,
-    write_poll_gnss_data,
-    silent_poll_gnss_data,
-    NULL,
-    NULL,
+const struct mip_command mip_3dm_poll_gnss_data_command = {&mip_3dm_poll_gnss_data_codec,
+                                                           silent_poll_gnss_data, NULL, 0};
+
+static const uint8_t program_poll_filter_data[] = {
+    MIP_8_BITS(2, MIP_AT(struct mip_3dm_poll_filter_data, suppress_ack)),
+    MIP_COUNTED(MIP_SIZE(struct mip_3dm_poll_filter_data, num_descriptors), 83, 3,
+                MIP_AT(struct mip_3dm_poll_filter_data, num_descriptors)),
+    MIP_EACH(1, struct mip_3dm_poll_entry, 5, MIP_AT(struct mip_3dm_poll_filter_data, descriptors)),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_poll_entry, descriptor)),
+    MIP_16_BITS(1, MIP_AT(struct mip_3dm_poll_entry, reserved)),
+    MIP_END,
+    MIP_END,
 };
 
-mip_error mip_3dm_poll_gnss_data_decode(struct mip_3dm_poll_gnss_data *value,
-                                        const struct mip_field *field) {
-    return mip_decode_field(field, read_poll_gnss_data, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_poll_gnss_data_encode(const struct mip_3dm_poll_gnss_data *value,
-                                        struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_POLL_GNSS_DATA_DESCRIPTOR, write_poll_gnss_data,
-                            value);
-}
-
-struct mip_3dm_poll_gnss_data mip_3dm_poll_gnss_data_make(
-    mip_bool suppress_ack, uint8_t num_descriptors, const struct mip_3dm_poll_entry descriptors[]) {
-    struct mip_3dm_poll_gnss_data v;
-    memset(&v, 0, sizeof(v));
-    v.suppress_ack = suppress_ack;
-    v.num_descriptors = num_descriptors;
-    mip_copy(v.descriptors, sizeof(v.descriptors), descriptors,
-             num_descriptors * sizeof(descriptors[0]));
-    return v;
-}
-
-static void read_poll_filter_data(struct mip_reader *r, void *value) {
-    struct mip_3dm_poll_filter_data *v = (struct mip_3dm_poll_filter_data *)value;
-    mip_read_bool(r, &v->suppress_ack, 1);
-    mip_read_u8(r, &v->num_descriptors, 1);
-    for (size_t i = 0, n = mip_read_count(r, v->num_descriptors, 83, 3); i < n; i++) {
-        mip_3dm_poll_entry_read(r, &v->descriptors[i]);
-    }
-}
-
-static void write_poll_filter_data(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_poll_filter_data *v = (const struct mip_3dm_poll_filter_data *)value;
-    mip_write_bool(w, &v->suppress_ack, 1);
-    mip_write_u8(w, &v->num_descriptors, 1);
-    for (size_t i = 0, n = mip_write_count(w, v->num_descriptors, 83); i < n; i++) {
-        mip_3dm_poll_entry_write(w, &v->descriptors[i]);
-    }
-}
+const struct mip_codec mip_3dm_poll_filter_data_codec = {
+    0x0C, 0x03, MIP_COMMAND, sizeof(struct mip_3dm_poll_filter_data), program_poll_filter_data};
 
 static bool silent_poll_filter_data(const void *value) {
     const struct mip_3dm_poll_filter_data *v = (const struct mip_3dm_poll_filter_data *)value;
     return v->suppress_ack == 1;
 }
 
-const struct mip_codec mip_3dm_poll_filter_data_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_POLL_FILTER_DATA_DESCRIPTOR,
-    MIP_COMMAND,
-    sizeof(struct mip_3dm_poll_filter_data),
-    0, /* time-out */
-    read_poll_filter_data,
-    write_poll_filter_data,
-    silent_poll_filter_data,
-    NULL,
-    NULL,
+const struct mip_command mip_3dm_poll_filter_data_command = {&mip_3dm_poll_filter_data_codec,
+                                                             silent_poll_filter_data, NULL, 0};
+
+static const uint8_t program_poll_nmea_data[] = {
+    MIP_8_BITS(2, MIP_AT(struct mip_3dm_poll_nmea_data, suppress_ack)),
+    MIP_COUNTED(MIP_SIZE(struct mip_3dm_poll_nmea_data, count), 50, 5,
+                MIP_AT(struct mip_3dm_poll_nmea_data, count)),
+    MIP_EACH(1, struct mip_nmea_message, 5, MIP_AT(struct mip_3dm_poll_nmea_data, format_entries)),
+    MIP_8_BITS(3, MIP_AT(struct mip_nmea_message, message_id)),
+    MIP_16_BITS(1, MIP_AT(struct mip_nmea_message, decimation)),
+    MIP_END,
+    MIP_END,
 };
 
-mip_error mip_3dm_poll_filter_data_decode(struct mip_3dm_poll_filter_data *value,
-                                          const struct mip_field *field) {
-    return mip_decode_field(field, read_poll_filter_data, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_poll_filter_data_encode(const struct mip_3dm_poll_filter_data *value,
-                                          struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_POLL_FILTER_DATA_DESCRIPTOR,
-                            write_poll_filter_data, value);
-}
-
-struct mip_3dm_poll_filter_data mip_3dm_poll_filter_data_make(
-    mip_bool suppress_ack, uint8_t num_descriptors, const struct mip_3dm_poll_entry descriptors[]) {
-    struct mip_3dm_poll_filter_data v;
-    memset(&v, 0, sizeof(v));
-    v.suppress_ack = suppress_ack;
-    v.num_descriptors = num_descriptors;
-    mip_copy(v.descriptors, sizeof(v.descriptors), descriptors,
-             num_descriptors * sizeof(descriptors[0]));
-    return v;
-}
-
-static void read_poll_nmea_data(struct mip_reader *r, void *value) {
-    struct mip_3dm_poll_nmea_data *v = (struct mip_3dm_poll_nmea_data *)value;
-    mip_read_bool(r, &v->suppress_ack, 1);
-    mip_read_u8(r, &v->count, 1);
-    for (size_t i = 0, n = mip_read_count(r, v->count, 50, 5); i < n; i++) {
-        mip_nmea_message_read(r, &v->format_entries[i]);
-    }
-}
-
-static void write_poll_nmea_data(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_poll_nmea_data *v = (const struct mip_3dm_poll_nmea_data *)value;
-    mip_write_bool(w, &v->suppress_ack, 1);
-    mip_write_u8(w, &v->count, 1);
-    for (size_t i = 0, n = mip_write_count(w, v->count, 50); i < n; i++) {
-        mip_nmea_message_write(w, &v->format_entries[i]);
-    }
-}
+const struct mip_codec mip_3dm_poll_nmea_data_codec = {
+    0x0C, 0x04, MIP_COMMAND, sizeof(struct mip_3dm_poll_nmea_data), program_poll_nmea_data};
 
 static bool silent_poll_nmea_data(const void *value) {
     const struct mip_3dm_poll_nmea_data *v = (const struct mip_3dm_poll_nmea_data *)value;
     return v->suppress_ack == 1;
 }
 
-const struct mip_codec mip_3dm_poll_nmea_data_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_POLL_NMEA_DATA_DESCRIPTOR,
-    MIP_COMMAND,
-    sizeof(struct mip_3dm_poll_nmea_data),
-    0, /* time-out */
-    read_poll_nmea_data,
-    write_poll_nmea_data,
-    silent_poll_nmea_data,
-    NULL,
-    NULL,
+const struct mip_command mip_3dm_poll_nmea_data_command = {&mip_3dm_poll_nmea_data_codec,
+                                                           silent_poll_nmea_data, NULL, 0};
+
+static const uint8_t program_get_imu_base_rate[] = {
+    MIP_END,
 };
 
-mip_error mip_3dm_poll_nmea_data_decode(struct mip_3dm_poll_nmea_data *value,
-                                        const struct mip_field *field) {
-    return mip_decode_field(field, read_poll_nmea_data, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_poll_nmea_data_encode(const struct mip_3dm_poll_nmea_data *value,
-                                        struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_POLL_NMEA_DATA_DESCRIPTOR, write_poll_nmea_data,
-                            value);
-}
-
-struct mip_3dm_poll_nmea_data mip_3dm_poll_nmea_data_make(
-    mip_bool suppress_ack, uint8_t count, const struct mip_nmea_message format_entries[]) {
-    struct mip_3dm_poll_nmea_data v;
-    memset(&v, 0, sizeof(v));
-    v.suppress_ack = suppress_ack;
-    v.count = count;
-    mip_copy(v.format_entries, sizeof(v.format_entries), format_entries,
-             count * sizeof(format_entries[0]));
-    return v;
-}
+const struct mip_codec mip_3dm_get_imu_base_rate_codec = {
+    0x0C, 0x06, MIP_COMMAND, sizeof(struct mip_3dm_get_imu_base_rate), program_get_imu_base_rate};
 
 static const struct mip_response responses_get_imu_base_rate[] = {
     {&mip_3dm_get_imu_base_rate_response_codec, NULL},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_get_imu_base_rate_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_GET_IMU_BASE_RATE_DESCRIPTOR,
-    MIP_COMMAND,
-    sizeof(struct mip_3dm_get_imu_base_rate),
-    0, /* time-out */
-    mip_read_nothing,
-    mip_write_nothing,
-    NULL,
-    responses_get_imu_base_rate,
-    NULL,
+const struct mip_command mip_3dm_get_imu_base_rate_command = {&mip_3dm_get_imu_base_rate_codec,
+                                                              NULL, responses_get_imu_base_rate, 0};
+
+static const uint8_t program_get_imu_base_rate_response[] = {
+    MIP_16_BITS(1, MIP_AT(struct mip_3dm_get_imu_base_rate_response, rate)),
+    MIP_END,
 };
-
-mip_error mip_3dm_get_imu_base_rate_decode(struct mip_3dm_get_imu_base_rate *value,
-                                           const struct mip_field *field) {
-    return mip_decode_field(field, mip_read_nothing, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_get_imu_base_rate_encode(const struct mip_3dm_get_imu_base_rate *value,
-                                           struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_GET_IMU_BASE_RATE_DESCRIPTOR, mip_write_nothing,
-                            value);
-}
-
-static void read_get_imu_base_rate_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_get_imu_base_rate_response *v =
-        (struct mip_3dm_get_imu_base_rate_response *)value;
-    mip_read_u16(r, &v->rate, 1);
-}
-
-static void write_get_imu_base_rate_response(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_get_imu_base_rate_response *v =
-        (const struct mip_3dm_get_imu_base_rate_response *)value;
-    mip_write_u16(w, &v->rate, 1);
-}
 
 const struct mip_codec mip_3dm_get_imu_base_rate_response_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_GET_IMU_BASE_RATE_RESPONSE_DESCRIPTOR,
-    MIP_RESPONSE,
-    sizeof(struct mip_3dm_get_imu_base_rate_response),
-    0, /* time-out */
-    read_get_imu_base_rate_response,
-    write_get_imu_base_rate_response,
-    NULL,
-    NULL,
-    NULL,
+    0x0C, 0x83, MIP_RESPONSE, sizeof(struct mip_3dm_get_imu_base_rate_response),
+    program_get_imu_base_rate_response};
+
+static const uint8_t program_get_gnss_base_rate[] = {
+    MIP_END,
 };
 
-mip_error mip_3dm_get_imu_base_rate_response_decode(
-    struct mip_3dm_get_imu_base_rate_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_get_imu_base_rate_response, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_get_imu_base_rate_response_encode(
-    const struct mip_3dm_get_imu_base_rate_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_GET_IMU_BASE_RATE_RESPONSE_DESCRIPTOR,
-                            write_get_imu_base_rate_response, value);
-}
+const struct mip_codec mip_3dm_get_gnss_base_rate_codec = {
+    0x0C, 0x07, MIP_COMMAND, sizeof(struct mip_3dm_get_gnss_base_rate), program_get_gnss_base_rate};
 
 static const struct mip_response responses_get_gnss_base_rate[] = {
     {&mip_3dm_get_gnss_base_rate_response_codec, NULL},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_get_gnss_base_rate_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_GET_GNSS_BASE_RATE_DESCRIPTOR,
-    MIP_COMMAND,
-    sizeof(struct mip_3dm_get_gnss_base_rate),
-    0, /* time-out */
-    mip_read_nothing,
-    mip_write_nothing,
-    NULL,
-    responses_get_gnss_base_rate,
-    NULL,
+const struct mip_command mip_3dm_get_gnss_base_rate_command = {
+    &mip_3dm_get_gnss_base_rate_codec, NULL, responses_get_gnss_base_rate, 0};
+
+static const uint8_t program_get_gnss_base_rate_response[] = {
+    MIP_16_BITS(1, MIP_AT(struct mip_3dm_get_gnss_base_rate_response, rate)),
+    MIP_END,
 };
-
-mip_error mip_3dm_get_gnss_base_rate_decode(struct mip_3dm_get_gnss_base_rate *value,
-                                            const struct mip_field *field) {
-    return mip_decode_field(field, mip_read_nothing, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_get_gnss_base_rate_encode(const struct mip_3dm_get_gnss_base_rate *value,
-                                            struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_GET_GNSS_BASE_RATE_DESCRIPTOR, mip_write_nothing,
-                            value);
-}
-
-static void read_get_gnss_base_rate_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_get_gnss_base_rate_response *v =
-        (struct mip_3dm_get_gnss_base_rate_response *)value;
-    mip_read_u16(r, &v->rate, 1);
-}
-
-static void write_get_gnss_base_rate_response(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_get_gnss_base_rate_response *v =
-        (const struct mip_3dm_get_gnss_base_rate_response *)value;
-    mip_write_u16(w, &v->rate, 1);
-}
 
 const struct mip_codec mip_3dm_get_gnss_base_rate_response_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_GET_GNSS_BASE_RATE_RESPONSE_DESCRIPTOR,
-    MIP_RESPONSE,
-    sizeof(struct mip_3dm_get_gnss_base_rate_response),
-    0, /* time-out */
-    read_get_gnss_base_rate_response,
-    write_get_gnss_base_rate_response,
-    NULL,
-    NULL,
-    NULL,
+    0x0C, 0x84, MIP_RESPONSE, sizeof(struct mip_3dm_get_gnss_base_rate_response),
+    program_get_gnss_base_rate_response};
+
+static const uint8_t program_imu_message_format[] = {
+    MIP_REQUIRED(2, 0, 2),
+    MIP_GROUP(1, 2),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_imu_message_format, num_descriptors)),
+    MIP_COUNTED(MIP_SIZE(struct mip_3dm_imu_message_format, num_descriptors), 83, 3,
+                MIP_AT(struct mip_3dm_imu_message_format, num_descriptors)),
+    MIP_EACH(1, struct mip_descriptor_rate, 5,
+             MIP_AT(struct mip_3dm_imu_message_format, descriptors)),
+    MIP_8_BITS(1, MIP_AT(struct mip_descriptor_rate, descriptor)),
+    MIP_16_BITS(1, MIP_AT(struct mip_descriptor_rate, decimation)),
+    MIP_END,
+    MIP_END,
 };
 
-mip_error mip_3dm_get_gnss_base_rate_response_decode(
-    struct mip_3dm_get_gnss_base_rate_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_get_gnss_base_rate_response, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_get_gnss_base_rate_response_encode(
-    const struct mip_3dm_get_gnss_base_rate_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_GET_GNSS_BASE_RATE_RESPONSE_DESCRIPTOR,
-                            write_get_gnss_base_rate_response, value);
-}
-
-/** Parameters that each function requires, by its value. */
-static const uint8_t required_imu_message_format[] = {0, 2, 0, 0, 0, 0};
-
-static void read_imu_message_format(struct mip_reader *r, void *value) {
-    struct mip_3dm_imu_message_format *v = (struct mip_3dm_imu_message_format *)value;
-    mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_imu_message_format,
-                      sizeof(required_imu_message_format));
-    mip_read_group(r, 1, 2);
-    mip_read_u8(r, &v->num_descriptors, 1);
-    for (size_t i = 0, n = mip_read_count(r, v->num_descriptors, 83, 3); i < n; i++) {
-        mip_descriptor_rate_read(r, &v->descriptors[i]);
-    }
-    v->present = mip_read_present(r);
-}
-
-static void write_imu_message_format(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_imu_message_format *v = (const struct mip_3dm_imu_message_format *)value;
-    mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_imu_message_format,
-                       sizeof(required_imu_message_format), v->present);
-    mip_write_group(w, 1, 2);
-    mip_write_u8(w, &v->num_descriptors, 1);
-    for (size_t i = 0, n = mip_write_count(w, v->num_descriptors, 83); i < n; i++) {
-        mip_descriptor_rate_write(w, &v->descriptors[i]);
-    }
-}
+const struct mip_codec mip_3dm_imu_message_format_codec = {
+    0x0C, 0x08, MIP_COMMAND, sizeof(struct mip_3dm_imu_message_format), program_imu_message_format};
 
 static bool asked_imu_message_format_1(const void *value) {
     const struct mip_3dm_imu_message_format *v = (const struct mip_3dm_imu_message_format *)value;
-
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
@@ -478,142 +166,45 @@ static const struct mip_response responses_imu_message_format[] = {
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_imu_message_format_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_IMU_MESSAGE_FORMAT_DESCRIPTOR,
-    MIP_COMMAND,
-    sizeof(struct mip_3dm_imu_message_format),
-    0, /* time-out */
-    read_imu_message_format,
-    write_imu_message_format,
-    NULL,
-    responses_imu_message_format,
-    NULL,
+const struct mip_command mip_3dm_imu_message_format_command = {
+    &mip_3dm_imu_message_format_codec, NULL, responses_imu_message_format, 0};
+
+static const uint8_t program_imu_message_format_response[] = {
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_imu_message_format_response, num_descriptors)),
+    MIP_COUNTED(MIP_SIZE(struct mip_3dm_imu_message_format_response, num_descriptors), 84, 3,
+                MIP_AT(struct mip_3dm_imu_message_format_response, num_descriptors)),
+    MIP_EACH(1, struct mip_descriptor_rate, 5,
+             MIP_AT(struct mip_3dm_imu_message_format_response, descriptors)),
+    MIP_8_BITS(1, MIP_AT(struct mip_descriptor_rate, descriptor)),
+    MIP_16_BITS(1, MIP_AT(struct mip_descriptor_rate, decimation)),
+    MIP_END,
+    MIP_END,
 };
-
-mip_error mip_3dm_imu_message_format_decode(struct mip_3dm_imu_message_format *value,
-                                            const struct mip_field *field) {
-    return mip_decode_field(field, read_imu_message_format, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_imu_message_format_encode(const struct mip_3dm_imu_message_format *value,
-                                            struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_IMU_MESSAGE_FORMAT_DESCRIPTOR,
-                            write_imu_message_format, value);
-}
-
-struct mip_3dm_imu_message_format mip_3dm_imu_message_format_write(
-    uint8_t num_descriptors, const struct mip_descriptor_rate descriptors[]) {
-    struct mip_3dm_imu_message_format v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_WRITE;
-    v.num_descriptors = num_descriptors;
-    mip_copy(v.descriptors, sizeof(v.descriptors), descriptors,
-             num_descriptors * sizeof(descriptors[0]));
-    return v;
-}
-
-struct mip_3dm_imu_message_format mip_3dm_imu_message_format_read(void) {
-    struct mip_3dm_imu_message_format v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_READ;
-    return v;
-}
-
-struct mip_3dm_imu_message_format mip_3dm_imu_message_format_save(void) {
-    struct mip_3dm_imu_message_format v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_SAVE;
-    return v;
-}
-
-struct mip_3dm_imu_message_format mip_3dm_imu_message_format_load(void) {
-    struct mip_3dm_imu_message_format v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_LOAD;
-    return v;
-}
-
-struct mip_3dm_imu_message_format mip_3dm_imu_message_format_default(void) {
-    struct mip_3dm_imu_message_format v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return v;
-}
-
-static void read_imu_message_format_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_imu_message_format_response *v =
-        (struct mip_3dm_imu_message_format_response *)value;
-    mip_read_u8(r, &v->num_descriptors, 1);
-    for (size_t i = 0, n = mip_read_count(r, v->num_descriptors, 84, 3); i < n; i++) {
-        mip_descriptor_rate_read(r, &v->descriptors[i]);
-    }
-}
-
-static void write_imu_message_format_response(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_imu_message_format_response *v =
-        (const struct mip_3dm_imu_message_format_response *)value;
-    mip_write_u8(w, &v->num_descriptors, 1);
-    for (size_t i = 0, n = mip_write_count(w, v->num_descriptors, 84); i < n; i++) {
-        mip_descriptor_rate_write(w, &v->descriptors[i]);
-    }
-}
 
 const struct mip_codec mip_3dm_imu_message_format_response_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_IMU_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
-    MIP_RESPONSE,
-    sizeof(struct mip_3dm_imu_message_format_response),
-    0, /* time-out */
-    read_imu_message_format_response,
-    write_imu_message_format_response,
-    NULL,
-    NULL,
-    NULL,
+    0x0C, 0x80, MIP_RESPONSE, sizeof(struct mip_3dm_imu_message_format_response),
+    program_imu_message_format_response};
+
+static const uint8_t program_gnss_message_format[] = {
+    MIP_REQUIRED(2, 0, 2),
+    MIP_GROUP(1, 2),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_gnss_message_format, num_descriptors)),
+    MIP_COUNTED(MIP_SIZE(struct mip_3dm_gnss_message_format, num_descriptors), 83, 3,
+                MIP_AT(struct mip_3dm_gnss_message_format, num_descriptors)),
+    MIP_EACH(1, struct mip_descriptor_rate, 5,
+             MIP_AT(struct mip_3dm_gnss_message_format, descriptors)),
+    MIP_8_BITS(1, MIP_AT(struct mip_descriptor_rate, descriptor)),
+    MIP_16_BITS(1, MIP_AT(struct mip_descriptor_rate, decimation)),
+    MIP_END,
+    MIP_END,
 };
 
-mip_error mip_3dm_imu_message_format_response_decode(
-    struct mip_3dm_imu_message_format_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_imu_message_format_response, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_imu_message_format_response_encode(
-    const struct mip_3dm_imu_message_format_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_IMU_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
-                            write_imu_message_format_response, value);
-}
-
-/** Parameters that each function requires, by its value. */
-static const uint8_t required_gnss_message_format[] = {0, 2, 0, 0, 0, 0};
-
-static void read_gnss_message_format(struct mip_reader *r, void *value) {
-    struct mip_3dm_gnss_message_format *v = (struct mip_3dm_gnss_message_format *)value;
-    mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_gnss_message_format,
-                      sizeof(required_gnss_message_format));
-    mip_read_group(r, 1, 2);
-    mip_read_u8(r, &v->num_descriptors, 1);
-    for (size_t i = 0, n = mip_read_count(r, v->num_descriptors, 83, 3); i < n; i++) {
-        mip_descriptor_rate_read(r, &v->descriptors[i]);
-    }
-    v->present = mip_read_present(r);
-}
-
-static void write_gnss_message_format(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_gnss_message_format *v = (const struct mip_3dm_gnss_message_format *)value;
-    mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_gnss_message_format,
-                       sizeof(required_gnss_message_format), v->present);
-    mip_write_group(w, 1, 2);
-    mip_write_u8(w, &v->num_descriptors, 1);
-    for (size_t i = 0, n = mip_write_count(w, v->num_descriptors, 83); i < n; i++) {
-        mip_descriptor_rate_write(w, &v->descriptors[i]);
-    }
-}
+const struct mip_codec mip_3dm_gnss_message_format_codec = {
+    0x0C, 0x09, MIP_COMMAND, sizeof(struct mip_3dm_gnss_message_format),
+    program_gnss_message_format};
 
 static bool asked_gnss_message_format_1(const void *value) {
     const struct mip_3dm_gnss_message_format *v = (const struct mip_3dm_gnss_message_format *)value;
-
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
@@ -622,144 +213,46 @@ static const struct mip_response responses_gnss_message_format[] = {
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_gnss_message_format_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_GNSS_MESSAGE_FORMAT_DESCRIPTOR,
-    MIP_COMMAND,
-    sizeof(struct mip_3dm_gnss_message_format),
-    0, /* time-out */
-    read_gnss_message_format,
-    write_gnss_message_format,
-    NULL,
-    responses_gnss_message_format,
-    NULL,
+const struct mip_command mip_3dm_gnss_message_format_command = {
+    &mip_3dm_gnss_message_format_codec, NULL, responses_gnss_message_format, 0};
+
+static const uint8_t program_gnss_message_format_response[] = {
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_gnss_message_format_response, num_descriptors)),
+    MIP_COUNTED(MIP_SIZE(struct mip_3dm_gnss_message_format_response, num_descriptors), 84, 3,
+                MIP_AT(struct mip_3dm_gnss_message_format_response, num_descriptors)),
+    MIP_EACH(1, struct mip_descriptor_rate, 5,
+             MIP_AT(struct mip_3dm_gnss_message_format_response, descriptors)),
+    MIP_8_BITS(1, MIP_AT(struct mip_descriptor_rate, descriptor)),
+    MIP_16_BITS(1, MIP_AT(struct mip_descriptor_rate, decimation)),
+    MIP_END,
+    MIP_END,
 };
-
-mip_error mip_3dm_gnss_message_format_decode(struct mip_3dm_gnss_message_format *value,
-                                             const struct mip_field *field) {
-    return mip_decode_field(field, read_gnss_message_format, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_gnss_message_format_encode(const struct mip_3dm_gnss_message_format *value,
-                                             struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_GNSS_MESSAGE_FORMAT_DESCRIPTOR,
-                            write_gnss_message_format, value);
-}
-
-struct mip_3dm_gnss_message_format mip_3dm_gnss_message_format_write(
-    uint8_t num_descriptors, const struct mip_descriptor_rate descriptors[]) {
-    struct mip_3dm_gnss_message_format v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_WRITE;
-    v.num_descriptors = num_descriptors;
-    mip_copy(v.descriptors, sizeof(v.descriptors), descriptors,
-             num_descriptors * sizeof(descriptors[0]));
-    return v;
-}
-
-struct mip_3dm_gnss_message_format mip_3dm_gnss_message_format_read(void) {
-    struct mip_3dm_gnss_message_format v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_READ;
-    return v;
-}
-
-struct mip_3dm_gnss_message_format mip_3dm_gnss_message_format_save(void) {
-    struct mip_3dm_gnss_message_format v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_SAVE;
-    return v;
-}
-
-struct mip_3dm_gnss_message_format mip_3dm_gnss_message_format_load(void) {
-    struct mip_3dm_gnss_message_format v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_LOAD;
-    return v;
-}
-
-struct mip_3dm_gnss_message_format mip_3dm_gnss_message_format_default(void) {
-    struct mip_3dm_gnss_message_format v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return v;
-}
-
-static void read_gnss_message_format_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_gnss_message_format_response *v =
-        (struct mip_3dm_gnss_message_format_response *)value;
-    mip_read_u8(r, &v->num_descriptors, 1);
-    for (size_t i = 0, n = mip_read_count(r, v->num_descriptors, 84, 3); i < n; i++) {
-        mip_descriptor_rate_read(r, &v->descriptors[i]);
-    }
-}
-
-static void write_gnss_message_format_response(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_gnss_message_format_response *v =
-        (const struct mip_3dm_gnss_message_format_response *)value;
-    mip_write_u8(w, &v->num_descriptors, 1);
-    for (size_t i = 0, n = mip_write_count(w, v->num_descriptors, 84); i < n; i++) {
-        mip_descriptor_rate_write(w, &v->descriptors[i]);
-    }
-}
 
 const struct mip_codec mip_3dm_gnss_message_format_response_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_GNSS_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
-    MIP_RESPONSE,
-    sizeof(struct mip_3dm_gnss_message_format_response),
-    0, /* time-out */
-    read_gnss_message_format_response,
-    write_gnss_message_format_response,
-    NULL,
-    NULL,
-    NULL,
+    0x0C, 0x81, MIP_RESPONSE, sizeof(struct mip_3dm_gnss_message_format_response),
+    program_gnss_message_format_response};
+
+static const uint8_t program_filter_message_format[] = {
+    MIP_REQUIRED(2, 0, 2),
+    MIP_GROUP(1, 2),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_filter_message_format, num_descriptors)),
+    MIP_COUNTED(MIP_SIZE(struct mip_3dm_filter_message_format, num_descriptors), 83, 3,
+                MIP_AT(struct mip_3dm_filter_message_format, num_descriptors)),
+    MIP_EACH(1, struct mip_descriptor_rate, 5,
+             MIP_AT(struct mip_3dm_filter_message_format, descriptors)),
+    MIP_8_BITS(1, MIP_AT(struct mip_descriptor_rate, descriptor)),
+    MIP_16_BITS(1, MIP_AT(struct mip_descriptor_rate, decimation)),
+    MIP_END,
+    MIP_END,
 };
 
-mip_error mip_3dm_gnss_message_format_response_decode(
-    struct mip_3dm_gnss_message_format_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_gnss_message_format_response, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_gnss_message_format_response_encode(
-    const struct mip_3dm_gnss_message_format_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_GNSS_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
-                            write_gnss_message_format_response, value);
-}
-
-/** Parameters that each function requires, by its value. */
-static const uint8_t required_filter_message_format[] = {0, 2, 0, 0, 0, 0};
-
-static void read_filter_message_format(struct mip_reader *r, void *value) {
-    struct mip_3dm_filter_message_format *v = (struct mip_3dm_filter_message_format *)value;
-    mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_filter_message_format,
-                      sizeof(required_filter_message_format));
-    mip_read_group(r, 1, 2);
-    mip_read_u8(r, &v->num_descriptors, 1);
-    for (size_t i = 0, n = mip_read_count(r, v->num_descriptors, 83, 3); i < n; i++) {
-        mip_descriptor_rate_read(r, &v->descriptors[i]);
-    }
-    v->present = mip_read_present(r);
-}
-
-static void write_filter_message_format(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_filter_message_format *v =
-        (const struct mip_3dm_filter_message_format *)value;
-    mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_filter_message_format,
-                       sizeof(required_filter_message_format), v->present);
-    mip_write_group(w, 1, 2);
-    mip_write_u8(w, &v->num_descriptors, 1);
-    for (size_t i = 0, n = mip_write_count(w, v->num_descriptors, 83); i < n; i++) {
-        mip_descriptor_rate_write(w, &v->descriptors[i]);
-    }
-}
+const struct mip_codec mip_3dm_filter_message_format_codec = {
+    0x0C, 0x0A, MIP_COMMAND, sizeof(struct mip_3dm_filter_message_format),
+    program_filter_message_format};
 
 static bool asked_filter_message_format_1(const void *value) {
     const struct mip_3dm_filter_message_format *v =
         (const struct mip_3dm_filter_message_format *)value;
-
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
@@ -768,208 +261,70 @@ static const struct mip_response responses_filter_message_format[] = {
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_filter_message_format_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_FILTER_MESSAGE_FORMAT_DESCRIPTOR,
-    MIP_COMMAND,
-    sizeof(struct mip_3dm_filter_message_format),
-    0, /* time-out */
-    read_filter_message_format,
-    write_filter_message_format,
-    NULL,
-    responses_filter_message_format,
-    NULL,
+const struct mip_command mip_3dm_filter_message_format_command = {
+    &mip_3dm_filter_message_format_codec, NULL, responses_filter_message_format, 0};
+
+static const uint8_t program_filter_message_format_response[] = {
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_filter_message_format_response, num_descriptors)),
+    MIP_COUNTED(MIP_SIZE(struct mip_3dm_filter_message_format_response, num_descriptors), 84, 3,
+                MIP_AT(struct mip_3dm_filter_message_format_response, num_descriptors)),
+    MIP_EACH(1, struct mip_descriptor_rate, 5,
+             MIP_AT(struct mip_3dm_filter_message_format_response, descriptors)),
+    MIP_8_BITS(1, MIP_AT(struct mip_descriptor_rate, descriptor)),
+    MIP_16_BITS(1, MIP_AT(struct mip_descriptor_rate, decimation)),
+    MIP_END,
+    MIP_END,
 };
-
-mip_error mip_3dm_filter_message_format_decode(struct mip_3dm_filter_message_format *value,
-                                               const struct mip_field *field) {
-    return mip_decode_field(field, read_filter_message_format, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_filter_message_format_encode(const struct mip_3dm_filter_message_format *value,
-                                               struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_FILTER_MESSAGE_FORMAT_DESCRIPTOR,
-                            write_filter_message_format, value);
-}
-
-struct mip_3dm_filter_message_format mip_3dm_filter_message_format_write(
-    uint8_t num_descriptors, const struct mip_descriptor_rate descriptors[]) {
-    struct mip_3dm_filter_message_format v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_WRITE;
-    v.num_descriptors = num_descriptors;
-    mip_copy(v.descriptors, sizeof(v.descriptors), descriptors,
-             num_descriptors * sizeof(descriptors[0]));
-    return v;
-}
-
-struct mip_3dm_filter_message_format mip_3dm_filter_message_format_read(void) {
-    struct mip_3dm_filter_message_format v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_READ;
-    return v;
-}
-
-struct mip_3dm_filter_message_format mip_3dm_filter_message_format_save(void) {
-    struct mip_3dm_filter_message_format v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_SAVE;
-    return v;
-}
-
-struct mip_3dm_filter_message_format mip_3dm_filter_message_format_load(void) {
-    struct mip_3dm_filter_message_format v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_LOAD;
-    return v;
-}
-
-struct mip_3dm_filter_message_format mip_3dm_filter_message_format_default(void) {
-    struct mip_3dm_filter_message_format v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return v;
-}
-
-static void read_filter_message_format_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_filter_message_format_response *v =
-        (struct mip_3dm_filter_message_format_response *)value;
-    mip_read_u8(r, &v->num_descriptors, 1);
-    for (size_t i = 0, n = mip_read_count(r, v->num_descriptors, 84, 3); i < n; i++) {
-        mip_descriptor_rate_read(r, &v->descriptors[i]);
-    }
-}
-
-static void write_filter_message_format_response(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_filter_message_format_response *v =
-        (const struct mip_3dm_filter_message_format_response *)value;
-    mip_write_u8(w, &v->num_descriptors, 1);
-    for (size_t i = 0, n = mip_write_count(w, v->num_descriptors, 84); i < n; i++) {
-        mip_descriptor_rate_write(w, &v->descriptors[i]);
-    }
-}
 
 const struct mip_codec mip_3dm_filter_message_format_response_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_FILTER_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
-    MIP_RESPONSE,
-    sizeof(struct mip_3dm_filter_message_format_response),
-    0, /* time-out */
-    read_filter_message_format_response,
-    write_filter_message_format_response,
-    NULL,
-    NULL,
-    NULL,
+    0x0C, 0x82, MIP_RESPONSE, sizeof(struct mip_3dm_filter_message_format_response),
+    program_filter_message_format_response};
+
+static const uint8_t program_get_filter_base_rate[] = {
+    MIP_END,
 };
 
-mip_error mip_3dm_filter_message_format_response_decode(
-    struct mip_3dm_filter_message_format_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_filter_message_format_response, value, sizeof(*value),
-                            NULL);
-}
-
-mip_error mip_3dm_filter_message_format_response_encode(
-    const struct mip_3dm_filter_message_format_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_FILTER_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
-                            write_filter_message_format_response, value);
-}
+const struct mip_codec mip_3dm_get_filter_base_rate_codec = {
+    0x0C, 0x0B, MIP_COMMAND, sizeof(struct mip_3dm_get_filter_base_rate),
+    program_get_filter_base_rate};
 
 static const struct mip_response responses_get_filter_base_rate[] = {
     {&mip_3dm_get_filter_base_rate_response_codec, NULL},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_get_filter_base_rate_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_GET_FILTER_BASE_RATE_DESCRIPTOR,
-    MIP_COMMAND,
-    sizeof(struct mip_3dm_get_filter_base_rate),
-    0, /* time-out */
-    mip_read_nothing,
-    mip_write_nothing,
-    NULL,
-    responses_get_filter_base_rate,
-    NULL,
+const struct mip_command mip_3dm_get_filter_base_rate_command = {
+    &mip_3dm_get_filter_base_rate_codec, NULL, responses_get_filter_base_rate, 0};
+
+static const uint8_t program_get_filter_base_rate_response[] = {
+    MIP_16_BITS(1, MIP_AT(struct mip_3dm_get_filter_base_rate_response, rate)),
+    MIP_END,
 };
-
-mip_error mip_3dm_get_filter_base_rate_decode(struct mip_3dm_get_filter_base_rate *value,
-                                              const struct mip_field *field) {
-    return mip_decode_field(field, mip_read_nothing, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_get_filter_base_rate_encode(const struct mip_3dm_get_filter_base_rate *value,
-                                              struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_GET_FILTER_BASE_RATE_DESCRIPTOR,
-                            mip_write_nothing, value);
-}
-
-static void read_get_filter_base_rate_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_get_filter_base_rate_response *v =
-        (struct mip_3dm_get_filter_base_rate_response *)value;
-    mip_read_u16(r, &v->rate, 1);
-}
-
-static void write_get_filter_base_rate_response(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_get_filter_base_rate_response *v =
-        (const struct mip_3dm_get_filter_base_rate_response *)value;
-    mip_write_u16(w, &v->rate, 1);
-}
 
 const struct mip_codec mip_3dm_get_filter_base_rate_response_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_GET_FILTER_BASE_RATE_RESPONSE_DESCRIPTOR,
-    MIP_RESPONSE,
-    sizeof(struct mip_3dm_get_filter_base_rate_response),
-    0, /* time-out */
-    read_get_filter_base_rate_response,
-    write_get_filter_base_rate_response,
-    NULL,
-    NULL,
-    NULL,
+    0x0C, 0x8A, MIP_RESPONSE, sizeof(struct mip_3dm_get_filter_base_rate_response),
+    program_get_filter_base_rate_response};
+
+static const uint8_t program_nmea_message_format[] = {
+    MIP_REQUIRED(2, 0, 2),
+    MIP_GROUP(1, 2),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_nmea_message_format, count)),
+    MIP_COUNTED(MIP_SIZE(struct mip_3dm_nmea_message_format, count), 50, 5,
+                MIP_AT(struct mip_3dm_nmea_message_format, count)),
+    MIP_EACH(1, struct mip_nmea_message, 5,
+             MIP_AT(struct mip_3dm_nmea_message_format, format_entries)),
+    MIP_8_BITS(3, MIP_AT(struct mip_nmea_message, message_id)),
+    MIP_16_BITS(1, MIP_AT(struct mip_nmea_message, decimation)),
+    MIP_END,
+    MIP_END,
 };
 
-mip_error mip_3dm_get_filter_base_rate_response_decode(
-    struct mip_3dm_get_filter_base_rate_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_get_filter_base_rate_response, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_get_filter_base_rate_response_encode(
-    const struct mip_3dm_get_filter_base_rate_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_GET_FILTER_BASE_RATE_RESPONSE_DESCRIPTOR,
-                            write_get_filter_base_rate_response, value);
-}
-
-/** Parameters that each function requires, by its value. */
-static const uint8_t required_nmea_message_format[] = {0, 2, 0, 0, 0, 0};
-
-static void read_nmea_message_format(struct mip_reader *r, void *value) {
-    struct mip_3dm_nmea_message_format *v = (struct mip_3dm_nmea_message_format *)value;
-    mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_nmea_message_format,
-                      sizeof(required_nmea_message_format));
-    mip_read_group(r, 1, 2);
-    mip_read_u8(r, &v->count, 1);
-    for (size_t i = 0, n = mip_read_count(r, v->count, 50, 5); i < n; i++) {
-        mip_nmea_message_read(r, &v->format_entries[i]);
-    }
-    v->present = mip_read_present(r);
-}
-
-static void write_nmea_message_format(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_nmea_message_format *v = (const struct mip_3dm_nmea_message_format *)value;
-    mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_nmea_message_format,
-                       sizeof(required_nmea_message_format), v->present);
-    mip_write_group(w, 1, 2);
-    mip_write_u8(w, &v->count, 1);
-    for (size_t i = 0, n = mip_write_count(w, v->count, 50); i < n; i++) {
-        mip_nmea_message_write(w, &v->format_entries[i]);
-    }
-}
+const struct mip_codec mip_3dm_nmea_message_format_codec = {
+    0x0C, 0x0C, MIP_COMMAND, sizeof(struct mip_3dm_nmea_message_format),
+    program_nmea_message_format};
 
 static bool asked_nmea_message_format_1(const void *value) {
     const struct mip_3dm_nmea_message_format *v = (const struct mip_3dm_nmea_message_format *)value;
-
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
@@ -978,284 +333,90 @@ static const struct mip_response responses_nmea_message_format[] = {
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_nmea_message_format_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_NMEA_MESSAGE_FORMAT_DESCRIPTOR,
-    MIP_COMMAND,
-    sizeof(struct mip_3dm_nmea_message_format),
-    0, /* time-out */
-    read_nmea_message_format,
-    write_nmea_message_format,
-    NULL,
-    responses_nmea_message_format,
-    NULL,
+const struct mip_command mip_3dm_nmea_message_format_command = {
+    &mip_3dm_nmea_message_format_codec, NULL, responses_nmea_message_format, 0};
+
+static const uint8_t program_nmea_message_format_response[] = {
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_nmea_message_format_response, count)),
+    MIP_COUNTED(MIP_SIZE(struct mip_3dm_nmea_message_format_response, count), 50, 5,
+                MIP_AT(struct mip_3dm_nmea_message_format_response, count)),
+    MIP_EACH(1, struct mip_nmea_message, 5,
+             MIP_AT(struct mip_3dm_nmea_message_format_response, format_entries)),
+    MIP_8_BITS(3, MIP_AT(struct mip_nmea_message, message_id)),
+    MIP_16_BITS(1, MIP_AT(struct mip_nmea_message, decimation)),
+    MIP_END,
+    MIP_END,
 };
-
-mip_error mip_3dm_nmea_message_format_decode(struct mip_3dm_nmea_message_format *value,
-                                             const struct mip_field *field) {
-    return mip_decode_field(field, read_nmea_message_format, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_nmea_message_format_encode(const struct mip_3dm_nmea_message_format *value,
-                                             struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_NMEA_MESSAGE_FORMAT_DESCRIPTOR,
-                            write_nmea_message_format, value);
-}
-
-struct mip_3dm_nmea_message_format
-mip_3dm_nmea_message_format_write(uint8_t count, const struct mip_nmea_message format_entries[]) {
-    struct mip_3dm_nmea_message_format v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_WRITE;
-    v.count = count;
-    mip_copy(v.format_entries, sizeof(v.format_entries), format_entries,
-             count * sizeof(format_entries[0]));
-    return v;
-}
-
-struct mip_3dm_nmea_message_format mip_3dm_nmea_message_format_read(void) {
-    struct mip_3dm_nmea_message_format v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_READ;
-    return v;
-}
-
-struct mip_3dm_nmea_message_format mip_3dm_nmea_message_format_save(void) {
-    struct mip_3dm_nmea_message_format v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_SAVE;
-    return v;
-}
-
-struct mip_3dm_nmea_message_format mip_3dm_nmea_message_format_load(void) {
-    struct mip_3dm_nmea_message_format v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_LOAD;
-    return v;
-}
-
-struct mip_3dm_nmea_message_format mip_3dm_nmea_message_format_default(void) {
-    struct mip_3dm_nmea_message_format v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return v;
-}
-
-static void read_nmea_message_format_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_nmea_message_format_response *v =
-        (struct mip_3dm_nmea_message_format_response *)value;
-    mip_read_u8(r, &v->count, 1);
-    for (size_t i = 0, n = mip_read_count(r, v->count, 50, 5); i < n; i++) {
-        mip_nmea_message_read(r, &v->format_entries[i]);
-    }
-}
-
-static void write_nmea_message_format_response(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_nmea_message_format_response *v =
-        (const struct mip_3dm_nmea_message_format_response *)value;
-    mip_write_u8(w, &v->count, 1);
-    for (size_t i = 0, n = mip_write_count(w, v->count, 50); i < n; i++) {
-        mip_nmea_message_write(w, &v->format_entries[i]);
-    }
-}
 
 const struct mip_codec mip_3dm_nmea_message_format_response_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_NMEA_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
-    MIP_RESPONSE,
-    sizeof(struct mip_3dm_nmea_message_format_response),
-    0, /* time-out */
-    read_nmea_message_format_response,
-    write_nmea_message_format_response,
-    NULL,
-    NULL,
-    NULL,
+    0x0C, 0x8C, MIP_RESPONSE, sizeof(struct mip_3dm_nmea_message_format_response),
+    program_nmea_message_format_response};
+
+static const uint8_t program_poll_data[] = {
+    MIP_8_BITS(3, MIP_AT(struct mip_3dm_poll_data, descriptor_set)),
+    MIP_COUNTED(MIP_SIZE(struct mip_3dm_poll_data, num_descriptors), 250, 1,
+                MIP_AT(struct mip_3dm_poll_data, num_descriptors)),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_poll_data, descriptors)),
+    MIP_END,
 };
 
-mip_error mip_3dm_nmea_message_format_response_decode(
-    struct mip_3dm_nmea_message_format_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_nmea_message_format_response, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_nmea_message_format_response_encode(
-    const struct mip_3dm_nmea_message_format_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_NMEA_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
-                            write_nmea_message_format_response, value);
-}
-
-static void read_poll_data(struct mip_reader *r, void *value) {
-    struct mip_3dm_poll_data *v = (struct mip_3dm_poll_data *)value;
-    mip_read_u8(r, &v->descriptor_set, 1);
-    mip_read_bool(r, &v->suppress_ack, 1);
-    mip_read_u8(r, &v->num_descriptors, 1);
-    mip_read_u8(r, v->descriptors, mip_read_count(r, v->num_descriptors, 250, 1));
-}
-
-static void write_poll_data(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_poll_data *v = (const struct mip_3dm_poll_data *)value;
-    mip_write_u8(w, &v->descriptor_set, 1);
-    mip_write_bool(w, &v->suppress_ack, 1);
-    mip_write_u8(w, &v->num_descriptors, 1);
-    mip_write_u8(w, v->descriptors, mip_write_count(w, v->num_descriptors, 250));
-}
+const struct mip_codec mip_3dm_poll_data_codec = {
+    0x0C, 0x0D, MIP_COMMAND, sizeof(struct mip_3dm_poll_data), program_poll_data};
 
 static bool silent_poll_data(const void *value) {
     const struct mip_3dm_poll_data *v = (const struct mip_3dm_poll_data *)value;
     return v->suppress_ack == 1;
 }
 
-const struct mip_codec mip_3dm_poll_data_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_POLL_DATA_DESCRIPTOR,
-    MIP_COMMAND,
-    sizeof(struct mip_3dm_poll_data),
-    0, /* time-out */
-    read_poll_data,
-    write_poll_data,
-    silent_poll_data,
-    NULL,
-    NULL,
+const struct mip_command mip_3dm_poll_data_command = {&mip_3dm_poll_data_codec, silent_poll_data,
+                                                      NULL, 0};
+
+static const uint8_t program_get_base_rate[] = {
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_get_base_rate, descriptor_set)),
+    MIP_END,
 };
 
-mip_error mip_3dm_poll_data_decode(struct mip_3dm_poll_data *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_poll_data, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_poll_data_encode(const struct mip_3dm_poll_data *value,
-                                   struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_POLL_DATA_DESCRIPTOR, write_poll_data, value);
-}
-
-struct mip_3dm_poll_data mip_3dm_poll_data_make(uint8_t descriptor_set, mip_bool suppress_ack,
-                                                uint8_t num_descriptors,
-                                                const uint8_t descriptors[]) {
-    struct mip_3dm_poll_data v;
-    memset(&v, 0, sizeof(v));
-    v.descriptor_set = descriptor_set;
-    v.suppress_ack = suppress_ack;
-    v.num_descriptors = num_descriptors;
-    mip_copy(v.descriptors, sizeof(v.descriptors), descriptors,
-             num_descriptors * sizeof(descriptors[0]));
-    return v;
-}
-
-static void read_get_base_rate(struct mip_reader *r, void *value) {
-    struct mip_3dm_get_base_rate *v = (struct mip_3dm_get_base_rate *)value;
-    mip_read_u8(r, &v->descriptor_set, 1);
-}
-
-static void write_get_base_rate(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_get_base_rate *v = (const struct mip_3dm_get_base_rate *)value;
-    mip_write_u8(w, &v->descriptor_set, 1);
-}
+const struct mip_codec mip_3dm_get_base_rate_codec = {
+    0x0C, 0x0E, MIP_COMMAND, sizeof(struct mip_3dm_get_base_rate), program_get_base_rate};
 
 static const struct mip_response responses_get_base_rate[] = {
     {&mip_3dm_get_base_rate_response_codec, NULL},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_get_base_rate_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_GET_BASE_RATE_DESCRIPTOR,
-    MIP_COMMAND,
-    sizeof(struct mip_3dm_get_base_rate),
-    0, /* time-out */
-    read_get_base_rate,
-    write_get_base_rate,
-    NULL,
-    responses_get_base_rate,
-    NULL,
+const struct mip_command mip_3dm_get_base_rate_command = {&mip_3dm_get_base_rate_codec, NULL,
+                                                          responses_get_base_rate, 0};
+
+static const uint8_t program_get_base_rate_response[] = {
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_get_base_rate_response, descriptor_set)),
+    MIP_16_BITS(1, MIP_AT(struct mip_3dm_get_base_rate_response, rate)),
+    MIP_END,
 };
-
-mip_error mip_3dm_get_base_rate_decode(struct mip_3dm_get_base_rate *value,
-                                       const struct mip_field *field) {
-    return mip_decode_field(field, read_get_base_rate, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_get_base_rate_encode(const struct mip_3dm_get_base_rate *value,
-                                       struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_GET_BASE_RATE_DESCRIPTOR, write_get_base_rate,
-                            value);
-}
-
-struct mip_3dm_get_base_rate mip_3dm_get_base_rate_make(uint8_t descriptor_set) {
-    struct mip_3dm_get_base_rate v;
-    memset(&v, 0, sizeof(v));
-    v.descriptor_set = descriptor_set;
-    return v;
-}
-
-static void read_get_base_rate_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_get_base_rate_response *v = (struct mip_3dm_get_base_rate_response *)value;
-    mip_read_u8(r, &v->descriptor_set, 1);
-    mip_read_u16(r, &v->rate, 1);
-}
-
-static void write_get_base_rate_response(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_get_base_rate_response *v =
-        (const struct mip_3dm_get_base_rate_response *)value;
-    mip_write_u8(w, &v->descriptor_set, 1);
-    mip_write_u16(w, &v->rate, 1);
-}
 
 const struct mip_codec mip_3dm_get_base_rate_response_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_GET_BASE_RATE_RESPONSE_DESCRIPTOR,
-    MIP_RESPONSE,
-    sizeof(struct mip_3dm_get_base_rate_response),
-    0, /* time-out */
-    read_get_base_rate_response,
-    write_get_base_rate_response,
-    NULL,
-    NULL,
-    NULL,
+    0x0C, 0x8E, MIP_RESPONSE, sizeof(struct mip_3dm_get_base_rate_response),
+    program_get_base_rate_response};
+
+static const uint8_t program_message_format[] = {
+    MIP_REQUIRED(6, 0, 3, 1, 1, 1, 1),
+    MIP_GROUP(1, 1),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_message_format, descriptor_set)),
+    MIP_GROUP(2, 3),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_message_format, num_descriptors)),
+    MIP_COUNTED(MIP_SIZE(struct mip_3dm_message_format, num_descriptors), 83, 3,
+                MIP_AT(struct mip_3dm_message_format, num_descriptors)),
+    MIP_EACH(1, struct mip_descriptor_rate, 5, MIP_AT(struct mip_3dm_message_format, descriptors)),
+    MIP_8_BITS(1, MIP_AT(struct mip_descriptor_rate, descriptor)),
+    MIP_16_BITS(1, MIP_AT(struct mip_descriptor_rate, decimation)),
+    MIP_END,
+    MIP_END,
 };
 
-mip_error mip_3dm_get_base_rate_response_decode(struct mip_3dm_get_base_rate_response *value,
-                                                const struct mip_field *field) {
-    return mip_decode_field(field, read_get_base_rate_response, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_get_base_rate_response_encode(const struct mip_3dm_get_base_rate_response *value,
-                                                struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_GET_BASE_RATE_RESPONSE_DESCRIPTOR,
-                            write_get_base_rate_response, value);
-}
-
-/** Parameters that each function requires, by its value. */
-static const uint8_t required_message_format[] = {0, 3, 1, 1, 1, 1};
-
-static void read_message_format(struct mip_reader *r, void *value) {
-    struct mip_3dm_message_format *v = (struct mip_3dm_message_format *)value;
-    mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_message_format, sizeof(required_message_format));
-    mip_read_group(r, 1, 1);
-    mip_read_u8(r, &v->descriptor_set, 1);
-    mip_read_group(r, 2, 3);
-    mip_read_u8(r, &v->num_descriptors, 1);
-    for (size_t i = 0, n = mip_read_count(r, v->num_descriptors, 83, 3); i < n; i++) {
-        mip_descriptor_rate_read(r, &v->descriptors[i]);
-    }
-    v->present = mip_read_present(r);
-}
-
-static void write_message_format(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_message_format *v = (const struct mip_3dm_message_format *)value;
-    mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_message_format, sizeof(required_message_format),
-                       v->present);
-    mip_write_group(w, 1, 1);
-    mip_write_u8(w, &v->descriptor_set, 1);
-    mip_write_group(w, 2, 3);
-    mip_write_u8(w, &v->num_descriptors, 1);
-    for (size_t i = 0, n = mip_write_count(w, v->num_descriptors, 83); i < n; i++) {
-        mip_descriptor_rate_write(w, &v->descriptors[i]);
-    }
-}
+const struct mip_codec mip_3dm_message_format_codec = {
+    0x0C, 0x0F, MIP_COMMAND, sizeof(struct mip_3dm_message_format), program_message_format};
 
 static bool asked_message_format_1(const void *value) {
     const struct mip_3dm_message_format *v = (const struct mip_3dm_message_format *)value;
-
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
@@ -1264,191 +425,51 @@ static const struct mip_response responses_message_format[] = {
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_message_format_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_MESSAGE_FORMAT_DESCRIPTOR,
-    MIP_COMMAND,
-    sizeof(struct mip_3dm_message_format),
-    0, /* time-out */
-    read_message_format,
-    write_message_format,
-    NULL,
-    responses_message_format,
-    NULL,
+const struct mip_command mip_3dm_message_format_command = {&mip_3dm_message_format_codec, NULL,
+                                                           responses_message_format, 0};
+
+static const uint8_t program_message_format_response[] = {
+    MIP_8_BITS(2, MIP_AT(struct mip_3dm_message_format_response, descriptor_set)),
+    MIP_COUNTED(MIP_SIZE(struct mip_3dm_message_format_response, num_descriptors), 83, 3,
+                MIP_AT(struct mip_3dm_message_format_response, num_descriptors)),
+    MIP_EACH(1, struct mip_descriptor_rate, 5,
+             MIP_AT(struct mip_3dm_message_format_response, descriptors)),
+    MIP_8_BITS(1, MIP_AT(struct mip_descriptor_rate, descriptor)),
+    MIP_16_BITS(1, MIP_AT(struct mip_descriptor_rate, decimation)),
+    MIP_END,
+    MIP_END,
 };
-
-mip_error mip_3dm_message_format_decode(struct mip_3dm_message_format *value,
-                                        const struct mip_field *field) {
-    return mip_decode_field(field, read_message_format, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_message_format_encode(const struct mip_3dm_message_format *value,
-                                        struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_MESSAGE_FORMAT_DESCRIPTOR, write_message_format,
-                            value);
-}
-
-struct mip_3dm_message_format
-mip_3dm_message_format_write(uint8_t descriptor_set, uint8_t num_descriptors,
-                             const struct mip_descriptor_rate descriptors[]) {
-    struct mip_3dm_message_format v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_WRITE;
-    v.descriptor_set = descriptor_set;
-    v.num_descriptors = num_descriptors;
-    mip_copy(v.descriptors, sizeof(v.descriptors), descriptors,
-             num_descriptors * sizeof(descriptors[0]));
-    return v;
-}
-
-struct mip_3dm_message_format mip_3dm_message_format_read(uint8_t descriptor_set) {
-    struct mip_3dm_message_format v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_READ;
-    v.descriptor_set = descriptor_set;
-    return v;
-}
-
-struct mip_3dm_message_format mip_3dm_message_format_save(uint8_t descriptor_set) {
-    struct mip_3dm_message_format v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_SAVE;
-    v.descriptor_set = descriptor_set;
-    return v;
-}
-
-struct mip_3dm_message_format mip_3dm_message_format_load(uint8_t descriptor_set) {
-    struct mip_3dm_message_format v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_LOAD;
-    v.descriptor_set = descriptor_set;
-    return v;
-}
-
-struct mip_3dm_message_format mip_3dm_message_format_default(uint8_t descriptor_set) {
-    struct mip_3dm_message_format v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    v.descriptor_set = descriptor_set;
-    return v;
-}
-
-static void read_message_format_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_message_format_response *v = (struct mip_3dm_message_format_response *)value;
-    mip_read_u8(r, &v->descriptor_set, 1);
-    mip_read_u8(r, &v->num_descriptors, 1);
-    for (size_t i = 0, n = mip_read_count(r, v->num_descriptors, 83, 3); i < n; i++) {
-        mip_descriptor_rate_read(r, &v->descriptors[i]);
-    }
-}
-
-static void write_message_format_response(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_message_format_response *v =
-        (const struct mip_3dm_message_format_response *)value;
-    mip_write_u8(w, &v->descriptor_set, 1);
-    mip_write_u8(w, &v->num_descriptors, 1);
-    for (size_t i = 0, n = mip_write_count(w, v->num_descriptors, 83); i < n; i++) {
-        mip_descriptor_rate_write(w, &v->descriptors[i]);
-    }
-}
 
 const struct mip_codec mip_3dm_message_format_response_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
-    MIP_RESPONSE,
-    sizeof(struct mip_3dm_message_format_response),
-    0, /* time-out */
-    read_message_format_response,
-    write_message_format_response,
-    NULL,
-    NULL,
-    NULL,
+    0x0C, 0x8F, MIP_RESPONSE, sizeof(struct mip_3dm_message_format_response),
+    program_message_format_response};
+
+static const uint8_t program_factory_streaming[] = {
+    MIP_8_BITS(2, MIP_AT(struct mip_3dm_factory_streaming, action)),
+    MIP_END,
 };
-
-mip_error mip_3dm_message_format_response_decode(struct mip_3dm_message_format_response *value,
-                                                 const struct mip_field *field) {
-    return mip_decode_field(field, read_message_format_response, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_message_format_response_encode(
-    const struct mip_3dm_message_format_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
-                            write_message_format_response, value);
-}
-
-static void read_factory_streaming(struct mip_reader *r, void *value) {
-    struct mip_3dm_factory_streaming *v = (struct mip_3dm_factory_streaming *)value;
-    mip_read_u8(r, &v->action, 1);
-    mip_read_u8(r, &v->reserved, 1);
-}
-
-static void write_factory_streaming(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_factory_streaming *v = (const struct mip_3dm_factory_streaming *)value;
-    mip_write_u8(w, &v->action, 1);
-    mip_write_u8(w, &v->reserved, 1);
-}
 
 const struct mip_codec mip_3dm_factory_streaming_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_FACTORY_STREAMING_DESCRIPTOR,
-    MIP_COMMAND,
-    sizeof(struct mip_3dm_factory_streaming),
-    0, /* time-out */
-    read_factory_streaming,
-    write_factory_streaming,
-    NULL,
-    NULL,
-    NULL,
+    0x0C, 0x10, MIP_COMMAND, sizeof(struct mip_3dm_factory_streaming), program_factory_streaming};
+
+const struct mip_command mip_3dm_factory_streaming_command = {&mip_3dm_factory_streaming_codec,
+                                                              NULL, NULL, 0};
+
+static const uint8_t program_data_stream_control[] = {
+    MIP_REQUIRED(6, 0, 2, 1, 1, 1, 1),
+    MIP_GROUP(1, 1),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_data_stream_control, descriptor_set)),
+    MIP_GROUP(2, 2),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_data_stream_control, enable)),
+    MIP_END,
 };
 
-mip_error mip_3dm_factory_streaming_decode(struct mip_3dm_factory_streaming *value,
-                                           const struct mip_field *field) {
-    return mip_decode_field(field, read_factory_streaming, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_factory_streaming_encode(const struct mip_3dm_factory_streaming *value,
-                                           struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_FACTORY_STREAMING_DESCRIPTOR,
-                            write_factory_streaming, value);
-}
-
-struct mip_3dm_factory_streaming
-mip_3dm_factory_streaming_make(mip_3dm_factory_streaming_action action) {
-    struct mip_3dm_factory_streaming v;
-    memset(&v, 0, sizeof(v));
-    v.action = action;
-    return v;
-}
-
-/** Parameters that each function requires, by its value. */
-static const uint8_t required_data_stream_control[] = {0, 2, 1, 1, 1, 1};
-
-static void read_data_stream_control(struct mip_reader *r, void *value) {
-    struct mip_3dm_data_stream_control *v = (struct mip_3dm_data_stream_control *)value;
-    mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_data_stream_control,
-                      sizeof(required_data_stream_control));
-    mip_read_group(r, 1, 1);
-    mip_read_u8(r, &v->descriptor_set, 1);
-    mip_read_group(r, 2, 2);
-    mip_read_bool(r, &v->enable, 1);
-    v->present = mip_read_present(r);
-}
-
-static void write_data_stream_control(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_data_stream_control *v = (const struct mip_3dm_data_stream_control *)value;
-    mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_data_stream_control,
-                       sizeof(required_data_stream_control), v->present);
-    mip_write_group(w, 1, 1);
-    mip_write_u8(w, &v->descriptor_set, 1);
-    mip_write_group(w, 2, 2);
-    mip_write_bool(w, &v->enable, 1);
-}
+const struct mip_codec mip_3dm_data_stream_control_codec = {
+    0x0C, 0x11, MIP_COMMAND, sizeof(struct mip_3dm_data_stream_control),
+    program_data_stream_control};
 
 static bool asked_data_stream_control_1(const void *value) {
     const struct mip_3dm_data_stream_control *v = (const struct mip_3dm_data_stream_control *)value;
-
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
@@ -1457,147 +478,41 @@ static const struct mip_response responses_data_stream_control[] = {
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_data_stream_control_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_DATA_STREAM_CONTROL_DESCRIPTOR,
-    MIP_COMMAND,
-    sizeof(struct mip_3dm_data_stream_control),
-    0, /* time-out */
-    read_data_stream_control,
-    write_data_stream_control,
-    NULL,
-    responses_data_stream_control,
-    NULL,
+const struct mip_command mip_3dm_data_stream_control_command = {
+    &mip_3dm_data_stream_control_codec, NULL, responses_data_stream_control, 0};
+
+static const uint8_t program_data_stream_control_response[] = {
+    MIP_8_BITS(2, MIP_AT(struct mip_3dm_data_stream_control_response, descriptor_set)),
+    MIP_END,
 };
-
-mip_error mip_3dm_data_stream_control_decode(struct mip_3dm_data_stream_control *value,
-                                             const struct mip_field *field) {
-    return mip_decode_field(field, read_data_stream_control, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_data_stream_control_encode(const struct mip_3dm_data_stream_control *value,
-                                             struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_DATA_STREAM_CONTROL_DESCRIPTOR,
-                            write_data_stream_control, value);
-}
-
-struct mip_3dm_data_stream_control mip_3dm_data_stream_control_write(uint8_t descriptor_set,
-                                                                     mip_bool enable) {
-    struct mip_3dm_data_stream_control v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_WRITE;
-    v.descriptor_set = descriptor_set;
-    v.enable = enable;
-    return v;
-}
-
-struct mip_3dm_data_stream_control mip_3dm_data_stream_control_read(uint8_t descriptor_set) {
-    struct mip_3dm_data_stream_control v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_READ;
-    v.descriptor_set = descriptor_set;
-    return v;
-}
-
-struct mip_3dm_data_stream_control mip_3dm_data_stream_control_save(uint8_t descriptor_set) {
-    struct mip_3dm_data_stream_control v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_SAVE;
-    v.descriptor_set = descriptor_set;
-    return v;
-}
-
-struct mip_3dm_data_stream_control mip_3dm_data_stream_control_load(uint8_t descriptor_set) {
-    struct mip_3dm_data_stream_control v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_LOAD;
-    v.descriptor_set = descriptor_set;
-    return v;
-}
-
-struct mip_3dm_data_stream_control mip_3dm_data_stream_control_default(uint8_t descriptor_set) {
-    struct mip_3dm_data_stream_control v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    v.descriptor_set = descriptor_set;
-    return v;
-}
-
-static void read_data_stream_control_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_data_stream_control_response *v =
-        (struct mip_3dm_data_stream_control_response *)value;
-    mip_read_u8(r, &v->descriptor_set, 1);
-    mip_read_bool(r, &v->enabled, 1);
-}
-
-static void write_data_stream_control_response(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_data_stream_control_response *v =
-        (const struct mip_3dm_data_stream_control_response *)value;
-    mip_write_u8(w, &v->descriptor_set, 1);
-    mip_write_bool(w, &v->enabled, 1);
-}
 
 const struct mip_codec mip_3dm_data_stream_control_response_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_DATA_STREAM_CONTROL_RESPONSE_DESCRIPTOR,
-    MIP_RESPONSE,
-    sizeof(struct mip_3dm_data_stream_control_response),
-    0, /* time-out */
-    read_data_stream_control_response,
-    write_data_stream_control_response,
-    NULL,
-    NULL,
-    NULL,
+    0x0C, 0x85, MIP_RESPONSE, sizeof(struct mip_3dm_data_stream_control_response),
+    program_data_stream_control_response};
+
+static const uint8_t program_constellation_settings[] = {
+    MIP_REQUIRED(2, 0, 3),
+    MIP_GROUP(1, 1),
+    MIP_16_BITS(1, MIP_AT(struct mip_3dm_constellation_settings, max_channels)),
+    MIP_GROUP(2, 3),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_constellation_settings, config_count)),
+    MIP_COUNTED(MIP_SIZE(struct mip_3dm_constellation_settings, config_count), 41, 6,
+                MIP_AT(struct mip_3dm_constellation_settings, config_count)),
+    MIP_EACH(1, struct mip_3dm_constellation_settings_entry, 5,
+             MIP_AT(struct mip_3dm_constellation_settings, settings)),
+    MIP_8_BITS(4, MIP_AT(struct mip_3dm_constellation_settings_entry, constellation_id)),
+    MIP_16_BITS(1, MIP_AT(struct mip_3dm_constellation_settings_entry, option_flags)),
+    MIP_END,
+    MIP_END,
 };
 
-mip_error mip_3dm_data_stream_control_response_decode(
-    struct mip_3dm_data_stream_control_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_data_stream_control_response, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_data_stream_control_response_encode(
-    const struct mip_3dm_data_stream_control_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_DATA_STREAM_CONTROL_RESPONSE_DESCRIPTOR,
-                            write_data_stream_control_response, value);
-}
-
-/** Parameters that each function requires, by its value. */
-static const uint8_t required_constellation_settings[] = {0, 3, 0, 0, 0, 0};
-
-static void read_constellation_settings(struct mip_reader *r, void *value) {
-    struct mip_3dm_constellation_settings *v = (struct mip_3dm_constellation_settings *)value;
-    mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_constellation_settings,
-                      sizeof(required_constellation_settings));
-    mip_read_group(r, 1, 1);
-    mip_read_u16(r, &v->max_channels, 1);
-    mip_read_group(r, 2, 3);
-    mip_read_u8(r, &v->config_count, 1);
-    for (size_t i = 0, n = mip_read_count(r, v->config_count, 41, 6); i < n; i++) {
-        mip_3dm_constellation_settings_entry_read(r, &v->settings[i]);
-    }
-    v->present = mip_read_present(r);
-}
-
-static void write_constellation_settings(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_constellation_settings *v =
-        (const struct mip_3dm_constellation_settings *)value;
-    mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_constellation_settings,
-                       sizeof(required_constellation_settings), v->present);
-    mip_write_group(w, 1, 1);
-    mip_write_u16(w, &v->max_channels, 1);
-    mip_write_group(w, 2, 3);
-    mip_write_u8(w, &v->config_count, 1);
-    for (size_t i = 0, n = mip_write_count(w, v->config_count, 41); i < n; i++) {
-        mip_3dm_constellation_settings_entry_write(w, &v->settings[i]);
-    }
-}
+const struct mip_codec mip_3dm_constellation_settings_codec = {
+    0x0C, 0x21, MIP_COMMAND, sizeof(struct mip_3dm_constellation_settings),
+    program_constellation_settings};
 
 static bool asked_constellation_settings_1(const void *value) {
     const struct mip_3dm_constellation_settings *v =
         (const struct mip_3dm_constellation_settings *)value;
-
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
@@ -1606,152 +521,45 @@ static const struct mip_response responses_constellation_settings[] = {
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_constellation_settings_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_CONSTELLATION_SETTINGS_DESCRIPTOR,
-    MIP_COMMAND,
-    sizeof(struct mip_3dm_constellation_settings),
-    0, /* time-out */
-    read_constellation_settings,
-    write_constellation_settings,
-    NULL,
-    responses_constellation_settings,
-    NULL,
+const struct mip_command mip_3dm_constellation_settings_command = {
+    &mip_3dm_constellation_settings_codec, NULL, responses_constellation_settings, 0};
+
+static const uint8_t program_constellation_settings_response[] = {
+    MIP_16_BITS(2, MIP_AT(struct mip_3dm_constellation_settings_response, max_channels_available)),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_constellation_settings_response, config_count)),
+    MIP_COUNTED(MIP_SIZE(struct mip_3dm_constellation_settings_response, config_count), 41, 6,
+                MIP_AT(struct mip_3dm_constellation_settings_response, config_count)),
+    MIP_EACH(1, struct mip_3dm_constellation_settings_entry, 5,
+             MIP_AT(struct mip_3dm_constellation_settings_response, settings)),
+    MIP_8_BITS(4, MIP_AT(struct mip_3dm_constellation_settings_entry, constellation_id)),
+    MIP_16_BITS(1, MIP_AT(struct mip_3dm_constellation_settings_entry, option_flags)),
+    MIP_END,
+    MIP_END,
 };
-
-mip_error mip_3dm_constellation_settings_decode(struct mip_3dm_constellation_settings *value,
-                                                const struct mip_field *field) {
-    return mip_decode_field(field, read_constellation_settings, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_constellation_settings_encode(const struct mip_3dm_constellation_settings *value,
-                                                struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_CONSTELLATION_SETTINGS_DESCRIPTOR,
-                            write_constellation_settings, value);
-}
-
-struct mip_3dm_constellation_settings
-mip_3dm_constellation_settings_write(uint16_t max_channels, uint8_t config_count,
-                                     const struct mip_3dm_constellation_settings_entry settings[]) {
-    struct mip_3dm_constellation_settings v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_WRITE;
-    v.max_channels = max_channels;
-    v.config_count = config_count;
-    mip_copy(v.settings, sizeof(v.settings), settings, config_count * sizeof(settings[0]));
-    return v;
-}
-
-struct mip_3dm_constellation_settings mip_3dm_constellation_settings_read(void) {
-    struct mip_3dm_constellation_settings v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_READ;
-    return v;
-}
-
-struct mip_3dm_constellation_settings mip_3dm_constellation_settings_save(void) {
-    struct mip_3dm_constellation_settings v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_SAVE;
-    return v;
-}
-
-struct mip_3dm_constellation_settings mip_3dm_constellation_settings_load(void) {
-    struct mip_3dm_constellation_settings v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_LOAD;
-    return v;
-}
-
-struct mip_3dm_constellation_settings mip_3dm_constellation_settings_default(void) {
-    struct mip_3dm_constellation_settings v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return v;
-}
-
-static void read_constellation_settings_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_constellation_settings_response *v =
-        (struct mip_3dm_constellation_settings_response *)value;
-    mip_read_u16(r, &v->max_channels_available, 1);
-    mip_read_u16(r, &v->max_channels_use, 1);
-    mip_read_u8(r, &v->config_count, 1);
-    for (size_t i = 0, n = mip_read_count(r, v->config_count, 41, 6); i < n; i++) {
-        mip_3dm_constellation_settings_entry_read(r, &v->settings[i]);
-    }
-}
-
-static void write_constellation_settings_response(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_constellation_settings_response *v =
-        (const struct mip_3dm_constellation_settings_response *)value;
-    mip_write_u16(w, &v->max_channels_available, 1);
-    mip_write_u16(w, &v->max_channels_use, 1);
-    mip_write_u8(w, &v->config_count, 1);
-    for (size_t i = 0, n = mip_write_count(w, v->config_count, 41); i < n; i++) {
-        mip_3dm_constellation_settings_entry_write(w, &v->settings[i]);
-    }
-}
 
 const struct mip_codec mip_3dm_constellation_settings_response_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_CONSTELLATION_SETTINGS_RESPONSE_DESCRIPTOR,
-    MIP_RESPONSE,
-    sizeof(struct mip_3dm_constellation_settings_response),
-    0, /* time-out */
-    read_constellation_settings_response,
-    write_constellation_settings_response,
-    NULL,
-    NULL,
-    NULL,
+    0x0C, 0xA0, MIP_RESPONSE, sizeof(struct mip_3dm_constellation_settings_response),
+    program_constellation_settings_response};
+
+static const uint8_t program_gnss_sbas_settings[] = {
+    MIP_REQUIRED(2, 0, 4),
+    MIP_GROUP(1, 1),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_gnss_sbas_settings, enable_sbas)),
+    MIP_GROUP(2, 2),
+    MIP_16_BITS(1, MIP_AT(struct mip_3dm_gnss_sbas_settings, sbas_options)),
+    MIP_GROUP(3, 4),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_gnss_sbas_settings, num_included_prns)),
+    MIP_COUNTED(MIP_SIZE(struct mip_3dm_gnss_sbas_settings, num_included_prns), 124, 2,
+                MIP_AT(struct mip_3dm_gnss_sbas_settings, num_included_prns)),
+    MIP_16_BITS(1, MIP_AT(struct mip_3dm_gnss_sbas_settings, included_prns)),
+    MIP_END,
 };
 
-mip_error mip_3dm_constellation_settings_response_decode(
-    struct mip_3dm_constellation_settings_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_constellation_settings_response, value, sizeof(*value),
-                            NULL);
-}
-
-mip_error mip_3dm_constellation_settings_response_encode(
-    const struct mip_3dm_constellation_settings_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_CONSTELLATION_SETTINGS_RESPONSE_DESCRIPTOR,
-                            write_constellation_settings_response, value);
-}
-
-/** Parameters that each function requires, by its value. */
-static const uint8_t required_gnss_sbas_settings[] = {0, 4, 0, 0, 0, 0};
-
-static void read_gnss_sbas_settings(struct mip_reader *r, void *value) {
-    struct mip_3dm_gnss_sbas_settings *v = (struct mip_3dm_gnss_sbas_settings *)value;
-    mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_gnss_sbas_settings,
-                      sizeof(required_gnss_sbas_settings));
-    mip_read_group(r, 1, 1);
-    mip_read_u8(r, &v->enable_sbas, 1);
-    mip_read_group(r, 2, 2);
-    mip_read_u16(r, &v->sbas_options, 1);
-    mip_read_group(r, 3, 4);
-    mip_read_u8(r, &v->num_included_prns, 1);
-    mip_read_u16(r, v->included_prns, mip_read_count(r, v->num_included_prns, 124, 2));
-    v->present = mip_read_present(r);
-}
-
-static void write_gnss_sbas_settings(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_gnss_sbas_settings *v = (const struct mip_3dm_gnss_sbas_settings *)value;
-    mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_gnss_sbas_settings,
-                       sizeof(required_gnss_sbas_settings), v->present);
-    mip_write_group(w, 1, 1);
-    mip_write_u8(w, &v->enable_sbas, 1);
-    mip_write_group(w, 2, 2);
-    mip_write_u16(w, &v->sbas_options, 1);
-    mip_write_group(w, 3, 4);
-    mip_write_u8(w, &v->num_included_prns, 1);
-    mip_write_u16(w, v->included_prns, mip_write_count(w, v->num_included_prns, 124));
-}
+const struct mip_codec mip_3dm_gnss_sbas_settings_codec = {
+    0x0C, 0x22, MIP_COMMAND, sizeof(struct mip_3dm_gnss_sbas_settings), program_gnss_sbas_settings};
 
 static bool asked_gnss_sbas_settings_1(const void *value) {
     const struct mip_3dm_gnss_sbas_settings *v = (const struct mip_3dm_gnss_sbas_settings *)value;
-
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
@@ -1760,143 +568,37 @@ static const struct mip_response responses_gnss_sbas_settings[] = {
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_gnss_sbas_settings_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_GNSS_SBAS_SETTINGS_DESCRIPTOR,
-    MIP_COMMAND,
-    sizeof(struct mip_3dm_gnss_sbas_settings),
-    0, /* time-out */
-    read_gnss_sbas_settings,
-    write_gnss_sbas_settings,
-    NULL,
-    responses_gnss_sbas_settings,
-    NULL,
+const struct mip_command mip_3dm_gnss_sbas_settings_command = {
+    &mip_3dm_gnss_sbas_settings_codec, NULL, responses_gnss_sbas_settings, 0};
+
+static const uint8_t program_gnss_sbas_settings_response[] = {
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_gnss_sbas_settings_response, enable_sbas)),
+    MIP_16_BITS(1, MIP_AT(struct mip_3dm_gnss_sbas_settings_response, sbas_options)),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_gnss_sbas_settings_response, num_included_prns)),
+    MIP_COUNTED(MIP_SIZE(struct mip_3dm_gnss_sbas_settings_response, num_included_prns), 124, 2,
+                MIP_AT(struct mip_3dm_gnss_sbas_settings_response, num_included_prns)),
+    MIP_16_BITS(1, MIP_AT(struct mip_3dm_gnss_sbas_settings_response, included_prns)),
+    MIP_END,
 };
-
-mip_error mip_3dm_gnss_sbas_settings_decode(struct mip_3dm_gnss_sbas_settings *value,
-                                            const struct mip_field *field) {
-    return mip_decode_field(field, read_gnss_sbas_settings, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_gnss_sbas_settings_encode(const struct mip_3dm_gnss_sbas_settings *value,
-                                            struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_GNSS_SBAS_SETTINGS_DESCRIPTOR,
-                            write_gnss_sbas_settings, value);
-}
-
-struct mip_3dm_gnss_sbas_settings
-mip_3dm_gnss_sbas_settings_write(uint8_t enable_sbas, mip_3dm_sbas_options sbas_options,
-                                 uint8_t num_included_prns, const uint16_t included_prns[]) {
-    struct mip_3dm_gnss_sbas_settings v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_WRITE;
-    v.enable_sbas = enable_sbas;
-    v.sbas_options = sbas_options;
-    v.num_included_prns = num_included_prns;
-    mip_copy(v.included_prns, sizeof(v.included_prns), included_prns,
-             num_included_prns * sizeof(included_prns[0]));
-    return v;
-}
-
-struct mip_3dm_gnss_sbas_settings mip_3dm_gnss_sbas_settings_read(void) {
-    struct mip_3dm_gnss_sbas_settings v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_READ;
-    return v;
-}
-
-struct mip_3dm_gnss_sbas_settings mip_3dm_gnss_sbas_settings_save(void) {
-    struct mip_3dm_gnss_sbas_settings v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_SAVE;
-    return v;
-}
-
-struct mip_3dm_gnss_sbas_settings mip_3dm_gnss_sbas_settings_load(void) {
-    struct mip_3dm_gnss_sbas_settings v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_LOAD;
-    return v;
-}
-
-struct mip_3dm_gnss_sbas_settings mip_3dm_gnss_sbas_settings_default(void) {
-    struct mip_3dm_gnss_sbas_settings v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return v;
-}
-
-static void read_gnss_sbas_settings_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_gnss_sbas_settings_response *v =
-        (struct mip_3dm_gnss_sbas_settings_response *)value;
-    mip_read_u8(r, &v->enable_sbas, 1);
-    mip_read_u16(r, &v->sbas_options, 1);
-    mip_read_u8(r, &v->num_included_prns, 1);
-    mip_read_u16(r, v->included_prns, mip_read_count(r, v->num_included_prns, 124, 2));
-}
-
-static void write_gnss_sbas_settings_response(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_gnss_sbas_settings_response *v =
-        (const struct mip_3dm_gnss_sbas_settings_response *)value;
-    mip_write_u8(w, &v->enable_sbas, 1);
-    mip_write_u16(w, &v->sbas_options, 1);
-    mip_write_u8(w, &v->num_included_prns, 1);
-    mip_write_u16(w, v->included_prns, mip_write_count(w, v->num_included_prns, 124));
-}
 
 const struct mip_codec mip_3dm_gnss_sbas_settings_response_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_GNSS_SBAS_SETTINGS_RESPONSE_DESCRIPTOR,
-    MIP_RESPONSE,
-    sizeof(struct mip_3dm_gnss_sbas_settings_response),
-    0, /* time-out */
-    read_gnss_sbas_settings_response,
-    write_gnss_sbas_settings_response,
-    NULL,
-    NULL,
-    NULL,
+    0x0C, 0xA1, MIP_RESPONSE, sizeof(struct mip_3dm_gnss_sbas_settings_response),
+    program_gnss_sbas_settings_response};
+
+static const uint8_t program_gnss_assisted_fix[] = {
+    MIP_REQUIRED(2, 0, 2),
+    MIP_GROUP(1, 1),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_gnss_assisted_fix, option)),
+    MIP_GROUP(2, 2),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_gnss_assisted_fix, flags)),
+    MIP_END,
 };
 
-mip_error mip_3dm_gnss_sbas_settings_response_decode(
-    struct mip_3dm_gnss_sbas_settings_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_gnss_sbas_settings_response, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_gnss_sbas_settings_response_encode(
-    const struct mip_3dm_gnss_sbas_settings_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_GNSS_SBAS_SETTINGS_RESPONSE_DESCRIPTOR,
-                            write_gnss_sbas_settings_response, value);
-}
-
-/** Parameters that each function requires, by its value. */
-static const uint8_t required_gnss_assisted_fix[] = {0, 2, 0, 0, 0, 0};
-
-static void read_gnss_assisted_fix(struct mip_reader *r, void *value) {
-    struct mip_3dm_gnss_assisted_fix *v = (struct mip_3dm_gnss_assisted_fix *)value;
-    mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_gnss_assisted_fix,
-                      sizeof(required_gnss_assisted_fix));
-    mip_read_group(r, 1, 1);
-    mip_read_u8(r, &v->option, 1);
-    mip_read_group(r, 2, 2);
-    mip_read_u8(r, &v->flags, 1);
-    v->present = mip_read_present(r);
-}
-
-static void write_gnss_assisted_fix(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_gnss_assisted_fix *v = (const struct mip_3dm_gnss_assisted_fix *)value;
-    mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_gnss_assisted_fix,
-                       sizeof(required_gnss_assisted_fix), v->present);
-    mip_write_group(w, 1, 1);
-    mip_write_u8(w, &v->option, 1);
-    mip_write_group(w, 2, 2);
-    mip_write_u8(w, &v->flags, 1);
-}
+const struct mip_codec mip_3dm_gnss_assisted_fix_codec = {
+    0x0C, 0x23, MIP_COMMAND, sizeof(struct mip_3dm_gnss_assisted_fix), program_gnss_assisted_fix};
 
 static bool asked_gnss_assisted_fix_1(const void *value) {
     const struct mip_3dm_gnss_assisted_fix *v = (const struct mip_3dm_gnss_assisted_fix *)value;
-
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
@@ -1905,145 +607,36 @@ static const struct mip_response responses_gnss_assisted_fix[] = {
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_gnss_assisted_fix_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_GNSS_ASSISTED_FIX_DESCRIPTOR,
-    MIP_COMMAND,
-    sizeof(struct mip_3dm_gnss_assisted_fix),
-    0, /* time-out */
-    read_gnss_assisted_fix,
-    write_gnss_assisted_fix,
-    NULL,
-    responses_gnss_assisted_fix,
-    NULL,
+const struct mip_command mip_3dm_gnss_assisted_fix_command = {&mip_3dm_gnss_assisted_fix_codec,
+                                                              NULL, responses_gnss_assisted_fix, 0};
+
+static const uint8_t program_gnss_assisted_fix_response[] = {
+    MIP_8_BITS(2, MIP_AT(struct mip_3dm_gnss_assisted_fix_response, option)),
+    MIP_END,
 };
-
-mip_error mip_3dm_gnss_assisted_fix_decode(struct mip_3dm_gnss_assisted_fix *value,
-                                           const struct mip_field *field) {
-    return mip_decode_field(field, read_gnss_assisted_fix, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_gnss_assisted_fix_encode(const struct mip_3dm_gnss_assisted_fix *value,
-                                           struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_GNSS_ASSISTED_FIX_DESCRIPTOR,
-                            write_gnss_assisted_fix, value);
-}
-
-struct mip_3dm_gnss_assisted_fix
-mip_3dm_gnss_assisted_fix_write(mip_3dm_assisted_fix_option option) {
-    struct mip_3dm_gnss_assisted_fix v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_WRITE;
-    v.option = option;
-    v.flags = 255;
-    return v;
-}
-
-struct mip_3dm_gnss_assisted_fix mip_3dm_gnss_assisted_fix_read(void) {
-    struct mip_3dm_gnss_assisted_fix v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_READ;
-    v.flags = 255;
-    return v;
-}
-
-struct mip_3dm_gnss_assisted_fix mip_3dm_gnss_assisted_fix_save(void) {
-    struct mip_3dm_gnss_assisted_fix v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_SAVE;
-    v.flags = 255;
-    return v;
-}
-
-struct mip_3dm_gnss_assisted_fix mip_3dm_gnss_assisted_fix_load(void) {
-    struct mip_3dm_gnss_assisted_fix v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_LOAD;
-    v.flags = 255;
-    return v;
-}
-
-struct mip_3dm_gnss_assisted_fix mip_3dm_gnss_assisted_fix_default(void) {
-    struct mip_3dm_gnss_assisted_fix v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    v.flags = 255;
-    return v;
-}
-
-static void read_gnss_assisted_fix_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_gnss_assisted_fix_response *v =
-        (struct mip_3dm_gnss_assisted_fix_response *)value;
-    mip_read_u8(r, &v->option, 1);
-    mip_read_u8(r, &v->flags, 1);
-}
-
-static void write_gnss_assisted_fix_response(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_gnss_assisted_fix_response *v =
-        (const struct mip_3dm_gnss_assisted_fix_response *)value;
-    mip_write_u8(w, &v->option, 1);
-    mip_write_u8(w, &v->flags, 1);
-}
 
 const struct mip_codec mip_3dm_gnss_assisted_fix_response_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_GNSS_ASSISTED_FIX_RESPONSE_DESCRIPTOR,
-    MIP_RESPONSE,
-    sizeof(struct mip_3dm_gnss_assisted_fix_response),
-    0, /* time-out */
-    read_gnss_assisted_fix_response,
-    write_gnss_assisted_fix_response,
-    NULL,
-    NULL,
-    NULL,
+    0x0C, 0xA2, MIP_RESPONSE, sizeof(struct mip_3dm_gnss_assisted_fix_response),
+    program_gnss_assisted_fix_response};
+
+static const uint8_t program_gnss_time_assistance[] = {
+    MIP_REQUIRED(2, 0, 3),
+    MIP_GROUP(1, 1),
+    MIP_DOUBLES(1, MIP_AT(struct mip_3dm_gnss_time_assistance, tow)),
+    MIP_GROUP(2, 2),
+    MIP_16_BITS(1, MIP_AT(struct mip_3dm_gnss_time_assistance, week_number)),
+    MIP_GROUP(3, 3),
+    MIP_32_BITS(1, MIP_AT(struct mip_3dm_gnss_time_assistance, accuracy)),
+    MIP_END,
 };
 
-mip_error mip_3dm_gnss_assisted_fix_response_decode(
-    struct mip_3dm_gnss_assisted_fix_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_gnss_assisted_fix_response, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_gnss_assisted_fix_response_encode(
-    const struct mip_3dm_gnss_assisted_fix_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_GNSS_ASSISTED_FIX_RESPONSE_DESCRIPTOR,
-                            write_gnss_assisted_fix_response, value);
-}
-
-/** Parameters that each function requires, by its value. */
-static const uint8_t required_gnss_time_assistance[] = {0, 3, 0};
-
-static void read_gnss_time_assistance(struct mip_reader *r, void *value) {
-    struct mip_3dm_gnss_time_assistance *v = (struct mip_3dm_gnss_time_assistance *)value;
-    mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_gnss_time_assistance,
-                      sizeof(required_gnss_time_assistance));
-    mip_read_group(r, 1, 1);
-    mip_read_double(r, &v->tow, 1);
-    mip_read_group(r, 2, 2);
-    mip_read_u16(r, &v->week_number, 1);
-    mip_read_group(r, 3, 3);
-    mip_read_float(r, &v->accuracy, 1);
-    v->present = mip_read_present(r);
-}
-
-static void write_gnss_time_assistance(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_gnss_time_assistance *v =
-        (const struct mip_3dm_gnss_time_assistance *)value;
-    mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_gnss_time_assistance,
-                       sizeof(required_gnss_time_assistance), v->present);
-    mip_write_group(w, 1, 1);
-    mip_write_double(w, &v->tow, 1);
-    mip_write_group(w, 2, 2);
-    mip_write_u16(w, &v->week_number, 1);
-    mip_write_group(w, 3, 3);
-    mip_write_float(w, &v->accuracy, 1);
-}
+const struct mip_codec mip_3dm_gnss_time_assistance_codec = {
+    0x0C, 0x24, MIP_COMMAND, sizeof(struct mip_3dm_gnss_time_assistance),
+    program_gnss_time_assistance};
 
 static bool asked_gnss_time_assistance_1(const void *value) {
     const struct mip_3dm_gnss_time_assistance *v =
         (const struct mip_3dm_gnss_time_assistance *)value;
-
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
@@ -2052,114 +645,32 @@ static const struct mip_response responses_gnss_time_assistance[] = {
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_gnss_time_assistance_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_GNSS_TIME_ASSISTANCE_DESCRIPTOR,
-    MIP_COMMAND,
-    sizeof(struct mip_3dm_gnss_time_assistance),
-    0, /* time-out */
-    read_gnss_time_assistance,
-    write_gnss_time_assistance,
-    NULL,
-    responses_gnss_time_assistance,
-    NULL,
+const struct mip_command mip_3dm_gnss_time_assistance_command = {
+    &mip_3dm_gnss_time_assistance_codec, NULL, responses_gnss_time_assistance, 0};
+
+static const uint8_t program_gnss_time_assistance_response[] = {
+    MIP_DOUBLES(1, MIP_AT(struct mip_3dm_gnss_time_assistance_response, tow)),
+    MIP_16_BITS(1, MIP_AT(struct mip_3dm_gnss_time_assistance_response, week_number)),
+    MIP_32_BITS(1, MIP_AT(struct mip_3dm_gnss_time_assistance_response, accuracy)),
+    MIP_END,
 };
-
-mip_error mip_3dm_gnss_time_assistance_decode(struct mip_3dm_gnss_time_assistance *value,
-                                              const struct mip_field *field) {
-    return mip_decode_field(field, read_gnss_time_assistance, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_gnss_time_assistance_encode(const struct mip_3dm_gnss_time_assistance *value,
-                                              struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_GNSS_TIME_ASSISTANCE_DESCRIPTOR,
-                            write_gnss_time_assistance, value);
-}
-
-struct mip_3dm_gnss_time_assistance mip_3dm_gnss_time_assistance_write(double tow,
-                                                                       uint16_t week_number,
-                                                                       float accuracy) {
-    struct mip_3dm_gnss_time_assistance v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_WRITE;
-    v.tow = tow;
-    v.week_number = week_number;
-    v.accuracy = accuracy;
-    return v;
-}
-
-struct mip_3dm_gnss_time_assistance mip_3dm_gnss_time_assistance_read(void) {
-    struct mip_3dm_gnss_time_assistance v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_READ;
-    return v;
-}
-
-static void read_gnss_time_assistance_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_gnss_time_assistance_response *v =
-        (struct mip_3dm_gnss_time_assistance_response *)value;
-    mip_read_double(r, &v->tow, 1);
-    mip_read_u16(r, &v->week_number, 1);
-    mip_read_float(r, &v->accuracy, 1);
-}
-
-static void write_gnss_time_assistance_response(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_gnss_time_assistance_response *v =
-        (const struct mip_3dm_gnss_time_assistance_response *)value;
-    mip_write_double(w, &v->tow, 1);
-    mip_write_u16(w, &v->week_number, 1);
-    mip_write_float(w, &v->accuracy, 1);
-}
 
 const struct mip_codec mip_3dm_gnss_time_assistance_response_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_GNSS_TIME_ASSISTANCE_RESPONSE_DESCRIPTOR,
-    MIP_RESPONSE,
-    sizeof(struct mip_3dm_gnss_time_assistance_response),
-    0, /* time-out */
-    read_gnss_time_assistance_response,
-    write_gnss_time_assistance_response,
-    NULL,
-    NULL,
-    NULL,
+    0x0C, 0xA3, MIP_RESPONSE, sizeof(struct mip_3dm_gnss_time_assistance_response),
+    program_gnss_time_assistance_response};
+
+static const uint8_t program_pps_source_control[] = {
+    MIP_REQUIRED(2, 0, 1),
+    MIP_GROUP(1, 1),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_pps_source_control, source)),
+    MIP_END,
 };
 
-mip_error mip_3dm_gnss_time_assistance_response_decode(
-    struct mip_3dm_gnss_time_assistance_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_gnss_time_assistance_response, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_gnss_time_assistance_response_encode(
-    const struct mip_3dm_gnss_time_assistance_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_GNSS_TIME_ASSISTANCE_RESPONSE_DESCRIPTOR,
-                            write_gnss_time_assistance_response, value);
-}
-
-/** Parameters that each function requires, by its value. */
-static const uint8_t required_pps_source_control[] = {0, 1, 0, 0, 0, 0};
-
-static void read_pps_source_control(struct mip_reader *r, void *value) {
-    struct mip_3dm_pps_source_control *v = (struct mip_3dm_pps_source_control *)value;
-    mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_pps_source_control,
-                      sizeof(required_pps_source_control));
-    mip_read_group(r, 1, 1);
-    mip_read_u8(r, &v->source, 1);
-    v->present = mip_read_present(r);
-}
-
-static void write_pps_source_control(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_pps_source_control *v = (const struct mip_3dm_pps_source_control *)value;
-    mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_pps_source_control,
-                       sizeof(required_pps_source_control), v->present);
-    mip_write_group(w, 1, 1);
-    mip_write_u8(w, &v->source, 1);
-}
+const struct mip_codec mip_3dm_pps_source_control_codec = {
+    0x0C, 0x28, MIP_COMMAND, sizeof(struct mip_3dm_pps_source_control), program_pps_source_control};
 
 static bool asked_pps_source_control_1(const void *value) {
     const struct mip_3dm_pps_source_control *v = (const struct mip_3dm_pps_source_control *)value;
-
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
@@ -2168,222 +679,63 @@ static const struct mip_response responses_pps_source_control[] = {
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_pps_source_control_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_PPS_SOURCE_CONTROL_DESCRIPTOR,
-    MIP_COMMAND,
-    sizeof(struct mip_3dm_pps_source_control),
-    0, /* time-out */
-    read_pps_source_control,
-    write_pps_source_control,
-    NULL,
-    responses_pps_source_control,
-    NULL,
+const struct mip_command mip_3dm_pps_source_control_command = {
+    &mip_3dm_pps_source_control_codec, NULL, responses_pps_source_control, 0};
+
+static const uint8_t program_pps_source_control_response[] = {
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_pps_source_control_response, source)),
+    MIP_END,
 };
-
-mip_error mip_3dm_pps_source_control_decode(struct mip_3dm_pps_source_control *value,
-                                            const struct mip_field *field) {
-    return mip_decode_field(field, read_pps_source_control, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_pps_source_control_encode(const struct mip_3dm_pps_source_control *value,
-                                            struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_PPS_SOURCE_CONTROL_DESCRIPTOR,
-                            write_pps_source_control, value);
-}
-
-struct mip_3dm_pps_source_control mip_3dm_pps_source_control_write(mip_3dm_pps_source source) {
-    struct mip_3dm_pps_source_control v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_WRITE;
-    v.source = source;
-    return v;
-}
-
-struct mip_3dm_pps_source_control mip_3dm_pps_source_control_read(void) {
-    struct mip_3dm_pps_source_control v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_READ;
-    return v;
-}
-
-struct mip_3dm_pps_source_control mip_3dm_pps_source_control_save(void) {
-    struct mip_3dm_pps_source_control v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_SAVE;
-    return v;
-}
-
-struct mip_3dm_pps_source_control mip_3dm_pps_source_control_load(void) {
-    struct mip_3dm_pps_source_control v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_LOAD;
-    return v;
-}
-
-struct mip_3dm_pps_source_control mip_3dm_pps_source_control_default(void) {
-    struct mip_3dm_pps_source_control v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return v;
-}
-
-static void read_pps_source_control_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_pps_source_control_response *v =
-        (struct mip_3dm_pps_source_control_response *)value;
-    mip_read_u8(r, &v->source, 1);
-}
-
-static void write_pps_source_control_response(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_pps_source_control_response *v =
-        (const struct mip_3dm_pps_source_control_response *)value;
-    mip_write_u8(w, &v->source, 1);
-}
 
 const struct mip_codec mip_3dm_pps_source_control_response_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_PPS_SOURCE_CONTROL_RESPONSE_DESCRIPTOR,
-    MIP_RESPONSE,
-    sizeof(struct mip_3dm_pps_source_control_response),
-    0, /* time-out */
-    read_pps_source_control_response,
-    write_pps_source_control_response,
-    NULL,
-    NULL,
-    NULL,
+    0x0C, 0xA8, MIP_RESPONSE, sizeof(struct mip_3dm_pps_source_control_response),
+    program_pps_source_control_response};
+
+static const uint8_t program_get_event_support[] = {
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_get_event_support, query)),
+    MIP_END,
 };
 
-mip_error mip_3dm_pps_source_control_response_decode(
-    struct mip_3dm_pps_source_control_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_pps_source_control_response, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_pps_source_control_response_encode(
-    const struct mip_3dm_pps_source_control_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_PPS_SOURCE_CONTROL_RESPONSE_DESCRIPTOR,
-                            write_pps_source_control_response, value);
-}
-
-static void read_get_event_support(struct mip_reader *r, void *value) {
-    struct mip_3dm_get_event_support *v = (struct mip_3dm_get_event_support *)value;
-    mip_read_u8(r, &v->query, 1);
-}
-
-static void write_get_event_support(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_get_event_support *v = (const struct mip_3dm_get_event_support *)value;
-    mip_write_u8(w, &v->query, 1);
-}
+const struct mip_codec mip_3dm_get_event_support_codec = {
+    0x0C, 0x2A, MIP_COMMAND, sizeof(struct mip_3dm_get_event_support), program_get_event_support};
 
 static const struct mip_response responses_get_event_support[] = {
     {&mip_3dm_get_event_support_response_codec, NULL},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_get_event_support_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_GET_EVENT_SUPPORT_DESCRIPTOR,
-    MIP_COMMAND,
-    sizeof(struct mip_3dm_get_event_support),
-    0, /* time-out */
-    read_get_event_support,
-    write_get_event_support,
-    NULL,
-    responses_get_event_support,
-    NULL,
+const struct mip_command mip_3dm_get_event_support_command = {&mip_3dm_get_event_support_codec,
+                                                              NULL, responses_get_event_support, 0};
+
+static const uint8_t program_get_event_support_response[] = {
+    MIP_8_BITS(3, MIP_AT(struct mip_3dm_get_event_support_response, query)),
+    MIP_COUNTED(MIP_SIZE(struct mip_3dm_get_event_support_response, num_entries), 125, 2,
+                MIP_AT(struct mip_3dm_get_event_support_response, num_entries)),
+    MIP_EACH(1, struct mip_3dm_event_support_info, 3,
+             MIP_AT(struct mip_3dm_get_event_support_response, entries)),
+    MIP_8_BITS(2, MIP_AT(struct mip_3dm_event_support_info, type)),
+    MIP_END,
+    MIP_END,
 };
-
-mip_error mip_3dm_get_event_support_decode(struct mip_3dm_get_event_support *value,
-                                           const struct mip_field *field) {
-    return mip_decode_field(field, read_get_event_support, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_get_event_support_encode(const struct mip_3dm_get_event_support *value,
-                                           struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_GET_EVENT_SUPPORT_DESCRIPTOR,
-                            write_get_event_support, value);
-}
-
-struct mip_3dm_get_event_support mip_3dm_get_event_support_make(mip_3dm_event_support_query query) {
-    struct mip_3dm_get_event_support v;
-    memset(&v, 0, sizeof(v));
-    v.query = query;
-    return v;
-}
-
-static void read_get_event_support_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_get_event_support_response *v =
-        (struct mip_3dm_get_event_support_response *)value;
-    mip_read_u8(r, &v->query, 1);
-    mip_read_u8(r, &v->max_instances, 1);
-    mip_read_u8(r, &v->num_entries, 1);
-    for (size_t i = 0, n = mip_read_count(r, v->num_entries, 125, 2); i < n; i++) {
-        mip_3dm_event_support_info_read(r, &v->entries[i]);
-    }
-}
-
-static void write_get_event_support_response(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_get_event_support_response *v =
-        (const struct mip_3dm_get_event_support_response *)value;
-    mip_write_u8(w, &v->query, 1);
-    mip_write_u8(w, &v->max_instances, 1);
-    mip_write_u8(w, &v->num_entries, 1);
-    for (size_t i = 0, n = mip_write_count(w, v->num_entries, 125); i < n; i++) {
-        mip_3dm_event_support_info_write(w, &v->entries[i]);
-    }
-}
 
 const struct mip_codec mip_3dm_get_event_support_response_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_GET_EVENT_SUPPORT_RESPONSE_DESCRIPTOR,
-    MIP_RESPONSE,
-    sizeof(struct mip_3dm_get_event_support_response),
-    0, /* time-out */
-    read_get_event_support_response,
-    write_get_event_support_response,
-    NULL,
-    NULL,
-    NULL,
+    0x0C, 0xB4, MIP_RESPONSE, sizeof(struct mip_3dm_get_event_support_response),
+    program_get_event_support_response};
+
+static const uint8_t program_event_control[] = {
+    MIP_REQUIRED(6, 0, 2, 1, 1, 1, 1),
+    MIP_GROUP(1, 1),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_event_control, instance)),
+    MIP_GROUP(2, 2),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_event_control, mode)),
+    MIP_END,
 };
 
-mip_error mip_3dm_get_event_support_response_decode(
-    struct mip_3dm_get_event_support_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_get_event_support_response, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_get_event_support_response_encode(
-    const struct mip_3dm_get_event_support_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_GET_EVENT_SUPPORT_RESPONSE_DESCRIPTOR,
-                            write_get_event_support_response, value);
-}
-
-/** Parameters that each function requires, by its value. */
-static const uint8_t required_event_control[] = {0, 2, 1, 1, 1, 1};
-
-static void read_event_control(struct mip_reader *r, void *value) {
-    struct mip_3dm_event_control *v = (struct mip_3dm_event_control *)value;
-    mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_event_control, sizeof(required_event_control));
-    mip_read_group(r, 1, 1);
-    mip_read_u8(r, &v->instance, 1);
-    mip_read_group(r, 2, 2);
-    mip_read_u8(r, &v->mode, 1);
-    v->present = mip_read_present(r);
-}
-
-static void write_event_control(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_event_control *v = (const struct mip_3dm_event_control *)value;
-    mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_event_control, sizeof(required_event_control),
-                       v->present);
-    mip_write_group(w, 1, 1);
-    mip_write_u8(w, &v->instance, 1);
-    mip_write_group(w, 2, 2);
-    mip_write_u8(w, &v->mode, 1);
-}
+const struct mip_codec mip_3dm_event_control_codec = {
+    0x0C, 0x2B, MIP_COMMAND, sizeof(struct mip_3dm_event_control), program_event_control};
 
 static bool asked_event_control_1(const void *value) {
     const struct mip_3dm_event_control *v = (const struct mip_3dm_event_control *)value;
-
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
@@ -2392,358 +744,126 @@ static const struct mip_response responses_event_control[] = {
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_event_control_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_EVENT_CONTROL_DESCRIPTOR,
-    MIP_COMMAND,
-    sizeof(struct mip_3dm_event_control),
-    0, /* time-out */
-    read_event_control,
-    write_event_control,
-    NULL,
-    responses_event_control,
-    NULL,
+const struct mip_command mip_3dm_event_control_command = {&mip_3dm_event_control_codec, NULL,
+                                                          responses_event_control, 0};
+
+static const uint8_t program_event_control_response[] = {
+    MIP_8_BITS(2, MIP_AT(struct mip_3dm_event_control_response, instance)),
+    MIP_END,
 };
-
-mip_error mip_3dm_event_control_decode(struct mip_3dm_event_control *value,
-                                       const struct mip_field *field) {
-    return mip_decode_field(field, read_event_control, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_event_control_encode(const struct mip_3dm_event_control *value,
-                                       struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_EVENT_CONTROL_DESCRIPTOR, write_event_control,
-                            value);
-}
-
-struct mip_3dm_event_control mip_3dm_event_control_write(uint8_t instance,
-                                                         mip_event_trigger_mode mode) {
-    struct mip_3dm_event_control v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_WRITE;
-    v.instance = instance;
-    v.mode = mode;
-    return v;
-}
-
-struct mip_3dm_event_control mip_3dm_event_control_read(uint8_t instance) {
-    struct mip_3dm_event_control v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_READ;
-    v.instance = instance;
-    return v;
-}
-
-struct mip_3dm_event_control mip_3dm_event_control_save(uint8_t instance) {
-    struct mip_3dm_event_control v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_SAVE;
-    v.instance = instance;
-    return v;
-}
-
-struct mip_3dm_event_control mip_3dm_event_control_load(uint8_t instance) {
-    struct mip_3dm_event_control v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_LOAD;
-    v.instance = instance;
-    return v;
-}
-
-struct mip_3dm_event_control mip_3dm_event_control_default(uint8_t instance) {
-    struct mip_3dm_event_control v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    v.instance = instance;
-    return v;
-}
-
-static void read_event_control_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_event_control_response *v = (struct mip_3dm_event_control_response *)value;
-    mip_read_u8(r, &v->instance, 1);
-    mip_read_u8(r, &v->mode, 1);
-}
-
-static void write_event_control_response(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_event_control_response *v =
-        (const struct mip_3dm_event_control_response *)value;
-    mip_write_u8(w, &v->instance, 1);
-    mip_write_u8(w, &v->mode, 1);
-}
 
 const struct mip_codec mip_3dm_event_control_response_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_EVENT_CONTROL_RESPONSE_DESCRIPTOR,
-    MIP_RESPONSE,
-    sizeof(struct mip_3dm_event_control_response),
-    0, /* time-out */
-    read_event_control_response,
-    write_event_control_response,
-    NULL,
-    NULL,
-    NULL,
+    0x0C, 0xB5, MIP_RESPONSE, sizeof(struct mip_3dm_event_control_response),
+    program_event_control_response};
+
+static const uint8_t program_get_event_trigger_status[] = {
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_get_event_trigger_status, requested_count)),
+    MIP_COUNTED(MIP_SIZE(struct mip_3dm_get_event_trigger_status, requested_count), 252, 1,
+                MIP_AT(struct mip_3dm_get_event_trigger_status, requested_count)),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_get_event_trigger_status, requested_instances)),
+    MIP_END,
 };
 
-mip_error mip_3dm_event_control_response_decode(struct mip_3dm_event_control_response *value,
-                                                const struct mip_field *field) {
-    return mip_decode_field(field, read_event_control_response, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_event_control_response_encode(const struct mip_3dm_event_control_response *value,
-                                                struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_EVENT_CONTROL_RESPONSE_DESCRIPTOR,
-                            write_event_control_response, value);
-}
-
-static void read_get_event_trigger_status(struct mip_reader *r, void *value) {
-    struct mip_3dm_get_event_trigger_status *v = (struct mip_3dm_get_event_trigger_status *)value;
-    mip_read_u8(r, &v->requested_count, 1);
-    mip_read_u8(r, v->requested_instances, mip_read_count(r, v->requested_count, 252, 1));
-}
-
-static void write_get_event_trigger_status(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_get_event_trigger_status *v =
-        (const struct mip_3dm_get_event_trigger_status *)value;
-    mip_write_u8(w, &v->requested_count, 1);
-    mip_write_u8(w, v->requested_instances, mip_write_count(w, v->requested_count, 252));
-}
+const struct mip_codec mip_3dm_get_event_trigger_status_codec = {
+    0x0C, 0x2C, MIP_COMMAND, sizeof(struct mip_3dm_get_event_trigger_status),
+    program_get_event_trigger_status};
 
 static const struct mip_response responses_get_event_trigger_status[] = {
     {&mip_3dm_get_event_trigger_status_response_codec, NULL},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_get_event_trigger_status_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_GET_EVENT_TRIGGER_STATUS_DESCRIPTOR,
-    MIP_COMMAND,
-    sizeof(struct mip_3dm_get_event_trigger_status),
-    0, /* time-out */
-    read_get_event_trigger_status,
-    write_get_event_trigger_status,
-    NULL,
-    responses_get_event_trigger_status,
-    NULL,
+const struct mip_command mip_3dm_get_event_trigger_status_command = {
+    &mip_3dm_get_event_trigger_status_codec, NULL, responses_get_event_trigger_status, 0};
+
+static const uint8_t program_get_event_trigger_status_response[] = {
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_get_event_trigger_status_response, count)),
+    MIP_COUNTED(MIP_SIZE(struct mip_3dm_get_event_trigger_status_response, count), 126, 2,
+                MIP_AT(struct mip_3dm_get_event_trigger_status_response, count)),
+    MIP_EACH(1, struct mip_3dm_event_trigger_status_entry, 3,
+             MIP_AT(struct mip_3dm_get_event_trigger_status_response, triggers)),
+    MIP_8_BITS(2, MIP_AT(struct mip_3dm_event_trigger_status_entry, type)),
+    MIP_END,
+    MIP_END,
 };
-
-mip_error mip_3dm_get_event_trigger_status_decode(struct mip_3dm_get_event_trigger_status *value,
-                                                  const struct mip_field *field) {
-    return mip_decode_field(field, read_get_event_trigger_status, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_get_event_trigger_status_encode(
-    const struct mip_3dm_get_event_trigger_status *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_GET_EVENT_TRIGGER_STATUS_DESCRIPTOR,
-                            write_get_event_trigger_status, value);
-}
-
-struct mip_3dm_get_event_trigger_status mip_3dm_get_event_trigger_status_make(
-    uint8_t requested_count, const uint8_t requested_instances[]) {
-    struct mip_3dm_get_event_trigger_status v;
-    memset(&v, 0, sizeof(v));
-    v.requested_count = requested_count;
-    mip_copy(v.requested_instances, sizeof(v.requested_instances), requested_instances,
-             requested_count * sizeof(requested_instances[0]));
-    return v;
-}
-
-static void read_get_event_trigger_status_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_get_event_trigger_status_response *v =
-        (struct mip_3dm_get_event_trigger_status_response *)value;
-    mip_read_u8(r, &v->count, 1);
-    for (size_t i = 0, n = mip_read_count(r, v->count, 126, 2); i < n; i++) {
-        mip_3dm_event_trigger_status_entry_read(r, &v->triggers[i]);
-    }
-}
-
-static void write_get_event_trigger_status_response(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_get_event_trigger_status_response *v =
-        (const struct mip_3dm_get_event_trigger_status_response *)value;
-    mip_write_u8(w, &v->count, 1);
-    for (size_t i = 0, n = mip_write_count(w, v->count, 126); i < n; i++) {
-        mip_3dm_event_trigger_status_entry_write(w, &v->triggers[i]);
-    }
-}
 
 const struct mip_codec mip_3dm_get_event_trigger_status_response_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_GET_EVENT_TRIGGER_STATUS_RESPONSE_DESCRIPTOR,
-    MIP_RESPONSE,
-    sizeof(struct mip_3dm_get_event_trigger_status_response),
-    0, /* time-out */
-    read_get_event_trigger_status_response,
-    write_get_event_trigger_status_response,
-    NULL,
-    NULL,
-    NULL,
+    0x0C, 0xB6, MIP_RESPONSE, sizeof(struct mip_3dm_get_event_trigger_status_response),
+    program_get_event_trigger_status_response};
+
+static const uint8_t program_get_event_action_status[] = {
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_get_event_action_status, requested_count)),
+    MIP_COUNTED(MIP_SIZE(struct mip_3dm_get_event_action_status, requested_count), 252, 1,
+                MIP_AT(struct mip_3dm_get_event_action_status, requested_count)),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_get_event_action_status, requested_instances)),
+    MIP_END,
 };
 
-mip_error mip_3dm_get_event_trigger_status_response_decode(
-    struct mip_3dm_get_event_trigger_status_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_get_event_trigger_status_response, value, sizeof(*value),
-                            NULL);
-}
-
-mip_error mip_3dm_get_event_trigger_status_response_encode(
-    const struct mip_3dm_get_event_trigger_status_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_GET_EVENT_TRIGGER_STATUS_RESPONSE_DESCRIPTOR,
-                            write_get_event_trigger_status_response, value);
-}
-
-static void read_get_event_action_status(struct mip_reader *r, void *value) {
-    struct mip_3dm_get_event_action_status *v = (struct mip_3dm_get_event_action_status *)value;
-    mip_read_u8(r, &v->requested_count, 1);
-    mip_read_u8(r, v->requested_instances, mip_read_count(r, v->requested_count, 252, 1));
-}
-
-static void write_get_event_action_status(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_get_event_action_status *v =
-        (const struct mip_3dm_get_event_action_status *)value;
-    mip_write_u8(w, &v->requested_count, 1);
-    mip_write_u8(w, v->requested_instances, mip_write_count(w, v->requested_count, 252));
-}
+const struct mip_codec mip_3dm_get_event_action_status_codec = {
+    0x0C, 0x2D, MIP_COMMAND, sizeof(struct mip_3dm_get_event_action_status),
+    program_get_event_action_status};
 
 static const struct mip_response responses_get_event_action_status[] = {
     {&mip_3dm_get_event_action_status_response_codec, NULL},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_get_event_action_status_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_GET_EVENT_ACTION_STATUS_DESCRIPTOR,
-    MIP_COMMAND,
-    sizeof(struct mip_3dm_get_event_action_status),
-    0, /* time-out */
-    read_get_event_action_status,
-    write_get_event_action_status,
-    NULL,
-    responses_get_event_action_status,
-    NULL,
+const struct mip_command mip_3dm_get_event_action_status_command = {
+    &mip_3dm_get_event_action_status_codec, NULL, responses_get_event_action_status, 0};
+
+static const uint8_t program_get_event_action_status_response[] = {
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_get_event_action_status_response, count)),
+    MIP_COUNTED(MIP_SIZE(struct mip_3dm_get_event_action_status_response, count), 126, 2,
+                MIP_AT(struct mip_3dm_get_event_action_status_response, count)),
+    MIP_EACH(1, struct mip_3dm_event_action_status_entry, 3,
+             MIP_AT(struct mip_3dm_get_event_action_status_response, actions)),
+    MIP_8_BITS(2, MIP_AT(struct mip_3dm_event_action_status_entry, action_type)),
+    MIP_END,
+    MIP_END,
 };
-
-mip_error mip_3dm_get_event_action_status_decode(struct mip_3dm_get_event_action_status *value,
-                                                 const struct mip_field *field) {
-    return mip_decode_field(field, read_get_event_action_status, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_get_event_action_status_encode(
-    const struct mip_3dm_get_event_action_status *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_GET_EVENT_ACTION_STATUS_DESCRIPTOR,
-                            write_get_event_action_status, value);
-}
-
-struct mip_3dm_get_event_action_status
-mip_3dm_get_event_action_status_make(uint8_t requested_count, const uint8_t requested_instances[]) {
-    struct mip_3dm_get_event_action_status v;
-    memset(&v, 0, sizeof(v));
-    v.requested_count = requested_count;
-    mip_copy(v.requested_instances, sizeof(v.requested_instances), requested_instances,
-             requested_count * sizeof(requested_instances[0]));
-    return v;
-}
-
-static void read_get_event_action_status_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_get_event_action_status_response *v =
-        (struct mip_3dm_get_event_action_status_response *)value;
-    mip_read_u8(r, &v->count, 1);
-    for (size_t i = 0, n = mip_read_count(r, v->count, 126, 2); i < n; i++) {
-        mip_3dm_event_action_status_entry_read(r, &v->actions[i]);
-    }
-}
-
-static void write_get_event_action_status_response(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_get_event_action_status_response *v =
-        (const struct mip_3dm_get_event_action_status_response *)value;
-    mip_write_u8(w, &v->count, 1);
-    for (size_t i = 0, n = mip_write_count(w, v->count, 126); i < n; i++) {
-        mip_3dm_event_action_status_entry_write(w, &v->actions[i]);
-    }
-}
 
 const struct mip_codec mip_3dm_get_event_action_status_response_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_GET_EVENT_ACTION_STATUS_RESPONSE_DESCRIPTOR,
-    MIP_RESPONSE,
-    sizeof(struct mip_3dm_get_event_action_status_response),
-    0, /* time-out */
-    read_get_event_action_status_response,
-    write_get_event_action_status_response,
-    NULL,
-    NULL,
-    NULL,
+    0x0C, 0xB7, MIP_RESPONSE, sizeof(struct mip_3dm_get_event_action_status_response),
+    program_get_event_action_status_response};
+
+static const uint8_t program_event_trigger_config[] = {
+    MIP_REQUIRED(6, 0, 3, 1, 1, 1, 1),
+    MIP_GROUP(1, 1),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_event_trigger_config, instance)),
+    MIP_GROUP(2, 2),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_event_trigger_config, type)),
+    MIP_GROUP(3, 3),
+    MIP_SWITCH(1, 3, MIP_AT(struct mip_3dm_event_trigger_config, type)),
+    MIP_CASE(3, 0x01),
+    MIP_8_BITS(2, MIP_AT(struct mip_3dm_event_trigger_config, parameters.gpio.pin)),
+    MIP_END,
+    MIP_CASE(17, 0x02),
+    MIP_8_BITS(4, MIP_AT(struct mip_3dm_event_trigger_config, parameters.threshold.descriptor_set)),
+    MIP_SWITCH(1, 2, MIP_AT(struct mip_3dm_event_trigger_config, parameters.threshold.type)),
+    MIP_CASE(3, 0x01),
+    MIP_DOUBLES(2, MIP_AT(struct mip_3dm_event_trigger_config,
+                          parameters.threshold.thresholds.window.low_threshold)),
+    MIP_END,
+    MIP_CASE(3, 0x02),
+    MIP_DOUBLES(2, MIP_AT(struct mip_3dm_event_trigger_config,
+                          parameters.threshold.thresholds.interval.interval_threshold)),
+    MIP_END,
+    MIP_END,
+    MIP_CASE(5, 0x03),
+    MIP_16_BITS(1, MIP_AT(struct mip_3dm_event_trigger_config, parameters.combination.logic_table)),
+    MIP_8_BITS(4,
+               MIP_AT(struct mip_3dm_event_trigger_config, parameters.combination.input_triggers)),
+    MIP_END,
+    MIP_END,
 };
 
-mip_error mip_3dm_get_event_action_status_response_decode(
-    struct mip_3dm_get_event_action_status_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_get_event_action_status_response, value, sizeof(*value),
-                            NULL);
-}
-
-mip_error mip_3dm_get_event_action_status_response_encode(
-    const struct mip_3dm_get_event_action_status_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_GET_EVENT_ACTION_STATUS_RESPONSE_DESCRIPTOR,
-                            write_get_event_action_status_response, value);
-}
-
-/** Parameters that each function requires, by its value. */
-static const uint8_t required_event_trigger_config[] = {0, 3, 1, 1, 1, 1};
-
-static void read_event_trigger_config(struct mip_reader *r, void *value) {
-    struct mip_3dm_event_trigger_config *v = (struct mip_3dm_event_trigger_config *)value;
-    mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_event_trigger_config,
-                      sizeof(required_event_trigger_config));
-    mip_read_group(r, 1, 1);
-    mip_read_u8(r, &v->instance, 1);
-    mip_read_group(r, 2, 2);
-    mip_read_u8(r, &v->type, 1);
-    mip_read_group(r, 3, 3);
-    switch (v->type) {
-    case MIP_EVENT_TRIGGER_TYPE_GPIO:
-        mip_event_trigger_gpio_read(r, &v->parameters.gpio);
-        break;
-    case MIP_EVENT_TRIGGER_TYPE_THRESHOLD:
-        mip_event_trigger_threshold_read(r, &v->parameters.threshold);
-        break;
-    case MIP_EVENT_TRIGGER_TYPE_COMBINATION:
-        mip_event_trigger_combination_read(r, &v->parameters.combination);
-        break;
-    default:
-        break;
-    }
-    v->present = mip_read_present(r);
-}
-
-static void write_event_trigger_config(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_event_trigger_config *v =
-        (const struct mip_3dm_event_trigger_config *)value;
-    mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_event_trigger_config,
-                       sizeof(required_event_trigger_config), v->present);
-    mip_write_group(w, 1, 1);
-    mip_write_u8(w, &v->instance, 1);
-    mip_write_group(w, 2, 2);
-    mip_write_u8(w, &v->type, 1);
-    mip_write_group(w, 3, 3);
-    switch (v->type) {
-    case MIP_EVENT_TRIGGER_TYPE_GPIO:
-        mip_event_trigger_gpio_write(w, &v->parameters.gpio);
-        break;
-    case MIP_EVENT_TRIGGER_TYPE_THRESHOLD:
-        mip_event_trigger_threshold_write(w, &v->parameters.threshold);
-        break;
-    case MIP_EVENT_TRIGGER_TYPE_COMBINATION:
-        mip_event_trigger_combination_write(w, &v->parameters.combination);
-        break;
-    default:
-        break;
-    }
-}
+const struct mip_codec mip_3dm_event_trigger_config_codec = {
+    0x0C, 0x2E, MIP_COMMAND, sizeof(struct mip_3dm_event_trigger_config),
+    program_event_trigger_config};
 
 static bool asked_event_trigger_config_1(const void *value) {
     const struct mip_3dm_event_trigger_config *v =
         (const struct mip_3dm_event_trigger_config *)value;
-
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
@@ -2752,195 +872,72 @@ static const struct mip_response responses_event_trigger_config[] = {
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_event_trigger_config_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_EVENT_TRIGGER_CONFIG_DESCRIPTOR,
-    MIP_COMMAND,
-    sizeof(struct mip_3dm_event_trigger_config),
-    0, /* time-out */
-    read_event_trigger_config,
-    write_event_trigger_config,
-    NULL,
-    responses_event_trigger_config,
-    NULL,
+const struct mip_command mip_3dm_event_trigger_config_command = {
+    &mip_3dm_event_trigger_config_codec, NULL, responses_event_trigger_config, 0};
+
+static const uint8_t program_event_trigger_config_response[] = {
+    MIP_8_BITS(2, MIP_AT(struct mip_3dm_event_trigger_config_response, instance)),
+    MIP_SWITCH(1, 3, MIP_AT(struct mip_3dm_event_trigger_config_response, type)),
+    MIP_CASE(3, 0x01),
+    MIP_8_BITS(2, MIP_AT(struct mip_3dm_event_trigger_config_response, parameters.gpio.pin)),
+    MIP_END,
+    MIP_CASE(17, 0x02),
+    MIP_8_BITS(4, MIP_AT(struct mip_3dm_event_trigger_config_response,
+                         parameters.threshold.descriptor_set)),
+    MIP_SWITCH(1, 2,
+               MIP_AT(struct mip_3dm_event_trigger_config_response, parameters.threshold.type)),
+    MIP_CASE(3, 0x01),
+    MIP_DOUBLES(2, MIP_AT(struct mip_3dm_event_trigger_config_response,
+                          parameters.threshold.thresholds.window.low_threshold)),
+    MIP_END,
+    MIP_CASE(3, 0x02),
+    MIP_DOUBLES(2, MIP_AT(struct mip_3dm_event_trigger_config_response,
+                          parameters.threshold.thresholds.interval.interval_threshold)),
+    MIP_END,
+    MIP_END,
+    MIP_CASE(5, 0x03),
+    MIP_16_BITS(1, MIP_AT(struct mip_3dm_event_trigger_config_response,
+                          parameters.combination.logic_table)),
+    MIP_8_BITS(4, MIP_AT(struct mip_3dm_event_trigger_config_response,
+                         parameters.combination.input_triggers)),
+    MIP_END,
+    MIP_END,
 };
-
-mip_error mip_3dm_event_trigger_config_decode(struct mip_3dm_event_trigger_config *value,
-                                              const struct mip_field *field) {
-    return mip_decode_field(field, read_event_trigger_config, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_event_trigger_config_encode(const struct mip_3dm_event_trigger_config *value,
-                                              struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_EVENT_TRIGGER_CONFIG_DESCRIPTOR,
-                            write_event_trigger_config, value);
-}
-
-struct mip_3dm_event_trigger_config mip_3dm_event_trigger_config_write(
-    uint8_t instance, mip_event_trigger_type type,
-    const union mip_3dm_event_trigger_config_parameters *parameters) {
-    struct mip_3dm_event_trigger_config v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_WRITE;
-    v.instance = instance;
-    v.type = type;
-    if (parameters != NULL) {
-        v.parameters = *parameters;
-    }
-    return v;
-}
-
-struct mip_3dm_event_trigger_config mip_3dm_event_trigger_config_read(uint8_t instance) {
-    struct mip_3dm_event_trigger_config v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_READ;
-    v.instance = instance;
-    return v;
-}
-
-struct mip_3dm_event_trigger_config mip_3dm_event_trigger_config_save(uint8_t instance) {
-    struct mip_3dm_event_trigger_config v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_SAVE;
-    v.instance = instance;
-    return v;
-}
-
-struct mip_3dm_event_trigger_config mip_3dm_event_trigger_config_load(uint8_t instance) {
-    struct mip_3dm_event_trigger_config v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_LOAD;
-    v.instance = instance;
-    return v;
-}
-
-struct mip_3dm_event_trigger_config mip_3dm_event_trigger_config_default(uint8_t instance) {
-    struct mip_3dm_event_trigger_config v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    v.instance = instance;
-    return v;
-}
-
-static void read_event_trigger_config_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_event_trigger_config_response *v =
-        (struct mip_3dm_event_trigger_config_response *)value;
-    mip_read_u8(r, &v->instance, 1);
-    mip_read_u8(r, &v->type, 1);
-    switch (v->type) {
-    case MIP_EVENT_TRIGGER_TYPE_GPIO:
-        mip_event_trigger_gpio_read(r, &v->parameters.gpio);
-        break;
-    case MIP_EVENT_TRIGGER_TYPE_THRESHOLD:
-        mip_event_trigger_threshold_read(r, &v->parameters.threshold);
-        break;
-    case MIP_EVENT_TRIGGER_TYPE_COMBINATION:
-        mip_event_trigger_combination_read(r, &v->parameters.combination);
-        break;
-    default:
-        break;
-    }
-}
-
-static void write_event_trigger_config_response(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_event_trigger_config_response *v =
-        (const struct mip_3dm_event_trigger_config_response *)value;
-    mip_write_u8(w, &v->instance, 1);
-    mip_write_u8(w, &v->type, 1);
-    switch (v->type) {
-    case MIP_EVENT_TRIGGER_TYPE_GPIO:
-        mip_event_trigger_gpio_write(w, &v->parameters.gpio);
-        break;
-    case MIP_EVENT_TRIGGER_TYPE_THRESHOLD:
-        mip_event_trigger_threshold_write(w, &v->parameters.threshold);
-        break;
-    case MIP_EVENT_TRIGGER_TYPE_COMBINATION:
-        mip_event_trigger_combination_write(w, &v->parameters.combination);
-        break;
-    default:
-        break;
-    }
-}
 
 const struct mip_codec mip_3dm_event_trigger_config_response_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_EVENT_TRIGGER_CONFIG_RESPONSE_DESCRIPTOR,
-    MIP_RESPONSE,
-    sizeof(struct mip_3dm_event_trigger_config_response),
-    0, /* time-out */
-    read_event_trigger_config_response,
-    write_event_trigger_config_response,
-    NULL,
-    NULL,
-    NULL,
+    0x0C, 0xB8, MIP_RESPONSE, sizeof(struct mip_3dm_event_trigger_config_response),
+    program_event_trigger_config_response};
+
+static const uint8_t program_event_action_config[] = {
+    MIP_REQUIRED(6, 0, 4, 1, 1, 1, 1),
+    MIP_GROUP(1, 1),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_event_action_config, instance)),
+    MIP_GROUP(2, 2),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_event_action_config, trigger)),
+    MIP_GROUP(3, 3),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_event_action_config, type)),
+    MIP_GROUP(4, 4),
+    MIP_SWITCH(1, 2, MIP_AT(struct mip_3dm_event_action_config, type)),
+    MIP_CASE(3, 0x01),
+    MIP_8_BITS(2, MIP_AT(struct mip_3dm_event_action_config, parameters.gpio.pin)),
+    MIP_END,
+    MIP_CASE(14, 0x02),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_event_action_config, parameters.message.descriptor_set)),
+    MIP_16_BITS(1, MIP_AT(struct mip_3dm_event_action_config, parameters.message.decimation)),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_event_action_config, parameters.message.num_fields)),
+    MIP_COUNTED(MIP_SIZE(struct mip_3dm_event_action_config, parameters.message.num_fields), 249, 1,
+                MIP_AT(struct mip_3dm_event_action_config, parameters.message.num_fields)),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_event_action_config, parameters.message.descriptors)),
+    MIP_END,
+    MIP_END,
 };
 
-mip_error mip_3dm_event_trigger_config_response_decode(
-    struct mip_3dm_event_trigger_config_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_event_trigger_config_response, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_event_trigger_config_response_encode(
-    const struct mip_3dm_event_trigger_config_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_EVENT_TRIGGER_CONFIG_RESPONSE_DESCRIPTOR,
-                            write_event_trigger_config_response, value);
-}
-
-/** Parameters that each function requires, by its value. */
-static const uint8_t required_event_action_config[] = {0, 4, 1, 1, 1, 1};
-
-static void read_event_action_config(struct mip_reader *r, void *value) {
-    struct mip_3dm_event_action_config *v = (struct mip_3dm_event_action_config *)value;
-    mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_event_action_config,
-                      sizeof(required_event_action_config));
-    mip_read_group(r, 1, 1);
-    mip_read_u8(r, &v->instance, 1);
-    mip_read_group(r, 2, 2);
-    mip_read_u8(r, &v->trigger, 1);
-    mip_read_group(r, 3, 3);
-    mip_read_u8(r, &v->type, 1);
-    mip_read_group(r, 4, 4);
-    switch (v->type) {
-    case MIP_EVENT_ACTION_TYPE_GPIO:
-        mip_event_action_gpio_read(r, &v->parameters.gpio);
-        break;
-    case MIP_EVENT_ACTION_TYPE_MESSAGE:
-        mip_event_action_message_read(r, &v->parameters.message);
-        break;
-    default:
-        break;
-    }
-    v->present = mip_read_present(r);
-}
-
-static void write_event_action_config(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_event_action_config *v = (const struct mip_3dm_event_action_config *)value;
-    mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_event_action_config,
-                       sizeof(required_event_action_config), v->present);
-    mip_write_group(w, 1, 1);
-    mip_write_u8(w, &v->instance, 1);
-    mip_write_group(w, 2, 2);
-    mip_write_u8(w, &v->trigger, 1);
-    mip_write_group(w, 3, 3);
-    mip_write_u8(w, &v->type, 1);
-    mip_write_group(w, 4, 4);
-    switch (v->type) {
-    case MIP_EVENT_ACTION_TYPE_GPIO:
-        mip_event_action_gpio_write(w, &v->parameters.gpio);
-        break;
-    case MIP_EVENT_ACTION_TYPE_MESSAGE:
-        mip_event_action_message_write(w, &v->parameters.message);
-        break;
-    default:
-        break;
-    }
-}
+const struct mip_codec mip_3dm_event_action_config_codec = {
+    0x0C, 0x2F, MIP_COMMAND, sizeof(struct mip_3dm_event_action_config),
+    program_event_action_config};
 
 static bool asked_event_action_config_1(const void *value) {
     const struct mip_3dm_event_action_config *v = (const struct mip_3dm_event_action_config *)value;
-
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
@@ -2949,228 +946,64 @@ static const struct mip_response responses_event_action_config[] = {
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_event_action_config_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_EVENT_ACTION_CONFIG_DESCRIPTOR,
-    MIP_COMMAND,
-    sizeof(struct mip_3dm_event_action_config),
-    0, /* time-out */
-    read_event_action_config,
-    write_event_action_config,
-    NULL,
-    responses_event_action_config,
-    NULL,
+const struct mip_command mip_3dm_event_action_config_command = {
+    &mip_3dm_event_action_config_codec, NULL, responses_event_action_config, 0};
+
+static const uint8_t program_event_action_config_response[] = {
+    MIP_8_BITS(3, MIP_AT(struct mip_3dm_event_action_config_response, instance)),
+    MIP_SWITCH(1, 2, MIP_AT(struct mip_3dm_event_action_config_response, type)),
+    MIP_CASE(3, 0x01),
+    MIP_8_BITS(2, MIP_AT(struct mip_3dm_event_action_config_response, parameters.gpio.pin)),
+    MIP_END,
+    MIP_CASE(14, 0x02),
+    MIP_8_BITS(
+        1, MIP_AT(struct mip_3dm_event_action_config_response, parameters.message.descriptor_set)),
+    MIP_16_BITS(1,
+                MIP_AT(struct mip_3dm_event_action_config_response, parameters.message.decimation)),
+    MIP_8_BITS(1,
+               MIP_AT(struct mip_3dm_event_action_config_response, parameters.message.num_fields)),
+    MIP_COUNTED(
+        MIP_SIZE(struct mip_3dm_event_action_config_response, parameters.message.num_fields), 249,
+        1, MIP_AT(struct mip_3dm_event_action_config_response, parameters.message.num_fields)),
+    MIP_8_BITS(1,
+               MIP_AT(struct mip_3dm_event_action_config_response, parameters.message.descriptors)),
+    MIP_END,
+    MIP_END,
 };
-
-mip_error mip_3dm_event_action_config_decode(struct mip_3dm_event_action_config *value,
-                                             const struct mip_field *field) {
-    return mip_decode_field(field, read_event_action_config, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_event_action_config_encode(const struct mip_3dm_event_action_config *value,
-                                             struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_EVENT_ACTION_CONFIG_DESCRIPTOR,
-                            write_event_action_config, value);
-}
-
-struct mip_3dm_event_action_config
-mip_3dm_event_action_config_write(uint8_t instance, uint8_t trigger, mip_event_action_type type,
-                                  const union mip_3dm_event_action_config_parameters *parameters) {
-    struct mip_3dm_event_action_config v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_WRITE;
-    v.instance = instance;
-    v.trigger = trigger;
-    v.type = type;
-    if (parameters != NULL) {
-        v.parameters = *parameters;
-    }
-    return v;
-}
-
-struct mip_3dm_event_action_config mip_3dm_event_action_config_read(uint8_t instance) {
-    struct mip_3dm_event_action_config v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_READ;
-    v.instance = instance;
-    return v;
-}
-
-struct mip_3dm_event_action_config mip_3dm_event_action_config_save(uint8_t instance) {
-    struct mip_3dm_event_action_config v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_SAVE;
-    v.instance = instance;
-    return v;
-}
-
-struct mip_3dm_event_action_config mip_3dm_event_action_config_load(uint8_t instance) {
-    struct mip_3dm_event_action_config v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_LOAD;
-    v.instance = instance;
-    return v;
-}
-
-struct mip_3dm_event_action_config mip_3dm_event_action_config_default(uint8_t instance) {
-    struct mip_3dm_event_action_config v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    v.instance = instance;
-    return v;
-}
-
-static void read_event_action_config_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_event_action_config_response *v =
-        (struct mip_3dm_event_action_config_response *)value;
-    mip_read_u8(r, &v->instance, 1);
-    mip_read_u8(r, &v->trigger, 1);
-    mip_read_u8(r, &v->type, 1);
-    switch (v->type) {
-    case MIP_EVENT_ACTION_TYPE_GPIO:
-        mip_event_action_gpio_read(r, &v->parameters.gpio);
-        break;
-    case MIP_EVENT_ACTION_TYPE_MESSAGE:
-        mip_event_action_message_read(r, &v->parameters.message);
-        break;
-    default:
-        break;
-    }
-}
-
-static void write_event_action_config_response(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_event_action_config_response *v =
-        (const struct mip_3dm_event_action_config_response *)value;
-    mip_write_u8(w, &v->instance, 1);
-    mip_write_u8(w, &v->trigger, 1);
-    mip_write_u8(w, &v->type, 1);
-    switch (v->type) {
-    case MIP_EVENT_ACTION_TYPE_GPIO:
-        mip_event_action_gpio_write(w, &v->parameters.gpio);
-        break;
-    case MIP_EVENT_ACTION_TYPE_MESSAGE:
-        mip_event_action_message_write(w, &v->parameters.message);
-        break;
-    default:
-        break;
-    }
-}
 
 const struct mip_codec mip_3dm_event_action_config_response_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_EVENT_ACTION_CONFIG_RESPONSE_DESCRIPTOR,
-    MIP_RESPONSE,
-    sizeof(struct mip_3dm_event_action_config_response),
-    0, /* time-out */
-    read_event_action_config_response,
-    write_event_action_config_response,
-    NULL,
-    NULL,
-    NULL,
+    0x0C, 0xB9, MIP_RESPONSE, sizeof(struct mip_3dm_event_action_config_response),
+    program_event_action_config_response};
+
+static const uint8_t program_device_settings[] = {
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_device_settings, function)),
+    MIP_END,
 };
-
-mip_error mip_3dm_event_action_config_response_decode(
-    struct mip_3dm_event_action_config_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_event_action_config_response, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_event_action_config_response_encode(
-    const struct mip_3dm_event_action_config_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_EVENT_ACTION_CONFIG_RESPONSE_DESCRIPTOR,
-                            write_event_action_config_response, value);
-}
-
-static void read_device_settings(struct mip_reader *r, void *value) {
-    struct mip_3dm_device_settings *v = (struct mip_3dm_device_settings *)value;
-    mip_read_u8(r, &v->function, 1);
-}
-
-static void write_device_settings(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_device_settings *v = (const struct mip_3dm_device_settings *)value;
-    mip_write_u8(w, &v->function, 1);
-}
 
 const struct mip_codec mip_3dm_device_settings_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_DEVICE_SETTINGS_DESCRIPTOR,
-    MIP_COMMAND,
-    sizeof(struct mip_3dm_device_settings),
-    1000, /* time-out */
-    read_device_settings,
-    write_device_settings,
-    NULL,
-    NULL,
-    NULL,
+    0x0C, 0x30, MIP_COMMAND, sizeof(struct mip_3dm_device_settings), program_device_settings};
+
+const struct mip_command mip_3dm_device_settings_command = {&mip_3dm_device_settings_codec, NULL,
+                                                            NULL, 1000};
+
+static const uint8_t program_sensor_to_vehicle_transform_euler[] = {
+    MIP_REQUIRED(2, 0, 3),
+    MIP_GROUP(1, 1),
+    MIP_32_BITS(1, MIP_AT(struct mip_3dm_sensor_to_vehicle_transform_euler, roll)),
+    MIP_GROUP(2, 2),
+    MIP_32_BITS(1, MIP_AT(struct mip_3dm_sensor_to_vehicle_transform_euler, pitch)),
+    MIP_GROUP(3, 3),
+    MIP_32_BITS(1, MIP_AT(struct mip_3dm_sensor_to_vehicle_transform_euler, yaw)),
+    MIP_END,
 };
 
-mip_error mip_3dm_device_settings_decode(struct mip_3dm_device_settings *value,
-                                         const struct mip_field *field) {
-    return mip_decode_field(field, read_device_settings, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_device_settings_encode(const struct mip_3dm_device_settings *value,
-                                         struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_DEVICE_SETTINGS_DESCRIPTOR,
-                            write_device_settings, value);
-}
-
-struct mip_3dm_device_settings mip_3dm_device_settings_save(void) {
-    struct mip_3dm_device_settings v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_SAVE;
-    return v;
-}
-
-struct mip_3dm_device_settings mip_3dm_device_settings_load(void) {
-    struct mip_3dm_device_settings v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_LOAD;
-    return v;
-}
-
-struct mip_3dm_device_settings mip_3dm_device_settings_default(void) {
-    struct mip_3dm_device_settings v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return v;
-}
-
-/** Parameters that each function requires, by its value. */
-static const uint8_t required_sensor_to_vehicle_transform_euler[] = {0, 3, 0, 0, 0, 0};
-
-static void read_sensor_to_vehicle_transform_euler(struct mip_reader *r, void *value) {
-    struct mip_3dm_sensor_to_vehicle_transform_euler *v =
-        (struct mip_3dm_sensor_to_vehicle_transform_euler *)value;
-    mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_sensor_to_vehicle_transform_euler,
-                      sizeof(required_sensor_to_vehicle_transform_euler));
-    mip_read_group(r, 1, 1);
-    mip_read_float(r, &v->roll, 1);
-    mip_read_group(r, 2, 2);
-    mip_read_float(r, &v->pitch, 1);
-    mip_read_group(r, 3, 3);
-    mip_read_float(r, &v->yaw, 1);
-    v->present = mip_read_present(r);
-}
-
-static void write_sensor_to_vehicle_transform_euler(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_sensor_to_vehicle_transform_euler *v =
-        (const struct mip_3dm_sensor_to_vehicle_transform_euler *)value;
-    mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_sensor_to_vehicle_transform_euler,
-                       sizeof(required_sensor_to_vehicle_transform_euler), v->present);
-    mip_write_group(w, 1, 1);
-    mip_write_float(w, &v->roll, 1);
-    mip_write_group(w, 2, 2);
-    mip_write_float(w, &v->pitch, 1);
-    mip_write_group(w, 3, 3);
-    mip_write_float(w, &v->yaw, 1);
-}
+const struct mip_codec mip_3dm_sensor_to_vehicle_transform_euler_codec = {
+    0x0C, 0x31, MIP_COMMAND, sizeof(struct mip_3dm_sensor_to_vehicle_transform_euler),
+    program_sensor_to_vehicle_transform_euler};
 
 static bool asked_sensor_to_vehicle_transform_euler_1(const void *value) {
     const struct mip_3dm_sensor_to_vehicle_transform_euler *v =
         (const struct mip_3dm_sensor_to_vehicle_transform_euler *)value;
-
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
@@ -3180,147 +1013,33 @@ static const struct mip_response responses_sensor_to_vehicle_transform_euler[] =
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_sensor_to_vehicle_transform_euler_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_DESCRIPTOR,
-    MIP_COMMAND,
-    sizeof(struct mip_3dm_sensor_to_vehicle_transform_euler),
-    0, /* time-out */
-    read_sensor_to_vehicle_transform_euler,
-    write_sensor_to_vehicle_transform_euler,
-    NULL,
-    responses_sensor_to_vehicle_transform_euler,
-    NULL,
+const struct mip_command mip_3dm_sensor_to_vehicle_transform_euler_command = {
+    &mip_3dm_sensor_to_vehicle_transform_euler_codec, NULL,
+    responses_sensor_to_vehicle_transform_euler, 0};
+
+static const uint8_t program_sensor_to_vehicle_transform_euler_response[] = {
+    MIP_32_BITS(3, MIP_AT(struct mip_3dm_sensor_to_vehicle_transform_euler_response, roll)),
+    MIP_END,
 };
-
-mip_error mip_3dm_sensor_to_vehicle_transform_euler_decode(
-    struct mip_3dm_sensor_to_vehicle_transform_euler *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_sensor_to_vehicle_transform_euler, value, sizeof(*value),
-                            NULL);
-}
-
-mip_error mip_3dm_sensor_to_vehicle_transform_euler_encode(
-    const struct mip_3dm_sensor_to_vehicle_transform_euler *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_DESCRIPTOR,
-                            write_sensor_to_vehicle_transform_euler, value);
-}
-
-struct mip_3dm_sensor_to_vehicle_transform_euler
-mip_3dm_sensor_to_vehicle_transform_euler_write(float roll, float pitch, float yaw) {
-    struct mip_3dm_sensor_to_vehicle_transform_euler v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_WRITE;
-    v.roll = roll;
-    v.pitch = pitch;
-    v.yaw = yaw;
-    return v;
-}
-
-struct mip_3dm_sensor_to_vehicle_transform_euler
-mip_3dm_sensor_to_vehicle_transform_euler_read(void) {
-    struct mip_3dm_sensor_to_vehicle_transform_euler v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_READ;
-    return v;
-}
-
-struct mip_3dm_sensor_to_vehicle_transform_euler
-mip_3dm_sensor_to_vehicle_transform_euler_save(void) {
-    struct mip_3dm_sensor_to_vehicle_transform_euler v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_SAVE;
-    return v;
-}
-
-struct mip_3dm_sensor_to_vehicle_transform_euler
-mip_3dm_sensor_to_vehicle_transform_euler_load(void) {
-    struct mip_3dm_sensor_to_vehicle_transform_euler v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_LOAD;
-    return v;
-}
-
-struct mip_3dm_sensor_to_vehicle_transform_euler
-mip_3dm_sensor_to_vehicle_transform_euler_default(void) {
-    struct mip_3dm_sensor_to_vehicle_transform_euler v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return v;
-}
-
-static void read_sensor_to_vehicle_transform_euler_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_sensor_to_vehicle_transform_euler_response *v =
-        (struct mip_3dm_sensor_to_vehicle_transform_euler_response *)value;
-    mip_read_float(r, &v->roll, 1);
-    mip_read_float(r, &v->pitch, 1);
-    mip_read_float(r, &v->yaw, 1);
-}
-
-static void write_sensor_to_vehicle_transform_euler_response(struct mip_writer *w,
-                                                             const void *value) {
-    const struct mip_3dm_sensor_to_vehicle_transform_euler_response *v =
-        (const struct mip_3dm_sensor_to_vehicle_transform_euler_response *)value;
-    mip_write_float(w, &v->roll, 1);
-    mip_write_float(w, &v->pitch, 1);
-    mip_write_float(w, &v->yaw, 1);
-}
 
 const struct mip_codec mip_3dm_sensor_to_vehicle_transform_euler_response_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_RESPONSE_DESCRIPTOR,
-    MIP_RESPONSE,
-    sizeof(struct mip_3dm_sensor_to_vehicle_transform_euler_response),
-    0, /* time-out */
-    read_sensor_to_vehicle_transform_euler_response,
-    write_sensor_to_vehicle_transform_euler_response,
-    NULL,
-    NULL,
-    NULL,
+    0x0C, 0xB1, MIP_RESPONSE, sizeof(struct mip_3dm_sensor_to_vehicle_transform_euler_response),
+    program_sensor_to_vehicle_transform_euler_response};
+
+static const uint8_t program_sensor_to_vehicle_transform_quaternion[] = {
+    MIP_REQUIRED(2, 0, 1),
+    MIP_GROUP(1, 1),
+    MIP_32_BITS(4, MIP_AT(struct mip_3dm_sensor_to_vehicle_transform_quaternion, q)),
+    MIP_END,
 };
 
-mip_error mip_3dm_sensor_to_vehicle_transform_euler_response_decode(
-    struct mip_3dm_sensor_to_vehicle_transform_euler_response *value,
-    const struct mip_field *field) {
-    return mip_decode_field(field, read_sensor_to_vehicle_transform_euler_response, value,
-                            sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_sensor_to_vehicle_transform_euler_response_encode(
-    const struct mip_3dm_sensor_to_vehicle_transform_euler_response *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C,
-                            MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_RESPONSE_DESCRIPTOR,
-                            write_sensor_to_vehicle_transform_euler_response, value);
-}
-
-/** Parameters that each function requires, by its value. */
-static const uint8_t required_sensor_to_vehicle_transform_quaternion[] = {0, 1, 0, 0, 0, 0};
-
-static void read_sensor_to_vehicle_transform_quaternion(struct mip_reader *r, void *value) {
-    struct mip_3dm_sensor_to_vehicle_transform_quaternion *v =
-        (struct mip_3dm_sensor_to_vehicle_transform_quaternion *)value;
-    mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_sensor_to_vehicle_transform_quaternion,
-                      sizeof(required_sensor_to_vehicle_transform_quaternion));
-    mip_read_group(r, 1, 1);
-    mip_read_float(r, v->q, 4);
-    v->present = mip_read_present(r);
-}
-
-static void write_sensor_to_vehicle_transform_quaternion(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_sensor_to_vehicle_transform_quaternion *v =
-        (const struct mip_3dm_sensor_to_vehicle_transform_quaternion *)value;
-    mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_sensor_to_vehicle_transform_quaternion,
-                       sizeof(required_sensor_to_vehicle_transform_quaternion), v->present);
-    mip_write_group(w, 1, 1);
-    mip_write_float(w, v->q, 4);
-}
+const struct mip_codec mip_3dm_sensor_to_vehicle_transform_quaternion_codec = {
+    0x0C, 0x32, MIP_COMMAND, sizeof(struct mip_3dm_sensor_to_vehicle_transform_quaternion),
+    program_sensor_to_vehicle_transform_quaternion};
 
 static bool asked_sensor_to_vehicle_transform_quaternion_1(const void *value) {
     const struct mip_3dm_sensor_to_vehicle_transform_quaternion *v =
         (const struct mip_3dm_sensor_to_vehicle_transform_quaternion *)value;
-
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
@@ -3330,144 +1049,34 @@ static const struct mip_response responses_sensor_to_vehicle_transform_quaternio
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_sensor_to_vehicle_transform_quaternion_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_DESCRIPTOR,
-    MIP_COMMAND,
-    sizeof(struct mip_3dm_sensor_to_vehicle_transform_quaternion),
-    0, /* time-out */
-    read_sensor_to_vehicle_transform_quaternion,
-    write_sensor_to_vehicle_transform_quaternion,
-    NULL,
-    responses_sensor_to_vehicle_transform_quaternion,
-    NULL,
+const struct mip_command mip_3dm_sensor_to_vehicle_transform_quaternion_command = {
+    &mip_3dm_sensor_to_vehicle_transform_quaternion_codec, NULL,
+    responses_sensor_to_vehicle_transform_quaternion, 0};
+
+static const uint8_t program_sensor_to_vehicle_transform_quaternion_response[] = {
+    MIP_32_BITS(4, MIP_AT(struct mip_3dm_sensor_to_vehicle_transform_quaternion_response, q)),
+    MIP_END,
 };
-
-mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_decode(
-    struct mip_3dm_sensor_to_vehicle_transform_quaternion *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_sensor_to_vehicle_transform_quaternion, value,
-                            sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_encode(
-    const struct mip_3dm_sensor_to_vehicle_transform_quaternion *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C,
-                            MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_DESCRIPTOR,
-                            write_sensor_to_vehicle_transform_quaternion, value);
-}
-
-struct mip_3dm_sensor_to_vehicle_transform_quaternion
-mip_3dm_sensor_to_vehicle_transform_quaternion_write(const float q[4]) {
-    struct mip_3dm_sensor_to_vehicle_transform_quaternion v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_WRITE;
-    memcpy(v.q, q, sizeof(v.q));
-    return v;
-}
-
-struct mip_3dm_sensor_to_vehicle_transform_quaternion
-mip_3dm_sensor_to_vehicle_transform_quaternion_read(void) {
-    struct mip_3dm_sensor_to_vehicle_transform_quaternion v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_READ;
-    return v;
-}
-
-struct mip_3dm_sensor_to_vehicle_transform_quaternion
-mip_3dm_sensor_to_vehicle_transform_quaternion_save(void) {
-    struct mip_3dm_sensor_to_vehicle_transform_quaternion v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_SAVE;
-    return v;
-}
-
-struct mip_3dm_sensor_to_vehicle_transform_quaternion
-mip_3dm_sensor_to_vehicle_transform_quaternion_load(void) {
-    struct mip_3dm_sensor_to_vehicle_transform_quaternion v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_LOAD;
-    return v;
-}
-
-struct mip_3dm_sensor_to_vehicle_transform_quaternion
-mip_3dm_sensor_to_vehicle_transform_quaternion_default(void) {
-    struct mip_3dm_sensor_to_vehicle_transform_quaternion v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return v;
-}
-
-static void read_sensor_to_vehicle_transform_quaternion_response(struct mip_reader *r,
-                                                                 void *value) {
-    struct mip_3dm_sensor_to_vehicle_transform_quaternion_response *v =
-        (struct mip_3dm_sensor_to_vehicle_transform_quaternion_response *)value;
-    mip_read_float(r, v->q, 4);
-}
-
-static void write_sensor_to_vehicle_transform_quaternion_response(struct mip_writer *w,
-                                                                  const void *value) {
-    const struct mip_3dm_sensor_to_vehicle_transform_quaternion_response *v =
-        (const struct mip_3dm_sensor_to_vehicle_transform_quaternion_response *)value;
-    mip_write_float(w, v->q, 4);
-}
 
 const struct mip_codec mip_3dm_sensor_to_vehicle_transform_quaternion_response_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_RESPONSE_DESCRIPTOR,
-    MIP_RESPONSE,
+    0x0C, 0xB2, MIP_RESPONSE,
     sizeof(struct mip_3dm_sensor_to_vehicle_transform_quaternion_response),
-    0, /* time-out */
-    read_sensor_to_vehicle_transform_quaternion_response,
-    write_sensor_to_vehicle_transform_quaternion_response,
-    NULL,
-    NULL,
-    NULL,
+    program_sensor_to_vehicle_transform_quaternion_response};
+
+static const uint8_t program_sensor_to_vehicle_transform_dcm[] = {
+    MIP_REQUIRED(2, 0, 1),
+    MIP_GROUP(1, 1),
+    MIP_32_BITS(9, MIP_AT(struct mip_3dm_sensor_to_vehicle_transform_dcm, dcm)),
+    MIP_END,
 };
 
-mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_response_decode(
-    struct mip_3dm_sensor_to_vehicle_transform_quaternion_response *value,
-    const struct mip_field *field) {
-    return mip_decode_field(field, read_sensor_to_vehicle_transform_quaternion_response, value,
-                            sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_response_encode(
-    const struct mip_3dm_sensor_to_vehicle_transform_quaternion_response *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C,
-                            MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_RESPONSE_DESCRIPTOR,
-                            write_sensor_to_vehicle_transform_quaternion_response, value);
-}
-
-/** Parameters that each function requires, by its value. */
-static const uint8_t required_sensor_to_vehicle_transform_dcm[] = {0, 1, 0, 0, 0, 0};
-
-static void read_sensor_to_vehicle_transform_dcm(struct mip_reader *r, void *value) {
-    struct mip_3dm_sensor_to_vehicle_transform_dcm *v =
-        (struct mip_3dm_sensor_to_vehicle_transform_dcm *)value;
-    mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_sensor_to_vehicle_transform_dcm,
-                      sizeof(required_sensor_to_vehicle_transform_dcm));
-    mip_read_group(r, 1, 1);
-    mip_read_float(r, v->dcm, 9);
-    v->present = mip_read_present(r);
-}
-
-static void write_sensor_to_vehicle_transform_dcm(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_sensor_to_vehicle_transform_dcm *v =
-        (const struct mip_3dm_sensor_to_vehicle_transform_dcm *)value;
-    mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_sensor_to_vehicle_transform_dcm,
-                       sizeof(required_sensor_to_vehicle_transform_dcm), v->present);
-    mip_write_group(w, 1, 1);
-    mip_write_float(w, v->dcm, 9);
-}
+const struct mip_codec mip_3dm_sensor_to_vehicle_transform_dcm_codec = {
+    0x0C, 0x33, MIP_COMMAND, sizeof(struct mip_3dm_sensor_to_vehicle_transform_dcm),
+    program_sensor_to_vehicle_transform_dcm};
 
 static bool asked_sensor_to_vehicle_transform_dcm_1(const void *value) {
     const struct mip_3dm_sensor_to_vehicle_transform_dcm *v =
         (const struct mip_3dm_sensor_to_vehicle_transform_dcm *)value;
-
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
@@ -3477,129 +1086,28 @@ static const struct mip_response responses_sensor_to_vehicle_transform_dcm[] = {
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_sensor_to_vehicle_transform_dcm_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_DESCRIPTOR,
-    MIP_COMMAND,
-    sizeof(struct mip_3dm_sensor_to_vehicle_transform_dcm),
-    0, /* time-out */
-    read_sensor_to_vehicle_transform_dcm,
-    write_sensor_to_vehicle_transform_dcm,
-    NULL,
-    responses_sensor_to_vehicle_transform_dcm,
-    NULL,
+const struct mip_command mip_3dm_sensor_to_vehicle_transform_dcm_command = {
+    &mip_3dm_sensor_to_vehicle_transform_dcm_codec, NULL, responses_sensor_to_vehicle_transform_dcm,
+    0};
+
+static const uint8_t program_sensor_to_vehicle_transform_dcm_response[] = {
+    MIP_32_BITS(9, MIP_AT(struct mip_3dm_sensor_to_vehicle_transform_dcm_response, dcm)),
+    MIP_END,
 };
-
-mip_error mip_3dm_sensor_to_vehicle_transform_dcm_decode(
-    struct mip_3dm_sensor_to_vehicle_transform_dcm *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_sensor_to_vehicle_transform_dcm, value, sizeof(*value),
-                            NULL);
-}
-
-mip_error mip_3dm_sensor_to_vehicle_transform_dcm_encode(
-    const struct mip_3dm_sensor_to_vehicle_transform_dcm *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_DESCRIPTOR,
-                            write_sensor_to_vehicle_transform_dcm, value);
-}
-
-struct mip_3dm_sensor_to_vehicle_transform_dcm
-mip_3dm_sensor_to_vehicle_transform_dcm_write(const float dcm[9]) {
-    struct mip_3dm_sensor_to_vehicle_transform_dcm v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_WRITE;
-    memcpy(v.dcm, dcm, sizeof(v.dcm));
-    return v;
-}
-
-struct mip_3dm_sensor_to_vehicle_transform_dcm mip_3dm_sensor_to_vehicle_transform_dcm_read(void) {
-    struct mip_3dm_sensor_to_vehicle_transform_dcm v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_READ;
-    return v;
-}
-
-struct mip_3dm_sensor_to_vehicle_transform_dcm mip_3dm_sensor_to_vehicle_transform_dcm_save(void) {
-    struct mip_3dm_sensor_to_vehicle_transform_dcm v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_SAVE;
-    return v;
-}
-
-struct mip_3dm_sensor_to_vehicle_transform_dcm mip_3dm_sensor_to_vehicle_transform_dcm_load(void) {
-    struct mip_3dm_sensor_to_vehicle_transform_dcm v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_LOAD;
-    return v;
-}
-
-struct mip_3dm_sensor_to_vehicle_transform_dcm
-mip_3dm_sensor_to_vehicle_transform_dcm_default(void) {
-    struct mip_3dm_sensor_to_vehicle_transform_dcm v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return v;
-}
-
-static void read_sensor_to_vehicle_transform_dcm_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_sensor_to_vehicle_transform_dcm_response *v =
-        (struct mip_3dm_sensor_to_vehicle_transform_dcm_response *)value;
-    mip_read_float(r, v->dcm, 9);
-}
-
-static void write_sensor_to_vehicle_transform_dcm_response(struct mip_writer *w,
-                                                           const void *value) {
-    const struct mip_3dm_sensor_to_vehicle_transform_dcm_response *v =
-        (const struct mip_3dm_sensor_to_vehicle_transform_dcm_response *)value;
-    mip_write_float(w, v->dcm, 9);
-}
 
 const struct mip_codec mip_3dm_sensor_to_vehicle_transform_dcm_response_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_RESPONSE_DESCRIPTOR,
-    MIP_RESPONSE,
-    sizeof(struct mip_3dm_sensor_to_vehicle_transform_dcm_response),
-    0, /* time-out */
-    read_sensor_to_vehicle_transform_dcm_response,
-    write_sensor_to_vehicle_transform_dcm_response,
-    NULL,
-    NULL,
-    NULL,
+    0x0C, 0xB3, MIP_RESPONSE, sizeof(struct mip_3dm_sensor_to_vehicle_transform_dcm_response),
+    program_sensor_to_vehicle_transform_dcm_response};
+
+static const uint8_t program_accel_bias[] = {
+    MIP_REQUIRED(7, 0, 1, 0, 0, 0, 0, 1),
+    MIP_GROUP(1, 1),
+    MIP_32_BITS(3, MIP_AT(struct mip_3dm_accel_bias, bias)),
+    MIP_END,
 };
 
-mip_error mip_3dm_sensor_to_vehicle_transform_dcm_response_decode(
-    struct mip_3dm_sensor_to_vehicle_transform_dcm_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_sensor_to_vehicle_transform_dcm_response, value,
-                            sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_sensor_to_vehicle_transform_dcm_response_encode(
-    const struct mip_3dm_sensor_to_vehicle_transform_dcm_response *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C,
-                            MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_RESPONSE_DESCRIPTOR,
-                            write_sensor_to_vehicle_transform_dcm_response, value);
-}
-
-/** Parameters that each function requires, by its value. */
-static const uint8_t required_accel_bias[] = {0, 1, 0, 0, 0, 0, 1};
-
-static void read_accel_bias(struct mip_reader *r, void *value) {
-    struct mip_3dm_accel_bias *v = (struct mip_3dm_accel_bias *)value;
-    mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_accel_bias, sizeof(required_accel_bias));
-    mip_read_group(r, 1, 1);
-    mip_read_float(r, v->bias, 3);
-    v->present = mip_read_present(r);
-}
-
-static void write_accel_bias(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_accel_bias *v = (const struct mip_3dm_accel_bias *)value;
-    mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_accel_bias, sizeof(required_accel_bias),
-                       v->present);
-    mip_write_group(w, 1, 1);
-    mip_write_float(w, v->bias, 3);
-}
+const struct mip_codec mip_3dm_accel_bias_codec = {
+    0x0C, 0x37, MIP_COMMAND, sizeof(struct mip_3dm_accel_bias), program_accel_bias};
 
 static bool silent_accel_bias(const void *value) {
     const struct mip_3dm_accel_bias *v = (const struct mip_3dm_accel_bias *)value;
@@ -3608,7 +1116,6 @@ static bool silent_accel_bias(const void *value) {
 
 static bool asked_accel_bias_1(const void *value) {
     const struct mip_3dm_accel_bias *v = (const struct mip_3dm_accel_bias *)value;
-
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
@@ -3617,126 +1124,27 @@ static const struct mip_response responses_accel_bias[] = {
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_accel_bias_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_ACCEL_BIAS_DESCRIPTOR,
-    MIP_COMMAND,
-    sizeof(struct mip_3dm_accel_bias),
-    0, /* time-out */
-    read_accel_bias,
-    write_accel_bias,
-    silent_accel_bias,
-    responses_accel_bias,
-    NULL,
+const struct mip_command mip_3dm_accel_bias_command = {&mip_3dm_accel_bias_codec, silent_accel_bias,
+                                                       responses_accel_bias, 0};
+
+static const uint8_t program_accel_bias_response[] = {
+    MIP_32_BITS(3, MIP_AT(struct mip_3dm_accel_bias_response, bias)),
+    MIP_END,
 };
-
-mip_error mip_3dm_accel_bias_decode(struct mip_3dm_accel_bias *value,
-                                    const struct mip_field *field) {
-    return mip_decode_field(field, read_accel_bias, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_accel_bias_encode(const struct mip_3dm_accel_bias *value,
-                                    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_ACCEL_BIAS_DESCRIPTOR, write_accel_bias, value);
-}
-
-struct mip_3dm_accel_bias mip_3dm_accel_bias_write(const float bias[3]) {
-    struct mip_3dm_accel_bias v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_WRITE;
-    memcpy(v.bias, bias, sizeof(v.bias));
-    return v;
-}
-
-struct mip_3dm_accel_bias mip_3dm_accel_bias_read(void) {
-    struct mip_3dm_accel_bias v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_READ;
-    return v;
-}
-
-struct mip_3dm_accel_bias mip_3dm_accel_bias_save(void) {
-    struct mip_3dm_accel_bias v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_SAVE;
-    return v;
-}
-
-struct mip_3dm_accel_bias mip_3dm_accel_bias_load(void) {
-    struct mip_3dm_accel_bias v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_LOAD;
-    return v;
-}
-
-struct mip_3dm_accel_bias mip_3dm_accel_bias_default(void) {
-    struct mip_3dm_accel_bias v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return v;
-}
-
-struct mip_3dm_accel_bias mip_3dm_accel_bias_apply(const float bias[3]) {
-    struct mip_3dm_accel_bias v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_APPLY;
-    memcpy(v.bias, bias, sizeof(v.bias));
-    return v;
-}
-
-static void read_accel_bias_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_accel_bias_response *v = (struct mip_3dm_accel_bias_response *)value;
-    mip_read_float(r, v->bias, 3);
-}
-
-static void write_accel_bias_response(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_accel_bias_response *v = (const struct mip_3dm_accel_bias_response *)value;
-    mip_write_float(w, v->bias, 3);
-}
 
 const struct mip_codec mip_3dm_accel_bias_response_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_ACCEL_BIAS_RESPONSE_DESCRIPTOR,
-    MIP_RESPONSE,
-    sizeof(struct mip_3dm_accel_bias_response),
-    0, /* time-out */
-    read_accel_bias_response,
-    write_accel_bias_response,
-    NULL,
-    NULL,
-    NULL,
+    0x0C, 0x9A, MIP_RESPONSE, sizeof(struct mip_3dm_accel_bias_response),
+    program_accel_bias_response};
+
+static const uint8_t program_gyro_bias[] = {
+    MIP_REQUIRED(7, 0, 1, 0, 0, 0, 0, 1),
+    MIP_GROUP(1, 1),
+    MIP_32_BITS(3, MIP_AT(struct mip_3dm_gyro_bias, bias)),
+    MIP_END,
 };
 
-mip_error mip_3dm_accel_bias_response_decode(struct mip_3dm_accel_bias_response *value,
-                                             const struct mip_field *field) {
-    return mip_decode_field(field, read_accel_bias_response, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_accel_bias_response_encode(const struct mip_3dm_accel_bias_response *value,
-                                             struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_ACCEL_BIAS_RESPONSE_DESCRIPTOR,
-                            write_accel_bias_response, value);
-}
-
-/** Parameters that each function requires, by its value. */
-static const uint8_t required_gyro_bias[] = {0, 1, 0, 0, 0, 0, 1};
-
-static void read_gyro_bias(struct mip_reader *r, void *value) {
-    struct mip_3dm_gyro_bias *v = (struct mip_3dm_gyro_bias *)value;
-    mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_gyro_bias, sizeof(required_gyro_bias));
-    mip_read_group(r, 1, 1);
-    mip_read_float(r, v->bias, 3);
-    v->present = mip_read_present(r);
-}
-
-static void write_gyro_bias(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_gyro_bias *v = (const struct mip_3dm_gyro_bias *)value;
-    mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_gyro_bias, sizeof(required_gyro_bias), v->present);
-    mip_write_group(w, 1, 1);
-    mip_write_float(w, v->bias, 3);
-}
+const struct mip_codec mip_3dm_gyro_bias_codec = {
+    0x0C, 0x38, MIP_COMMAND, sizeof(struct mip_3dm_gyro_bias), program_gyro_bias};
 
 static bool silent_gyro_bias(const void *value) {
     const struct mip_3dm_gyro_bias *v = (const struct mip_3dm_gyro_bias *)value;
@@ -3745,7 +1153,6 @@ static bool silent_gyro_bias(const void *value) {
 
 static bool asked_gyro_bias_1(const void *value) {
     const struct mip_3dm_gyro_bias *v = (const struct mip_3dm_gyro_bias *)value;
-
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
@@ -3754,174 +1161,44 @@ static const struct mip_response responses_gyro_bias[] = {
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_gyro_bias_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_GYRO_BIAS_DESCRIPTOR,
-    MIP_COMMAND,
-    sizeof(struct mip_3dm_gyro_bias),
-    0, /* time-out */
-    read_gyro_bias,
-    write_gyro_bias,
-    silent_gyro_bias,
-    responses_gyro_bias,
-    NULL,
+const struct mip_command mip_3dm_gyro_bias_command = {&mip_3dm_gyro_bias_codec, silent_gyro_bias,
+                                                      responses_gyro_bias, 0};
+
+static const uint8_t program_gyro_bias_response[] = {
+    MIP_32_BITS(3, MIP_AT(struct mip_3dm_gyro_bias_response, bias)),
+    MIP_END,
 };
-
-mip_error mip_3dm_gyro_bias_decode(struct mip_3dm_gyro_bias *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_gyro_bias, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_gyro_bias_encode(const struct mip_3dm_gyro_bias *value,
-                                   struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_GYRO_BIAS_DESCRIPTOR, write_gyro_bias, value);
-}
-
-struct mip_3dm_gyro_bias mip_3dm_gyro_bias_write(const float bias[3]) {
-    struct mip_3dm_gyro_bias v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_WRITE;
-    memcpy(v.bias, bias, sizeof(v.bias));
-    return v;
-}
-
-struct mip_3dm_gyro_bias mip_3dm_gyro_bias_read(void) {
-    struct mip_3dm_gyro_bias v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_READ;
-    return v;
-}
-
-struct mip_3dm_gyro_bias mip_3dm_gyro_bias_save(void) {
-    struct mip_3dm_gyro_bias v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_SAVE;
-    return v;
-}
-
-struct mip_3dm_gyro_bias mip_3dm_gyro_bias_load(void) {
-    struct mip_3dm_gyro_bias v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_LOAD;
-    return v;
-}
-
-struct mip_3dm_gyro_bias mip_3dm_gyro_bias_default(void) {
-    struct mip_3dm_gyro_bias v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return v;
-}
-
-struct mip_3dm_gyro_bias mip_3dm_gyro_bias_apply(const float bias[3]) {
-    struct mip_3dm_gyro_bias v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_APPLY;
-    memcpy(v.bias, bias, sizeof(v.bias));
-    return v;
-}
-
-static void read_gyro_bias_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_gyro_bias_response *v = (struct mip_3dm_gyro_bias_response *)value;
-    mip_read_float(r, v->bias, 3);
-}
-
-static void write_gyro_bias_response(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_gyro_bias_response *v = (const struct mip_3dm_gyro_bias_response *)value;
-    mip_write_float(w, v->bias, 3);
-}
 
 const struct mip_codec mip_3dm_gyro_bias_response_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_GYRO_BIAS_RESPONSE_DESCRIPTOR,
-    MIP_RESPONSE,
-    sizeof(struct mip_3dm_gyro_bias_response),
-    0, /* time-out */
-    read_gyro_bias_response,
-    write_gyro_bias_response,
-    NULL,
-    NULL,
-    NULL,
+    0x0C, 0x9B, MIP_RESPONSE, sizeof(struct mip_3dm_gyro_bias_response),
+    program_gyro_bias_response};
+
+static const uint8_t program_capture_gyro_bias[] = {
+    MIP_16_BITS(1, MIP_AT(struct mip_3dm_capture_gyro_bias, averaging_time_ms)),
+    MIP_END,
 };
 
-mip_error mip_3dm_gyro_bias_response_decode(struct mip_3dm_gyro_bias_response *value,
-                                            const struct mip_field *field) {
-    return mip_decode_field(field, read_gyro_bias_response, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_gyro_bias_response_encode(const struct mip_3dm_gyro_bias_response *value,
-                                            struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_GYRO_BIAS_RESPONSE_DESCRIPTOR,
-                            write_gyro_bias_response, value);
-}
-
-static void read_capture_gyro_bias(struct mip_reader *r, void *value) {
-    struct mip_3dm_capture_gyro_bias *v = (struct mip_3dm_capture_gyro_bias *)value;
-    mip_read_u16(r, &v->averaging_time_ms, 1);
-}
-
-static void write_capture_gyro_bias(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_capture_gyro_bias *v = (const struct mip_3dm_capture_gyro_bias *)value;
-    mip_write_u16(w, &v->averaging_time_ms, 1);
-}
+const struct mip_codec mip_3dm_capture_gyro_bias_codec = {
+    0x0C, 0x39, MIP_COMMAND, sizeof(struct mip_3dm_capture_gyro_bias), program_capture_gyro_bias};
 
 static const struct mip_response responses_capture_gyro_bias[] = {
     {&mip_3dm_gyro_bias_response_codec, NULL},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_capture_gyro_bias_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_CAPTURE_GYRO_BIAS_DESCRIPTOR,
-    MIP_COMMAND,
-    sizeof(struct mip_3dm_capture_gyro_bias),
-    31000, /* time-out */
-    read_capture_gyro_bias,
-    write_capture_gyro_bias,
-    NULL,
-    responses_capture_gyro_bias,
-    NULL,
+const struct mip_command mip_3dm_capture_gyro_bias_command = {
+    &mip_3dm_capture_gyro_bias_codec, NULL, responses_capture_gyro_bias, 31000};
+
+static const uint8_t program_mag_hard_iron_offset[] = {
+    MIP_REQUIRED(7, 0, 1, 0, 0, 0, 0, 1),
+    MIP_GROUP(1, 1),
+    MIP_32_BITS(3, MIP_AT(struct mip_3dm_mag_hard_iron_offset, offset)),
+    MIP_END,
 };
 
-mip_error mip_3dm_capture_gyro_bias_decode(struct mip_3dm_capture_gyro_bias *value,
-                                           const struct mip_field *field) {
-    return mip_decode_field(field, read_capture_gyro_bias, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_capture_gyro_bias_encode(const struct mip_3dm_capture_gyro_bias *value,
-                                           struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_CAPTURE_GYRO_BIAS_DESCRIPTOR,
-                            write_capture_gyro_bias, value);
-}
-
-struct mip_3dm_capture_gyro_bias mip_3dm_capture_gyro_bias_make(uint16_t averaging_time_ms) {
-    struct mip_3dm_capture_gyro_bias v;
-    memset(&v, 0, sizeof(v));
-    v.averaging_time_ms = averaging_time_ms;
-    return v;
-}
-
-/** Parameters that each function requires, by its value. */
-static const uint8_t required_mag_hard_iron_offset[] = {0, 1, 0, 0, 0, 0, 1};
-
-static void read_mag_hard_iron_offset(struct mip_reader *r, void *value) {
-    struct mip_3dm_mag_hard_iron_offset *v = (struct mip_3dm_mag_hard_iron_offset *)value;
-    mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_mag_hard_iron_offset,
-                      sizeof(required_mag_hard_iron_offset));
-    mip_read_group(r, 1, 1);
-    mip_read_float(r, v->offset, 3);
-    v->present = mip_read_present(r);
-}
-
-static void write_mag_hard_iron_offset(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_mag_hard_iron_offset *v =
-        (const struct mip_3dm_mag_hard_iron_offset *)value;
-    mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_mag_hard_iron_offset,
-                       sizeof(required_mag_hard_iron_offset), v->present);
-    mip_write_group(w, 1, 1);
-    mip_write_float(w, v->offset, 3);
-}
+const struct mip_codec mip_3dm_mag_hard_iron_offset_codec = {
+    0x0C, 0x3A, MIP_COMMAND, sizeof(struct mip_3dm_mag_hard_iron_offset),
+    program_mag_hard_iron_offset};
 
 static bool silent_mag_hard_iron_offset(const void *value) {
     const struct mip_3dm_mag_hard_iron_offset *v =
@@ -3932,7 +1209,6 @@ static bool silent_mag_hard_iron_offset(const void *value) {
 static bool asked_mag_hard_iron_offset_1(const void *value) {
     const struct mip_3dm_mag_hard_iron_offset *v =
         (const struct mip_3dm_mag_hard_iron_offset *)value;
-
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
@@ -3941,132 +1217,29 @@ static const struct mip_response responses_mag_hard_iron_offset[] = {
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_mag_hard_iron_offset_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_MAG_HARD_IRON_OFFSET_DESCRIPTOR,
-    MIP_COMMAND,
-    sizeof(struct mip_3dm_mag_hard_iron_offset),
-    0, /* time-out */
-    read_mag_hard_iron_offset,
-    write_mag_hard_iron_offset,
-    silent_mag_hard_iron_offset,
-    responses_mag_hard_iron_offset,
-    NULL,
+const struct mip_command mip_3dm_mag_hard_iron_offset_command = {
+    &mip_3dm_mag_hard_iron_offset_codec, silent_mag_hard_iron_offset,
+    responses_mag_hard_iron_offset, 0};
+
+static const uint8_t program_mag_hard_iron_offset_response[] = {
+    MIP_32_BITS(3, MIP_AT(struct mip_3dm_mag_hard_iron_offset_response, offset)),
+    MIP_END,
 };
-
-mip_error mip_3dm_mag_hard_iron_offset_decode(struct mip_3dm_mag_hard_iron_offset *value,
-                                              const struct mip_field *field) {
-    return mip_decode_field(field, read_mag_hard_iron_offset, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_mag_hard_iron_offset_encode(const struct mip_3dm_mag_hard_iron_offset *value,
-                                              struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_MAG_HARD_IRON_OFFSET_DESCRIPTOR,
-                            write_mag_hard_iron_offset, value);
-}
-
-struct mip_3dm_mag_hard_iron_offset mip_3dm_mag_hard_iron_offset_write(const float offset[3]) {
-    struct mip_3dm_mag_hard_iron_offset v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_WRITE;
-    memcpy(v.offset, offset, sizeof(v.offset));
-    return v;
-}
-
-struct mip_3dm_mag_hard_iron_offset mip_3dm_mag_hard_iron_offset_read(void) {
-    struct mip_3dm_mag_hard_iron_offset v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_READ;
-    return v;
-}
-
-struct mip_3dm_mag_hard_iron_offset mip_3dm_mag_hard_iron_offset_save(void) {
-    struct mip_3dm_mag_hard_iron_offset v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_SAVE;
-    return v;
-}
-
-struct mip_3dm_mag_hard_iron_offset mip_3dm_mag_hard_iron_offset_load(void) {
-    struct mip_3dm_mag_hard_iron_offset v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_LOAD;
-    return v;
-}
-
-struct mip_3dm_mag_hard_iron_offset mip_3dm_mag_hard_iron_offset_default(void) {
-    struct mip_3dm_mag_hard_iron_offset v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return v;
-}
-
-struct mip_3dm_mag_hard_iron_offset mip_3dm_mag_hard_iron_offset_apply(const float offset[3]) {
-    struct mip_3dm_mag_hard_iron_offset v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_APPLY;
-    memcpy(v.offset, offset, sizeof(v.offset));
-    return v;
-}
-
-static void read_mag_hard_iron_offset_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_mag_hard_iron_offset_response *v =
-        (struct mip_3dm_mag_hard_iron_offset_response *)value;
-    mip_read_float(r, v->offset, 3);
-}
-
-static void write_mag_hard_iron_offset_response(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_mag_hard_iron_offset_response *v =
-        (const struct mip_3dm_mag_hard_iron_offset_response *)value;
-    mip_write_float(w, v->offset, 3);
-}
 
 const struct mip_codec mip_3dm_mag_hard_iron_offset_response_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_MAG_HARD_IRON_OFFSET_RESPONSE_DESCRIPTOR,
-    MIP_RESPONSE,
-    sizeof(struct mip_3dm_mag_hard_iron_offset_response),
-    0, /* time-out */
-    read_mag_hard_iron_offset_response,
-    write_mag_hard_iron_offset_response,
-    NULL,
-    NULL,
-    NULL,
+    0x0C, 0x9C, MIP_RESPONSE, sizeof(struct mip_3dm_mag_hard_iron_offset_response),
+    program_mag_hard_iron_offset_response};
+
+static const uint8_t program_mag_soft_iron_matrix[] = {
+    MIP_REQUIRED(7, 0, 1, 0, 0, 0, 0, 1),
+    MIP_GROUP(1, 1),
+    MIP_32_BITS(9, MIP_AT(struct mip_3dm_mag_soft_iron_matrix, matrix)),
+    MIP_END,
 };
 
-mip_error mip_3dm_mag_hard_iron_offset_response_decode(
-    struct mip_3dm_mag_hard_iron_offset_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_mag_hard_iron_offset_response, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_mag_hard_iron_offset_response_encode(
-    const struct mip_3dm_mag_hard_iron_offset_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_MAG_HARD_IRON_OFFSET_RESPONSE_DESCRIPTOR,
-                            write_mag_hard_iron_offset_response, value);
-}
-
-/** Parameters that each function requires, by its value. */
-static const uint8_t required_mag_soft_iron_matrix[] = {0, 1, 0, 0, 0, 0, 1};
-
-static void read_mag_soft_iron_matrix(struct mip_reader *r, void *value) {
-    struct mip_3dm_mag_soft_iron_matrix *v = (struct mip_3dm_mag_soft_iron_matrix *)value;
-    mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_mag_soft_iron_matrix,
-                      sizeof(required_mag_soft_iron_matrix));
-    mip_read_group(r, 1, 1);
-    mip_read_float(r, v->matrix, 9);
-    v->present = mip_read_present(r);
-}
-
-static void write_mag_soft_iron_matrix(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_mag_soft_iron_matrix *v =
-        (const struct mip_3dm_mag_soft_iron_matrix *)value;
-    mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_mag_soft_iron_matrix,
-                       sizeof(required_mag_soft_iron_matrix), v->present);
-    mip_write_group(w, 1, 1);
-    mip_write_float(w, v->matrix, 9);
-}
+const struct mip_codec mip_3dm_mag_soft_iron_matrix_codec = {
+    0x0C, 0x3B, MIP_COMMAND, sizeof(struct mip_3dm_mag_soft_iron_matrix),
+    program_mag_soft_iron_matrix};
 
 static bool silent_mag_soft_iron_matrix(const void *value) {
     const struct mip_3dm_mag_soft_iron_matrix *v =
@@ -4077,7 +1250,6 @@ static bool silent_mag_soft_iron_matrix(const void *value) {
 static bool asked_mag_soft_iron_matrix_1(const void *value) {
     const struct mip_3dm_mag_soft_iron_matrix *v =
         (const struct mip_3dm_mag_soft_iron_matrix *)value;
-
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
@@ -4086,137 +1258,33 @@ static const struct mip_response responses_mag_soft_iron_matrix[] = {
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_mag_soft_iron_matrix_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_MAG_SOFT_IRON_MATRIX_DESCRIPTOR,
-    MIP_COMMAND,
-    sizeof(struct mip_3dm_mag_soft_iron_matrix),
-    0, /* time-out */
-    read_mag_soft_iron_matrix,
-    write_mag_soft_iron_matrix,
-    silent_mag_soft_iron_matrix,
-    responses_mag_soft_iron_matrix,
-    NULL,
+const struct mip_command mip_3dm_mag_soft_iron_matrix_command = {
+    &mip_3dm_mag_soft_iron_matrix_codec, silent_mag_soft_iron_matrix,
+    responses_mag_soft_iron_matrix, 0};
+
+static const uint8_t program_mag_soft_iron_matrix_response[] = {
+    MIP_32_BITS(9, MIP_AT(struct mip_3dm_mag_soft_iron_matrix_response, matrix)),
+    MIP_END,
 };
-
-mip_error mip_3dm_mag_soft_iron_matrix_decode(struct mip_3dm_mag_soft_iron_matrix *value,
-                                              const struct mip_field *field) {
-    return mip_decode_field(field, read_mag_soft_iron_matrix, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_mag_soft_iron_matrix_encode(const struct mip_3dm_mag_soft_iron_matrix *value,
-                                              struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_MAG_SOFT_IRON_MATRIX_DESCRIPTOR,
-                            write_mag_soft_iron_matrix, value);
-}
-
-struct mip_3dm_mag_soft_iron_matrix mip_3dm_mag_soft_iron_matrix_write(const float matrix[9]) {
-    struct mip_3dm_mag_soft_iron_matrix v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_WRITE;
-    memcpy(v.matrix, matrix, sizeof(v.matrix));
-    return v;
-}
-
-struct mip_3dm_mag_soft_iron_matrix mip_3dm_mag_soft_iron_matrix_read(void) {
-    struct mip_3dm_mag_soft_iron_matrix v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_READ;
-    return v;
-}
-
-struct mip_3dm_mag_soft_iron_matrix mip_3dm_mag_soft_iron_matrix_save(void) {
-    struct mip_3dm_mag_soft_iron_matrix v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_SAVE;
-    return v;
-}
-
-struct mip_3dm_mag_soft_iron_matrix mip_3dm_mag_soft_iron_matrix_load(void) {
-    struct mip_3dm_mag_soft_iron_matrix v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_LOAD;
-    return v;
-}
-
-struct mip_3dm_mag_soft_iron_matrix mip_3dm_mag_soft_iron_matrix_default(void) {
-    struct mip_3dm_mag_soft_iron_matrix v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return v;
-}
-
-struct mip_3dm_mag_soft_iron_matrix mip_3dm_mag_soft_iron_matrix_apply(const float matrix[9]) {
-    struct mip_3dm_mag_soft_iron_matrix v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_APPLY;
-    memcpy(v.matrix, matrix, sizeof(v.matrix));
-    return v;
-}
-
-static void read_mag_soft_iron_matrix_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_mag_soft_iron_matrix_response *v =
-        (struct mip_3dm_mag_soft_iron_matrix_response *)value;
-    mip_read_float(r, v->matrix, 9);
-}
-
-static void write_mag_soft_iron_matrix_response(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_mag_soft_iron_matrix_response *v =
-        (const struct mip_3dm_mag_soft_iron_matrix_response *)value;
-    mip_write_float(w, v->matrix, 9);
-}
 
 const struct mip_codec mip_3dm_mag_soft_iron_matrix_response_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_MAG_SOFT_IRON_MATRIX_RESPONSE_DESCRIPTOR,
-    MIP_RESPONSE,
-    sizeof(struct mip_3dm_mag_soft_iron_matrix_response),
-    0, /* time-out */
-    read_mag_soft_iron_matrix_response,
-    write_mag_soft_iron_matrix_response,
-    NULL,
-    NULL,
-    NULL,
+    0x0C, 0x9D, MIP_RESPONSE, sizeof(struct mip_3dm_mag_soft_iron_matrix_response),
+    program_mag_soft_iron_matrix_response};
+
+static const uint8_t program_coning_sculling_enable[] = {
+    MIP_REQUIRED(2, 0, 1),
+    MIP_GROUP(1, 1),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_coning_sculling_enable, enable)),
+    MIP_END,
 };
 
-mip_error mip_3dm_mag_soft_iron_matrix_response_decode(
-    struct mip_3dm_mag_soft_iron_matrix_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_mag_soft_iron_matrix_response, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_mag_soft_iron_matrix_response_encode(
-    const struct mip_3dm_mag_soft_iron_matrix_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_MAG_SOFT_IRON_MATRIX_RESPONSE_DESCRIPTOR,
-                            write_mag_soft_iron_matrix_response, value);
-}
-
-/** Parameters that each function requires, by its value. */
-static const uint8_t required_coning_sculling_enable[] = {0, 1, 0, 0, 0, 0};
-
-static void read_coning_sculling_enable(struct mip_reader *r, void *value) {
-    struct mip_3dm_coning_sculling_enable *v = (struct mip_3dm_coning_sculling_enable *)value;
-    mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_coning_sculling_enable,
-                      sizeof(required_coning_sculling_enable));
-    mip_read_group(r, 1, 1);
-    mip_read_bool(r, &v->enable, 1);
-    v->present = mip_read_present(r);
-}
-
-static void write_coning_sculling_enable(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_coning_sculling_enable *v =
-        (const struct mip_3dm_coning_sculling_enable *)value;
-    mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_coning_sculling_enable,
-                       sizeof(required_coning_sculling_enable), v->present);
-    mip_write_group(w, 1, 1);
-    mip_write_bool(w, &v->enable, 1);
-}
+const struct mip_codec mip_3dm_coning_sculling_enable_codec = {
+    0x0C, 0x3E, MIP_COMMAND, sizeof(struct mip_3dm_coning_sculling_enable),
+    program_coning_sculling_enable};
 
 static bool asked_coning_sculling_enable_1(const void *value) {
     const struct mip_3dm_coning_sculling_enable *v =
         (const struct mip_3dm_coning_sculling_enable *)value;
-
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
@@ -4225,127 +1293,30 @@ static const struct mip_response responses_coning_sculling_enable[] = {
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_coning_sculling_enable_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_CONING_SCULLING_ENABLE_DESCRIPTOR,
-    MIP_COMMAND,
-    sizeof(struct mip_3dm_coning_sculling_enable),
-    0, /* time-out */
-    read_coning_sculling_enable,
-    write_coning_sculling_enable,
-    NULL,
-    responses_coning_sculling_enable,
-    NULL,
+const struct mip_command mip_3dm_coning_sculling_enable_command = {
+    &mip_3dm_coning_sculling_enable_codec, NULL, responses_coning_sculling_enable, 0};
+
+static const uint8_t program_coning_sculling_enable_response[] = {
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_coning_sculling_enable_response, enable)),
+    MIP_END,
 };
-
-mip_error mip_3dm_coning_sculling_enable_decode(struct mip_3dm_coning_sculling_enable *value,
-                                                const struct mip_field *field) {
-    return mip_decode_field(field, read_coning_sculling_enable, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_coning_sculling_enable_encode(const struct mip_3dm_coning_sculling_enable *value,
-                                                struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_CONING_SCULLING_ENABLE_DESCRIPTOR,
-                            write_coning_sculling_enable, value);
-}
-
-struct mip_3dm_coning_sculling_enable mip_3dm_coning_sculling_enable_write(mip_bool enable) {
-    struct mip_3dm_coning_sculling_enable v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_WRITE;
-    v.enable = enable;
-    return v;
-}
-
-struct mip_3dm_coning_sculling_enable mip_3dm_coning_sculling_enable_read(void) {
-    struct mip_3dm_coning_sculling_enable v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_READ;
-    return v;
-}
-
-struct mip_3dm_coning_sculling_enable mip_3dm_coning_sculling_enable_save(void) {
-    struct mip_3dm_coning_sculling_enable v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_SAVE;
-    return v;
-}
-
-struct mip_3dm_coning_sculling_enable mip_3dm_coning_sculling_enable_load(void) {
-    struct mip_3dm_coning_sculling_enable v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_LOAD;
-    return v;
-}
-
-struct mip_3dm_coning_sculling_enable mip_3dm_coning_sculling_enable_default(void) {
-    struct mip_3dm_coning_sculling_enable v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return v;
-}
-
-static void read_coning_sculling_enable_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_coning_sculling_enable_response *v =
-        (struct mip_3dm_coning_sculling_enable_response *)value;
-    mip_read_bool(r, &v->enable, 1);
-}
-
-static void write_coning_sculling_enable_response(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_coning_sculling_enable_response *v =
-        (const struct mip_3dm_coning_sculling_enable_response *)value;
-    mip_write_bool(w, &v->enable, 1);
-}
 
 const struct mip_codec mip_3dm_coning_sculling_enable_response_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_CONING_SCULLING_ENABLE_RESPONSE_DESCRIPTOR,
-    MIP_RESPONSE,
-    sizeof(struct mip_3dm_coning_sculling_enable_response),
-    0, /* time-out */
-    read_coning_sculling_enable_response,
-    write_coning_sculling_enable_response,
-    NULL,
-    NULL,
-    NULL,
+    0x0C, 0x9E, MIP_RESPONSE, sizeof(struct mip_3dm_coning_sculling_enable_response),
+    program_coning_sculling_enable_response};
+
+static const uint8_t program_uart_baud_rate[] = {
+    MIP_REQUIRED(2, 0, 1),
+    MIP_GROUP(1, 1),
+    MIP_32_BITS(1, MIP_AT(struct mip_3dm_uart_baud_rate, baud)),
+    MIP_END,
 };
 
-mip_error mip_3dm_coning_sculling_enable_response_decode(
-    struct mip_3dm_coning_sculling_enable_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_coning_sculling_enable_response, value, sizeof(*value),
-                            NULL);
-}
-
-mip_error mip_3dm_coning_sculling_enable_response_encode(
-    const struct mip_3dm_coning_sculling_enable_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_CONING_SCULLING_ENABLE_RESPONSE_DESCRIPTOR,
-                            write_coning_sculling_enable_response, value);
-}
-
-/** Parameters that each function requires, by its value. */
-static const uint8_t required_uart_baud_rate[] = {0, 1, 0, 0, 0, 0};
-
-static void read_uart_baud_rate(struct mip_reader *r, void *value) {
-    struct mip_3dm_uart_baud_rate *v = (struct mip_3dm_uart_baud_rate *)value;
-    mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_uart_baud_rate, sizeof(required_uart_baud_rate));
-    mip_read_group(r, 1, 1);
-    mip_read_u32(r, &v->baud, 1);
-    v->present = mip_read_present(r);
-}
-
-static void write_uart_baud_rate(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_uart_baud_rate *v = (const struct mip_3dm_uart_baud_rate *)value;
-    mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_uart_baud_rate, sizeof(required_uart_baud_rate),
-                       v->present);
-    mip_write_group(w, 1, 1);
-    mip_write_u32(w, &v->baud, 1);
-}
+const struct mip_codec mip_3dm_uart_baud_rate_codec = {
+    0x0C, 0x40, MIP_COMMAND, sizeof(struct mip_3dm_uart_baud_rate), program_uart_baud_rate};
 
 static bool asked_uart_baud_rate_1(const void *value) {
     const struct mip_3dm_uart_baud_rate *v = (const struct mip_3dm_uart_baud_rate *)value;
-
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
@@ -4354,137 +1325,36 @@ static const struct mip_response responses_uart_baud_rate[] = {
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_uart_baud_rate_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_UART_BAUD_RATE_DESCRIPTOR,
-    MIP_COMMAND,
-    sizeof(struct mip_3dm_uart_baud_rate),
-    0, /* time-out */
-    read_uart_baud_rate,
-    write_uart_baud_rate,
-    NULL,
-    responses_uart_baud_rate,
-    NULL,
+const struct mip_command mip_3dm_uart_baud_rate_command = {&mip_3dm_uart_baud_rate_codec, NULL,
+                                                           responses_uart_baud_rate, 0};
+
+static const uint8_t program_uart_baud_rate_response[] = {
+    MIP_32_BITS(1, MIP_AT(struct mip_3dm_uart_baud_rate_response, baud)),
+    MIP_END,
 };
-
-mip_error mip_3dm_uart_baud_rate_decode(struct mip_3dm_uart_baud_rate *value,
-                                        const struct mip_field *field) {
-    return mip_decode_field(field, read_uart_baud_rate, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_uart_baud_rate_encode(const struct mip_3dm_uart_baud_rate *value,
-                                        struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_UART_BAUD_RATE_DESCRIPTOR, write_uart_baud_rate,
-                            value);
-}
-
-struct mip_3dm_uart_baud_rate mip_3dm_uart_baud_rate_write(uint32_t baud) {
-    struct mip_3dm_uart_baud_rate v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_WRITE;
-    v.baud = baud;
-    return v;
-}
-
-struct mip_3dm_uart_baud_rate mip_3dm_uart_baud_rate_read(void) {
-    struct mip_3dm_uart_baud_rate v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_READ;
-    return v;
-}
-
-struct mip_3dm_uart_baud_rate mip_3dm_uart_baud_rate_save(void) {
-    struct mip_3dm_uart_baud_rate v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_SAVE;
-    return v;
-}
-
-struct mip_3dm_uart_baud_rate mip_3dm_uart_baud_rate_load(void) {
-    struct mip_3dm_uart_baud_rate v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_LOAD;
-    return v;
-}
-
-struct mip_3dm_uart_baud_rate mip_3dm_uart_baud_rate_default(void) {
-    struct mip_3dm_uart_baud_rate v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return v;
-}
-
-static void read_uart_baud_rate_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_uart_baud_rate_response *v = (struct mip_3dm_uart_baud_rate_response *)value;
-    mip_read_u32(r, &v->baud, 1);
-}
-
-static void write_uart_baud_rate_response(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_uart_baud_rate_response *v =
-        (const struct mip_3dm_uart_baud_rate_response *)value;
-    mip_write_u32(w, &v->baud, 1);
-}
 
 const struct mip_codec mip_3dm_uart_baud_rate_response_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_UART_BAUD_RATE_RESPONSE_DESCRIPTOR,
-    MIP_RESPONSE,
-    sizeof(struct mip_3dm_uart_baud_rate_response),
-    0, /* time-out */
-    read_uart_baud_rate_response,
-    write_uart_baud_rate_response,
-    NULL,
-    NULL,
-    NULL,
+    0x0C, 0x87, MIP_RESPONSE, sizeof(struct mip_3dm_uart_baud_rate_response),
+    program_uart_baud_rate_response};
+
+static const uint8_t program_gpio_config[] = {
+    MIP_REQUIRED(6, 0, 4, 1, 1, 1, 1),
+    MIP_GROUP(1, 1),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_gpio_config, pin)),
+    MIP_GROUP(2, 2),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_gpio_config, feature)),
+    MIP_GROUP(3, 3),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_gpio_config, behavior)),
+    MIP_GROUP(4, 4),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_gpio_config, pin_mode)),
+    MIP_END,
 };
 
-mip_error mip_3dm_uart_baud_rate_response_decode(struct mip_3dm_uart_baud_rate_response *value,
-                                                 const struct mip_field *field) {
-    return mip_decode_field(field, read_uart_baud_rate_response, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_uart_baud_rate_response_encode(
-    const struct mip_3dm_uart_baud_rate_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_UART_BAUD_RATE_RESPONSE_DESCRIPTOR,
-                            write_uart_baud_rate_response, value);
-}
-
-/** Parameters that each function requires, by its value. */
-static const uint8_t required_gpio_config[] = {0, 4, 1, 1, 1, 1};
-
-static void read_gpio_config(struct mip_reader *r, void *value) {
-    struct mip_3dm_gpio_config *v = (struct mip_3dm_gpio_config *)value;
-    mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_gpio_config, sizeof(required_gpio_config));
-    mip_read_group(r, 1, 1);
-    mip_read_u8(r, &v->pin, 1);
-    mip_read_group(r, 2, 2);
-    mip_read_u8(r, &v->feature, 1);
-    mip_read_group(r, 3, 3);
-    mip_read_u8(r, &v->behavior, 1);
-    mip_read_group(r, 4, 4);
-    mip_read_u8(r, &v->pin_mode, 1);
-    v->present = mip_read_present(r);
-}
-
-static void write_gpio_config(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_gpio_config *v = (const struct mip_3dm_gpio_config *)value;
-    mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_gpio_config, sizeof(required_gpio_config),
-                       v->present);
-    mip_write_group(w, 1, 1);
-    mip_write_u8(w, &v->pin, 1);
-    mip_write_group(w, 2, 2);
-    mip_write_u8(w, &v->feature, 1);
-    mip_write_group(w, 3, 3);
-    mip_write_u8(w, &v->behavior, 1);
-    mip_write_group(w, 4, 4);
-    mip_write_u8(w, &v->pin_mode, 1);
-}
+const struct mip_codec mip_3dm_gpio_config_codec = {
+    0x0C, 0x41, MIP_COMMAND, sizeof(struct mip_3dm_gpio_config), program_gpio_config};
 
 static bool asked_gpio_config_1(const void *value) {
     const struct mip_3dm_gpio_config *v = (const struct mip_3dm_gpio_config *)value;
-
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
@@ -4493,143 +1363,32 @@ static const struct mip_response responses_gpio_config[] = {
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_gpio_config_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_GPIO_CONFIG_DESCRIPTOR,
-    MIP_COMMAND,
-    sizeof(struct mip_3dm_gpio_config),
-    0, /* time-out */
-    read_gpio_config,
-    write_gpio_config,
-    NULL,
-    responses_gpio_config,
-    NULL,
+const struct mip_command mip_3dm_gpio_config_command = {&mip_3dm_gpio_config_codec, NULL,
+                                                        responses_gpio_config, 0};
+
+static const uint8_t program_gpio_config_response[] = {
+    MIP_8_BITS(4, MIP_AT(struct mip_3dm_gpio_config_response, pin)),
+    MIP_END,
 };
-
-mip_error mip_3dm_gpio_config_decode(struct mip_3dm_gpio_config *value,
-                                     const struct mip_field *field) {
-    return mip_decode_field(field, read_gpio_config, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_gpio_config_encode(const struct mip_3dm_gpio_config *value,
-                                     struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_GPIO_CONFIG_DESCRIPTOR, write_gpio_config,
-                            value);
-}
-
-struct mip_3dm_gpio_config mip_3dm_gpio_config_write(uint8_t pin, mip_gpio_feature feature,
-                                                     uint8_t behavior, mip_gpio_pin_mode pin_mode) {
-    struct mip_3dm_gpio_config v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_WRITE;
-    v.pin = pin;
-    v.feature = feature;
-    v.behavior = behavior;
-    v.pin_mode = pin_mode;
-    return v;
-}
-
-struct mip_3dm_gpio_config mip_3dm_gpio_config_read(uint8_t pin) {
-    struct mip_3dm_gpio_config v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_READ;
-    v.pin = pin;
-    return v;
-}
-
-struct mip_3dm_gpio_config mip_3dm_gpio_config_save(uint8_t pin) {
-    struct mip_3dm_gpio_config v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_SAVE;
-    v.pin = pin;
-    return v;
-}
-
-struct mip_3dm_gpio_config mip_3dm_gpio_config_load(uint8_t pin) {
-    struct mip_3dm_gpio_config v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_LOAD;
-    v.pin = pin;
-    return v;
-}
-
-struct mip_3dm_gpio_config mip_3dm_gpio_config_default(uint8_t pin) {
-    struct mip_3dm_gpio_config v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    v.pin = pin;
-    return v;
-}
-
-static void read_gpio_config_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_gpio_config_response *v = (struct mip_3dm_gpio_config_response *)value;
-    mip_read_u8(r, &v->pin, 1);
-    mip_read_u8(r, &v->feature, 1);
-    mip_read_u8(r, &v->behavior, 1);
-    mip_read_u8(r, &v->pin_mode, 1);
-}
-
-static void write_gpio_config_response(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_gpio_config_response *v =
-        (const struct mip_3dm_gpio_config_response *)value;
-    mip_write_u8(w, &v->pin, 1);
-    mip_write_u8(w, &v->feature, 1);
-    mip_write_u8(w, &v->behavior, 1);
-    mip_write_u8(w, &v->pin_mode, 1);
-}
 
 const struct mip_codec mip_3dm_gpio_config_response_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_GPIO_CONFIG_RESPONSE_DESCRIPTOR,
-    MIP_RESPONSE,
-    sizeof(struct mip_3dm_gpio_config_response),
-    0, /* time-out */
-    read_gpio_config_response,
-    write_gpio_config_response,
-    NULL,
-    NULL,
-    NULL,
+    0x0C, 0xC1, MIP_RESPONSE, sizeof(struct mip_3dm_gpio_config_response),
+    program_gpio_config_response};
+
+static const uint8_t program_gpio_state[] = {
+    MIP_REQUIRED(3, 0, 2, 1),
+    MIP_GROUP(1, 1),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_gpio_state, pin)),
+    MIP_GROUP(2, 2),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_gpio_state, state)),
+    MIP_END,
 };
 
-mip_error mip_3dm_gpio_config_response_decode(struct mip_3dm_gpio_config_response *value,
-                                              const struct mip_field *field) {
-    return mip_decode_field(field, read_gpio_config_response, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_gpio_config_response_encode(const struct mip_3dm_gpio_config_response *value,
-                                              struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_GPIO_CONFIG_RESPONSE_DESCRIPTOR,
-                            write_gpio_config_response, value);
-}
-
-/** Parameters that each function requires, by its value. */
-static const uint8_t required_gpio_state[] = {0, 2, 1};
-
-static void read_gpio_state(struct mip_reader *r, void *value) {
-    struct mip_3dm_gpio_state *v = (struct mip_3dm_gpio_state *)value;
-    mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_gpio_state, sizeof(required_gpio_state));
-    mip_read_group(r, 1, 1);
-    mip_read_u8(r, &v->pin, 1);
-    mip_read_group(r, 2, 2);
-    mip_read_bool(r, &v->state, 1);
-    v->present = mip_read_present(r);
-}
-
-static void write_gpio_state(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_gpio_state *v = (const struct mip_3dm_gpio_state *)value;
-    mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_gpio_state, sizeof(required_gpio_state),
-                       v->present);
-    mip_write_group(w, 1, 1);
-    mip_write_u8(w, &v->pin, 1);
-    mip_write_group(w, 2, 2);
-    mip_write_bool(w, &v->state, 1);
-}
+const struct mip_codec mip_3dm_gpio_state_codec = {
+    0x0C, 0x42, MIP_COMMAND, sizeof(struct mip_3dm_gpio_state), program_gpio_state};
 
 static bool asked_gpio_state_1(const void *value) {
     const struct mip_3dm_gpio_state *v = (const struct mip_3dm_gpio_state *)value;
-
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
@@ -4638,114 +1397,34 @@ static const struct mip_response responses_gpio_state[] = {
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_gpio_state_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_GPIO_STATE_DESCRIPTOR,
-    MIP_COMMAND,
-    sizeof(struct mip_3dm_gpio_state),
-    0, /* time-out */
-    read_gpio_state,
-    write_gpio_state,
-    NULL,
-    responses_gpio_state,
-    NULL,
+const struct mip_command mip_3dm_gpio_state_command = {&mip_3dm_gpio_state_codec, NULL,
+                                                       responses_gpio_state, 0};
+
+static const uint8_t program_gpio_state_response[] = {
+    MIP_8_BITS(2, MIP_AT(struct mip_3dm_gpio_state_response, pin)),
+    MIP_END,
 };
-
-mip_error mip_3dm_gpio_state_decode(struct mip_3dm_gpio_state *value,
-                                    const struct mip_field *field) {
-    return mip_decode_field(field, read_gpio_state, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_gpio_state_encode(const struct mip_3dm_gpio_state *value,
-                                    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_GPIO_STATE_DESCRIPTOR, write_gpio_state, value);
-}
-
-struct mip_3dm_gpio_state mip_3dm_gpio_state_write(uint8_t pin, mip_bool state) {
-    struct mip_3dm_gpio_state v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_WRITE;
-    v.pin = pin;
-    v.state = state;
-    return v;
-}
-
-struct mip_3dm_gpio_state mip_3dm_gpio_state_read(uint8_t pin) {
-    struct mip_3dm_gpio_state v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_READ;
-    v.pin = pin;
-    return v;
-}
-
-static void read_gpio_state_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_gpio_state_response *v = (struct mip_3dm_gpio_state_response *)value;
-    mip_read_u8(r, &v->pin, 1);
-    mip_read_bool(r, &v->state, 1);
-}
-
-static void write_gpio_state_response(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_gpio_state_response *v = (const struct mip_3dm_gpio_state_response *)value;
-    mip_write_u8(w, &v->pin, 1);
-    mip_write_bool(w, &v->state, 1);
-}
 
 const struct mip_codec mip_3dm_gpio_state_response_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_GPIO_STATE_RESPONSE_DESCRIPTOR,
-    MIP_RESPONSE,
-    sizeof(struct mip_3dm_gpio_state_response),
-    0, /* time-out */
-    read_gpio_state_response,
-    write_gpio_state_response,
-    NULL,
-    NULL,
-    NULL,
+    0x0C, 0xC2, MIP_RESPONSE, sizeof(struct mip_3dm_gpio_state_response),
+    program_gpio_state_response};
+
+static const uint8_t program_odometer_config[] = {
+    MIP_REQUIRED(2, 0, 3),
+    MIP_GROUP(1, 1),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_odometer_config, mode)),
+    MIP_GROUP(2, 2),
+    MIP_32_BITS(1, MIP_AT(struct mip_3dm_odometer_config, scaling)),
+    MIP_GROUP(3, 3),
+    MIP_32_BITS(1, MIP_AT(struct mip_3dm_odometer_config, uncertainty)),
+    MIP_END,
 };
 
-mip_error mip_3dm_gpio_state_response_decode(struct mip_3dm_gpio_state_response *value,
-                                             const struct mip_field *field) {
-    return mip_decode_field(field, read_gpio_state_response, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_gpio_state_response_encode(const struct mip_3dm_gpio_state_response *value,
-                                             struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_GPIO_STATE_RESPONSE_DESCRIPTOR,
-                            write_gpio_state_response, value);
-}
-
-/** Parameters that each function requires, by its value. */
-static const uint8_t required_odometer_config[] = {0, 3, 0, 0, 0, 0};
-
-static void read_odometer_config(struct mip_reader *r, void *value) {
-    struct mip_3dm_odometer_config *v = (struct mip_3dm_odometer_config *)value;
-    mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_odometer_config, sizeof(required_odometer_config));
-    mip_read_group(r, 1, 1);
-    mip_read_u8(r, &v->mode, 1);
-    mip_read_group(r, 2, 2);
-    mip_read_float(r, &v->scaling, 1);
-    mip_read_group(r, 3, 3);
-    mip_read_float(r, &v->uncertainty, 1);
-    v->present = mip_read_present(r);
-}
-
-static void write_odometer_config(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_odometer_config *v = (const struct mip_3dm_odometer_config *)value;
-    mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_odometer_config, sizeof(required_odometer_config),
-                       v->present);
-    mip_write_group(w, 1, 1);
-    mip_write_u8(w, &v->mode, 1);
-    mip_write_group(w, 2, 2);
-    mip_write_float(w, &v->scaling, 1);
-    mip_write_group(w, 3, 3);
-    mip_write_float(w, &v->uncertainty, 1);
-}
+const struct mip_codec mip_3dm_odometer_config_codec = {
+    0x0C, 0x43, MIP_COMMAND, sizeof(struct mip_3dm_odometer_config), program_odometer_config};
 
 static bool asked_odometer_config_1(const void *value) {
     const struct mip_3dm_odometer_config *v = (const struct mip_3dm_odometer_config *)value;
-
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
@@ -4754,149 +1433,40 @@ static const struct mip_response responses_odometer_config[] = {
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_odometer_config_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_ODOMETER_CONFIG_DESCRIPTOR,
-    MIP_COMMAND,
-    sizeof(struct mip_3dm_odometer_config),
-    0, /* time-out */
-    read_odometer_config,
-    write_odometer_config,
-    NULL,
-    responses_odometer_config,
-    NULL,
+const struct mip_command mip_3dm_odometer_config_command = {&mip_3dm_odometer_config_codec, NULL,
+                                                            responses_odometer_config, 0};
+
+static const uint8_t program_odometer_config_response[] = {
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_odometer_config_response, mode)),
+    MIP_32_BITS(2, MIP_AT(struct mip_3dm_odometer_config_response, scaling)),
+    MIP_END,
 };
-
-mip_error mip_3dm_odometer_config_decode(struct mip_3dm_odometer_config *value,
-                                         const struct mip_field *field) {
-    return mip_decode_field(field, read_odometer_config, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_odometer_config_encode(const struct mip_3dm_odometer_config *value,
-                                         struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_ODOMETER_CONFIG_DESCRIPTOR,
-                            write_odometer_config, value);
-}
-
-struct mip_3dm_odometer_config mip_3dm_odometer_config_write(mip_3dm_odometer_mode mode,
-                                                             float scaling, float uncertainty) {
-    struct mip_3dm_odometer_config v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_WRITE;
-    v.mode = mode;
-    v.scaling = scaling;
-    v.uncertainty = uncertainty;
-    return v;
-}
-
-struct mip_3dm_odometer_config mip_3dm_odometer_config_read(void) {
-    struct mip_3dm_odometer_config v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_READ;
-    return v;
-}
-
-struct mip_3dm_odometer_config mip_3dm_odometer_config_save(void) {
-    struct mip_3dm_odometer_config v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_SAVE;
-    return v;
-}
-
-struct mip_3dm_odometer_config mip_3dm_odometer_config_load(void) {
-    struct mip_3dm_odometer_config v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_LOAD;
-    return v;
-}
-
-struct mip_3dm_odometer_config mip_3dm_odometer_config_default(void) {
-    struct mip_3dm_odometer_config v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return v;
-}
-
-static void read_odometer_config_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_odometer_config_response *v = (struct mip_3dm_odometer_config_response *)value;
-    mip_read_u8(r, &v->mode, 1);
-    mip_read_float(r, &v->scaling, 1);
-    mip_read_float(r, &v->uncertainty, 1);
-}
-
-static void write_odometer_config_response(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_odometer_config_response *v =
-        (const struct mip_3dm_odometer_config_response *)value;
-    mip_write_u8(w, &v->mode, 1);
-    mip_write_float(w, &v->scaling, 1);
-    mip_write_float(w, &v->uncertainty, 1);
-}
 
 const struct mip_codec mip_3dm_odometer_config_response_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_ODOMETER_CONFIG_RESPONSE_DESCRIPTOR,
-    MIP_RESPONSE,
-    sizeof(struct mip_3dm_odometer_config_response),
-    0, /* time-out */
-    read_odometer_config_response,
-    write_odometer_config_response,
-    NULL,
-    NULL,
-    NULL,
+    0x0C, 0xC3, MIP_RESPONSE, sizeof(struct mip_3dm_odometer_config_response),
+    program_odometer_config_response};
+
+static const uint8_t program_imu_low_pass_filter[] = {
+    MIP_REQUIRED(6, 0, 5, 1, 1, 1, 1),
+    MIP_GROUP(1, 1),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_imu_low_pass_filter, target_descriptor)),
+    MIP_GROUP(2, 2),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_imu_low_pass_filter, enable)),
+    MIP_GROUP(3, 3),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_imu_low_pass_filter, manual)),
+    MIP_GROUP(4, 4),
+    MIP_16_BITS(1, MIP_AT(struct mip_3dm_imu_low_pass_filter, frequency)),
+    MIP_GROUP(5, 5),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_imu_low_pass_filter, reserved)),
+    MIP_END,
 };
 
-mip_error mip_3dm_odometer_config_response_decode(struct mip_3dm_odometer_config_response *value,
-                                                  const struct mip_field *field) {
-    return mip_decode_field(field, read_odometer_config_response, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_odometer_config_response_encode(
-    const struct mip_3dm_odometer_config_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_ODOMETER_CONFIG_RESPONSE_DESCRIPTOR,
-                            write_odometer_config_response, value);
-}
-
-/** Parameters that each function requires, by its value. */
-static const uint8_t required_imu_low_pass_filter[] = {0, 5, 1, 1, 1, 1};
-
-static void read_imu_low_pass_filter(struct mip_reader *r, void *value) {
-    struct mip_3dm_imu_low_pass_filter *v = (struct mip_3dm_imu_low_pass_filter *)value;
-    mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_imu_low_pass_filter,
-                      sizeof(required_imu_low_pass_filter));
-    mip_read_group(r, 1, 1);
-    mip_read_u8(r, &v->target_descriptor, 1);
-    mip_read_group(r, 2, 2);
-    mip_read_bool(r, &v->enable, 1);
-    mip_read_group(r, 3, 3);
-    mip_read_bool(r, &v->manual, 1);
-    mip_read_group(r, 4, 4);
-    mip_read_u16(r, &v->frequency, 1);
-    mip_read_group(r, 5, 5);
-    mip_read_u8(r, &v->reserved, 1);
-    v->present = mip_read_present(r);
-}
-
-static void write_imu_low_pass_filter(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_imu_low_pass_filter *v = (const struct mip_3dm_imu_low_pass_filter *)value;
-    mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_imu_low_pass_filter,
-                       sizeof(required_imu_low_pass_filter), v->present);
-    mip_write_group(w, 1, 1);
-    mip_write_u8(w, &v->target_descriptor, 1);
-    mip_write_group(w, 2, 2);
-    mip_write_bool(w, &v->enable, 1);
-    mip_write_group(w, 3, 3);
-    mip_write_bool(w, &v->manual, 1);
-    mip_write_group(w, 4, 4);
-    mip_write_u16(w, &v->frequency, 1);
-    mip_write_group(w, 5, 5);
-    mip_write_u8(w, &v->reserved, 1);
-}
+const struct mip_codec mip_3dm_imu_low_pass_filter_codec = {
+    0x0C, 0x50, MIP_COMMAND, sizeof(struct mip_3dm_imu_low_pass_filter),
+    program_imu_low_pass_filter};
 
 static bool asked_imu_low_pass_filter_1(const void *value) {
     const struct mip_3dm_imu_low_pass_filter *v = (const struct mip_3dm_imu_low_pass_filter *)value;
-
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
@@ -4905,159 +1475,40 @@ static const struct mip_response responses_imu_low_pass_filter[] = {
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_imu_low_pass_filter_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_IMU_LOW_PASS_FILTER_DESCRIPTOR,
-    MIP_COMMAND,
-    sizeof(struct mip_3dm_imu_low_pass_filter),
-    0, /* time-out */
-    read_imu_low_pass_filter,
-    write_imu_low_pass_filter,
-    NULL,
-    responses_imu_low_pass_filter,
-    NULL,
+const struct mip_command mip_3dm_imu_low_pass_filter_command = {
+    &mip_3dm_imu_low_pass_filter_codec, NULL, responses_imu_low_pass_filter, 0};
+
+static const uint8_t program_imu_low_pass_filter_response[] = {
+    MIP_8_BITS(3, MIP_AT(struct mip_3dm_imu_low_pass_filter_response, target_descriptor)),
+    MIP_16_BITS(1, MIP_AT(struct mip_3dm_imu_low_pass_filter_response, frequency)),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_imu_low_pass_filter_response, reserved)),
+    MIP_END,
 };
-
-mip_error mip_3dm_imu_low_pass_filter_decode(struct mip_3dm_imu_low_pass_filter *value,
-                                             const struct mip_field *field) {
-    return mip_decode_field(field, read_imu_low_pass_filter, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_imu_low_pass_filter_encode(const struct mip_3dm_imu_low_pass_filter *value,
-                                             struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_IMU_LOW_PASS_FILTER_DESCRIPTOR,
-                            write_imu_low_pass_filter, value);
-}
-
-struct mip_3dm_imu_low_pass_filter mip_3dm_imu_low_pass_filter_write(uint8_t target_descriptor,
-                                                                     mip_bool enable,
-                                                                     mip_bool manual,
-                                                                     uint16_t frequency) {
-    struct mip_3dm_imu_low_pass_filter v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_WRITE;
-    v.target_descriptor = target_descriptor;
-    v.enable = enable;
-    v.manual = manual;
-    v.frequency = frequency;
-    return v;
-}
-
-struct mip_3dm_imu_low_pass_filter mip_3dm_imu_low_pass_filter_read(uint8_t target_descriptor) {
-    struct mip_3dm_imu_low_pass_filter v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_READ;
-    v.target_descriptor = target_descriptor;
-    return v;
-}
-
-struct mip_3dm_imu_low_pass_filter mip_3dm_imu_low_pass_filter_save(uint8_t target_descriptor) {
-    struct mip_3dm_imu_low_pass_filter v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_SAVE;
-    v.target_descriptor = target_descriptor;
-    return v;
-}
-
-struct mip_3dm_imu_low_pass_filter mip_3dm_imu_low_pass_filter_load(uint8_t target_descriptor) {
-    struct mip_3dm_imu_low_pass_filter v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_LOAD;
-    v.target_descriptor = target_descriptor;
-    return v;
-}
-
-struct mip_3dm_imu_low_pass_filter mip_3dm_imu_low_pass_filter_default(uint8_t target_descriptor) {
-    struct mip_3dm_imu_low_pass_filter v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    v.target_descriptor = target_descriptor;
-    return v;
-}
-
-static void read_imu_low_pass_filter_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_imu_low_pass_filter_response *v =
-        (struct mip_3dm_imu_low_pass_filter_response *)value;
-    mip_read_u8(r, &v->target_descriptor, 1);
-    mip_read_bool(r, &v->enable, 1);
-    mip_read_bool(r, &v->manual, 1);
-    mip_read_u16(r, &v->frequency, 1);
-    mip_read_u8(r, &v->reserved, 1);
-}
-
-static void write_imu_low_pass_filter_response(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_imu_low_pass_filter_response *v =
-        (const struct mip_3dm_imu_low_pass_filter_response *)value;
-    mip_write_u8(w, &v->target_descriptor, 1);
-    mip_write_bool(w, &v->enable, 1);
-    mip_write_bool(w, &v->manual, 1);
-    mip_write_u16(w, &v->frequency, 1);
-    mip_write_u8(w, &v->reserved, 1);
-}
 
 const struct mip_codec mip_3dm_imu_low_pass_filter_response_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_IMU_LOW_PASS_FILTER_RESPONSE_DESCRIPTOR,
-    MIP_RESPONSE,
-    sizeof(struct mip_3dm_imu_low_pass_filter_response),
-    0, /* time-out */
-    read_imu_low_pass_filter_response,
-    write_imu_low_pass_filter_response,
-    NULL,
-    NULL,
-    NULL,
+    0x0C, 0x8B, MIP_RESPONSE, sizeof(struct mip_3dm_imu_low_pass_filter_response),
+    program_imu_low_pass_filter_response};
+
+static const uint8_t program_complementary_filter[] = {
+    MIP_REQUIRED(2, 0, 4),
+    MIP_GROUP(1, 1),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_complementary_filter, pitch_roll_enable)),
+    MIP_GROUP(2, 2),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_complementary_filter, heading_enable)),
+    MIP_GROUP(3, 3),
+    MIP_32_BITS(1, MIP_AT(struct mip_3dm_complementary_filter, pitch_roll_time_constant)),
+    MIP_GROUP(4, 4),
+    MIP_32_BITS(1, MIP_AT(struct mip_3dm_complementary_filter, heading_time_constant)),
+    MIP_END,
 };
 
-mip_error mip_3dm_imu_low_pass_filter_response_decode(
-    struct mip_3dm_imu_low_pass_filter_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_imu_low_pass_filter_response, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_imu_low_pass_filter_response_encode(
-    const struct mip_3dm_imu_low_pass_filter_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_IMU_LOW_PASS_FILTER_RESPONSE_DESCRIPTOR,
-                            write_imu_low_pass_filter_response, value);
-}
-
-/** Parameters that each function requires, by its value. */
-static const uint8_t required_complementary_filter[] = {0, 4, 0, 0, 0, 0};
-
-static void read_complementary_filter(struct mip_reader *r, void *value) {
-    struct mip_3dm_complementary_filter *v = (struct mip_3dm_complementary_filter *)value;
-    mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_complementary_filter,
-                      sizeof(required_complementary_filter));
-    mip_read_group(r, 1, 1);
-    mip_read_bool(r, &v->pitch_roll_enable, 1);
-    mip_read_group(r, 2, 2);
-    mip_read_bool(r, &v->heading_enable, 1);
-    mip_read_group(r, 3, 3);
-    mip_read_float(r, &v->pitch_roll_time_constant, 1);
-    mip_read_group(r, 4, 4);
-    mip_read_float(r, &v->heading_time_constant, 1);
-    v->present = mip_read_present(r);
-}
-
-static void write_complementary_filter(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_complementary_filter *v =
-        (const struct mip_3dm_complementary_filter *)value;
-    mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_complementary_filter,
-                       sizeof(required_complementary_filter), v->present);
-    mip_write_group(w, 1, 1);
-    mip_write_bool(w, &v->pitch_roll_enable, 1);
-    mip_write_group(w, 2, 2);
-    mip_write_bool(w, &v->heading_enable, 1);
-    mip_write_group(w, 3, 3);
-    mip_write_float(w, &v->pitch_roll_time_constant, 1);
-    mip_write_group(w, 4, 4);
-    mip_write_float(w, &v->heading_time_constant, 1);
-}
+const struct mip_codec mip_3dm_complementary_filter_codec = {
+    0x0C, 0x51, MIP_COMMAND, sizeof(struct mip_3dm_complementary_filter),
+    program_complementary_filter};
 
 static bool asked_complementary_filter_1(const void *value) {
     const struct mip_3dm_complementary_filter *v =
         (const struct mip_3dm_complementary_filter *)value;
-
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
@@ -5066,141 +1517,33 @@ static const struct mip_response responses_complementary_filter[] = {
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_complementary_filter_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_COMPLEMENTARY_FILTER_DESCRIPTOR,
-    MIP_COMMAND,
-    sizeof(struct mip_3dm_complementary_filter),
-    0, /* time-out */
-    read_complementary_filter,
-    write_complementary_filter,
-    NULL,
-    responses_complementary_filter,
-    NULL,
+const struct mip_command mip_3dm_complementary_filter_command = {
+    &mip_3dm_complementary_filter_codec, NULL, responses_complementary_filter, 0};
+
+static const uint8_t program_complementary_filter_response[] = {
+    MIP_8_BITS(2, MIP_AT(struct mip_3dm_complementary_filter_response, pitch_roll_enable)),
+    MIP_32_BITS(2, MIP_AT(struct mip_3dm_complementary_filter_response, pitch_roll_time_constant)),
+    MIP_END,
 };
-
-mip_error mip_3dm_complementary_filter_decode(struct mip_3dm_complementary_filter *value,
-                                              const struct mip_field *field) {
-    return mip_decode_field(field, read_complementary_filter, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_complementary_filter_encode(const struct mip_3dm_complementary_filter *value,
-                                              struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_COMPLEMENTARY_FILTER_DESCRIPTOR,
-                            write_complementary_filter, value);
-}
-
-struct mip_3dm_complementary_filter
-mip_3dm_complementary_filter_write(mip_bool pitch_roll_enable, mip_bool heading_enable,
-                                   float pitch_roll_time_constant, float heading_time_constant) {
-    struct mip_3dm_complementary_filter v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_WRITE;
-    v.pitch_roll_enable = pitch_roll_enable;
-    v.heading_enable = heading_enable;
-    v.pitch_roll_time_constant = pitch_roll_time_constant;
-    v.heading_time_constant = heading_time_constant;
-    return v;
-}
-
-struct mip_3dm_complementary_filter mip_3dm_complementary_filter_read(void) {
-    struct mip_3dm_complementary_filter v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_READ;
-    return v;
-}
-
-struct mip_3dm_complementary_filter mip_3dm_complementary_filter_save(void) {
-    struct mip_3dm_complementary_filter v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_SAVE;
-    return v;
-}
-
-struct mip_3dm_complementary_filter mip_3dm_complementary_filter_load(void) {
-    struct mip_3dm_complementary_filter v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_LOAD;
-    return v;
-}
-
-struct mip_3dm_complementary_filter mip_3dm_complementary_filter_default(void) {
-    struct mip_3dm_complementary_filter v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    return v;
-}
-
-static void read_complementary_filter_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_complementary_filter_response *v =
-        (struct mip_3dm_complementary_filter_response *)value;
-    mip_read_bool(r, &v->pitch_roll_enable, 1);
-    mip_read_bool(r, &v->heading_enable, 1);
-    mip_read_float(r, &v->pitch_roll_time_constant, 1);
-    mip_read_float(r, &v->heading_time_constant, 1);
-}
-
-static void write_complementary_filter_response(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_complementary_filter_response *v =
-        (const struct mip_3dm_complementary_filter_response *)value;
-    mip_write_bool(w, &v->pitch_roll_enable, 1);
-    mip_write_bool(w, &v->heading_enable, 1);
-    mip_write_float(w, &v->pitch_roll_time_constant, 1);
-    mip_write_float(w, &v->heading_time_constant, 1);
-}
 
 const struct mip_codec mip_3dm_complementary_filter_response_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_COMPLEMENTARY_FILTER_RESPONSE_DESCRIPTOR,
-    MIP_RESPONSE,
-    sizeof(struct mip_3dm_complementary_filter_response),
-    0, /* time-out */
-    read_complementary_filter_response,
-    write_complementary_filter_response,
-    NULL,
-    NULL,
-    NULL,
+    0x0C, 0x97, MIP_RESPONSE, sizeof(struct mip_3dm_complementary_filter_response),
+    program_complementary_filter_response};
+
+static const uint8_t program_sensor_range[] = {
+    MIP_REQUIRED(6, 0, 2, 1, 1, 1, 1),
+    MIP_GROUP(1, 1),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_sensor_range, sensor)),
+    MIP_GROUP(2, 2),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_sensor_range, setting)),
+    MIP_END,
 };
 
-mip_error mip_3dm_complementary_filter_response_decode(
-    struct mip_3dm_complementary_filter_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_complementary_filter_response, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_complementary_filter_response_encode(
-    const struct mip_3dm_complementary_filter_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_COMPLEMENTARY_FILTER_RESPONSE_DESCRIPTOR,
-                            write_complementary_filter_response, value);
-}
-
-/** Parameters that each function requires, by its value. */
-static const uint8_t required_sensor_range[] = {0, 2, 1, 1, 1, 1};
-
-static void read_sensor_range(struct mip_reader *r, void *value) {
-    struct mip_3dm_sensor_range *v = (struct mip_3dm_sensor_range *)value;
-    mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_sensor_range, sizeof(required_sensor_range));
-    mip_read_group(r, 1, 1);
-    mip_read_u8(r, &v->sensor, 1);
-    mip_read_group(r, 2, 2);
-    mip_read_u8(r, &v->setting, 1);
-    v->present = mip_read_present(r);
-}
-
-static void write_sensor_range(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_sensor_range *v = (const struct mip_3dm_sensor_range *)value;
-    mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_sensor_range, sizeof(required_sensor_range),
-                       v->present);
-    mip_write_group(w, 1, 1);
-    mip_write_u8(w, &v->sensor, 1);
-    mip_write_group(w, 2, 2);
-    mip_write_u8(w, &v->setting, 1);
-}
+const struct mip_codec mip_3dm_sensor_range_codec = {
+    0x0C, 0x52, MIP_COMMAND, sizeof(struct mip_3dm_sensor_range), program_sensor_range};
 
 static bool asked_sensor_range_1(const void *value) {
     const struct mip_3dm_sensor_range *v = (const struct mip_3dm_sensor_range *)value;
-
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
@@ -5209,244 +1552,71 @@ static const struct mip_response responses_sensor_range[] = {
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_sensor_range_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_SENSOR_RANGE_DESCRIPTOR,
-    MIP_COMMAND,
-    sizeof(struct mip_3dm_sensor_range),
-    0, /* time-out */
-    read_sensor_range,
-    write_sensor_range,
-    NULL,
-    responses_sensor_range,
-    NULL,
+const struct mip_command mip_3dm_sensor_range_command = {&mip_3dm_sensor_range_codec, NULL,
+                                                         responses_sensor_range, 0};
+
+static const uint8_t program_sensor_range_response[] = {
+    MIP_8_BITS(2, MIP_AT(struct mip_3dm_sensor_range_response, sensor)),
+    MIP_END,
 };
-
-mip_error mip_3dm_sensor_range_decode(struct mip_3dm_sensor_range *value,
-                                      const struct mip_field *field) {
-    return mip_decode_field(field, read_sensor_range, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_sensor_range_encode(const struct mip_3dm_sensor_range *value,
-                                      struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_SENSOR_RANGE_DESCRIPTOR, write_sensor_range,
-                            value);
-}
-
-struct mip_3dm_sensor_range mip_3dm_sensor_range_write(mip_3dm_sensor_range_type sensor,
-                                                       uint8_t setting) {
-    struct mip_3dm_sensor_range v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_WRITE;
-    v.sensor = sensor;
-    v.setting = setting;
-    return v;
-}
-
-struct mip_3dm_sensor_range mip_3dm_sensor_range_read(mip_3dm_sensor_range_type sensor) {
-    struct mip_3dm_sensor_range v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_READ;
-    v.sensor = sensor;
-    return v;
-}
-
-struct mip_3dm_sensor_range mip_3dm_sensor_range_save(mip_3dm_sensor_range_type sensor) {
-    struct mip_3dm_sensor_range v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_SAVE;
-    v.sensor = sensor;
-    return v;
-}
-
-struct mip_3dm_sensor_range mip_3dm_sensor_range_load(mip_3dm_sensor_range_type sensor) {
-    struct mip_3dm_sensor_range v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_LOAD;
-    v.sensor = sensor;
-    return v;
-}
-
-struct mip_3dm_sensor_range mip_3dm_sensor_range_default(mip_3dm_sensor_range_type sensor) {
-    struct mip_3dm_sensor_range v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    v.sensor = sensor;
-    return v;
-}
-
-static void read_sensor_range_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_sensor_range_response *v = (struct mip_3dm_sensor_range_response *)value;
-    mip_read_u8(r, &v->sensor, 1);
-    mip_read_u8(r, &v->setting, 1);
-}
-
-static void write_sensor_range_response(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_sensor_range_response *v =
-        (const struct mip_3dm_sensor_range_response *)value;
-    mip_write_u8(w, &v->sensor, 1);
-    mip_write_u8(w, &v->setting, 1);
-}
 
 const struct mip_codec mip_3dm_sensor_range_response_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_SENSOR_RANGE_RESPONSE_DESCRIPTOR,
-    MIP_RESPONSE,
-    sizeof(struct mip_3dm_sensor_range_response),
-    0, /* time-out */
-    read_sensor_range_response,
-    write_sensor_range_response,
-    NULL,
-    NULL,
-    NULL,
+    0x0C, 0xD2, MIP_RESPONSE, sizeof(struct mip_3dm_sensor_range_response),
+    program_sensor_range_response};
+
+static const uint8_t program_get_calibrated_sensor_ranges[] = {
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_get_calibrated_sensor_ranges, sensor)),
+    MIP_END,
 };
 
-mip_error mip_3dm_sensor_range_response_decode(struct mip_3dm_sensor_range_response *value,
-                                               const struct mip_field *field) {
-    return mip_decode_field(field, read_sensor_range_response, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_sensor_range_response_encode(const struct mip_3dm_sensor_range_response *value,
-                                               struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_SENSOR_RANGE_RESPONSE_DESCRIPTOR,
-                            write_sensor_range_response, value);
-}
-
-static void read_get_calibrated_sensor_ranges(struct mip_reader *r, void *value) {
-    struct mip_3dm_get_calibrated_sensor_ranges *v =
-        (struct mip_3dm_get_calibrated_sensor_ranges *)value;
-    mip_read_u8(r, &v->sensor, 1);
-}
-
-static void write_get_calibrated_sensor_ranges(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_get_calibrated_sensor_ranges *v =
-        (const struct mip_3dm_get_calibrated_sensor_ranges *)value;
-    mip_write_u8(w, &v->sensor, 1);
-}
+const struct mip_codec mip_3dm_get_calibrated_sensor_ranges_codec = {
+    0x0C, 0x53, MIP_COMMAND, sizeof(struct mip_3dm_get_calibrated_sensor_ranges),
+    program_get_calibrated_sensor_ranges};
 
 static const struct mip_response responses_get_calibrated_sensor_ranges[] = {
     {&mip_3dm_get_calibrated_sensor_ranges_response_codec, NULL},
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_get_calibrated_sensor_ranges_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_DESCRIPTOR,
-    MIP_COMMAND,
-    sizeof(struct mip_3dm_get_calibrated_sensor_ranges),
-    0, /* time-out */
-    read_get_calibrated_sensor_ranges,
-    write_get_calibrated_sensor_ranges,
-    NULL,
-    responses_get_calibrated_sensor_ranges,
-    NULL,
+const struct mip_command mip_3dm_get_calibrated_sensor_ranges_command = {
+    &mip_3dm_get_calibrated_sensor_ranges_codec, NULL, responses_get_calibrated_sensor_ranges, 0};
+
+static const uint8_t program_get_calibrated_sensor_ranges_response[] = {
+    MIP_8_BITS(2, MIP_AT(struct mip_3dm_get_calibrated_sensor_ranges_response, sensor)),
+    MIP_COUNTED(MIP_SIZE(struct mip_3dm_get_calibrated_sensor_ranges_response, num_ranges), 50, 5,
+                MIP_AT(struct mip_3dm_get_calibrated_sensor_ranges_response, num_ranges)),
+    MIP_EACH(1, struct mip_3dm_sensor_range_entry, 5,
+             MIP_AT(struct mip_3dm_get_calibrated_sensor_ranges_response, ranges)),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_sensor_range_entry, setting)),
+    MIP_32_BITS(1, MIP_AT(struct mip_3dm_sensor_range_entry, range)),
+    MIP_END,
+    MIP_END,
 };
-
-mip_error mip_3dm_get_calibrated_sensor_ranges_decode(
-    struct mip_3dm_get_calibrated_sensor_ranges *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_get_calibrated_sensor_ranges, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_get_calibrated_sensor_ranges_encode(
-    const struct mip_3dm_get_calibrated_sensor_ranges *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_DESCRIPTOR,
-                            write_get_calibrated_sensor_ranges, value);
-}
-
-struct mip_3dm_get_calibrated_sensor_ranges
-mip_3dm_get_calibrated_sensor_ranges_make(mip_3dm_sensor_range_type sensor) {
-    struct mip_3dm_get_calibrated_sensor_ranges v;
-    memset(&v, 0, sizeof(v));
-    v.sensor = sensor;
-    return v;
-}
-
-static void read_get_calibrated_sensor_ranges_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_get_calibrated_sensor_ranges_response *v =
-        (struct mip_3dm_get_calibrated_sensor_ranges_response *)value;
-    mip_read_u8(r, &v->sensor, 1);
-    mip_read_u8(r, &v->num_ranges, 1);
-    for (size_t i = 0, n = mip_read_count(r, v->num_ranges, 50, 5); i < n; i++) {
-        mip_3dm_sensor_range_entry_read(r, &v->ranges[i]);
-    }
-}
-
-static void write_get_calibrated_sensor_ranges_response(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_get_calibrated_sensor_ranges_response *v =
-        (const struct mip_3dm_get_calibrated_sensor_ranges_response *)value;
-    mip_write_u8(w, &v->sensor, 1);
-    mip_write_u8(w, &v->num_ranges, 1);
-    for (size_t i = 0, n = mip_write_count(w, v->num_ranges, 50); i < n; i++) {
-        mip_3dm_sensor_range_entry_write(w, &v->ranges[i]);
-    }
-}
 
 const struct mip_codec mip_3dm_get_calibrated_sensor_ranges_response_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_RESPONSE_DESCRIPTOR,
-    MIP_RESPONSE,
-    sizeof(struct mip_3dm_get_calibrated_sensor_ranges_response),
-    0, /* time-out */
-    read_get_calibrated_sensor_ranges_response,
-    write_get_calibrated_sensor_ranges_response,
-    NULL,
-    NULL,
-    NULL,
+    0x0C, 0xD3, MIP_RESPONSE, sizeof(struct mip_3dm_get_calibrated_sensor_ranges_response),
+    program_get_calibrated_sensor_ranges_response};
+
+static const uint8_t program_low_pass_filter[] = {
+    MIP_REQUIRED(6, 0, 5, 2, 2, 2, 2),
+    MIP_GROUP(1, 1),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_low_pass_filter, descriptor_set)),
+    MIP_GROUP(2, 2),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_low_pass_filter, field_descriptor)),
+    MIP_GROUP(3, 3),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_low_pass_filter, enable)),
+    MIP_GROUP(4, 4),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_low_pass_filter, manual)),
+    MIP_GROUP(5, 5),
+    MIP_32_BITS(1, MIP_AT(struct mip_3dm_low_pass_filter, frequency)),
+    MIP_END,
 };
 
-mip_error mip_3dm_get_calibrated_sensor_ranges_response_decode(
-    struct mip_3dm_get_calibrated_sensor_ranges_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_get_calibrated_sensor_ranges_response, value,
-                            sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_get_calibrated_sensor_ranges_response_encode(
-    const struct mip_3dm_get_calibrated_sensor_ranges_response *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_RESPONSE_DESCRIPTOR,
-                            write_get_calibrated_sensor_ranges_response, value);
-}
-
-/** Parameters that each function requires, by its value. */
-static const uint8_t required_low_pass_filter[] = {0, 5, 2, 2, 2, 2};
-
-static void read_low_pass_filter(struct mip_reader *r, void *value) {
-    struct mip_3dm_low_pass_filter *v = (struct mip_3dm_low_pass_filter *)value;
-    mip_read_u8(r, &v->function, 1);
-    mip_read_required(r, v->function, required_low_pass_filter, sizeof(required_low_pass_filter));
-    mip_read_group(r, 1, 1);
-    mip_read_u8(r, &v->descriptor_set, 1);
-    mip_read_group(r, 2, 2);
-    mip_read_u8(r, &v->field_descriptor, 1);
-    mip_read_group(r, 3, 3);
-    mip_read_bool(r, &v->enable, 1);
-    mip_read_group(r, 4, 4);
-    mip_read_bool(r, &v->manual, 1);
-    mip_read_group(r, 5, 5);
-    mip_read_float(r, &v->frequency, 1);
-    v->present = mip_read_present(r);
-}
-
-static void write_low_pass_filter(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_low_pass_filter *v = (const struct mip_3dm_low_pass_filter *)value;
-    mip_write_u8(w, &v->function, 1);
-    mip_write_required(w, v->function, required_low_pass_filter, sizeof(required_low_pass_filter),
-                       v->present);
-    mip_write_group(w, 1, 1);
-    mip_write_u8(w, &v->descriptor_set, 1);
-    mip_write_group(w, 2, 2);
-    mip_write_u8(w, &v->field_descriptor, 1);
-    mip_write_group(w, 3, 3);
-    mip_write_bool(w, &v->enable, 1);
-    mip_write_group(w, 4, 4);
-    mip_write_bool(w, &v->manual, 1);
-    mip_write_group(w, 5, 5);
-    mip_write_float(w, &v->frequency, 1);
-}
+const struct mip_codec mip_3dm_low_pass_filter_codec = {
+    0x0C, 0x54, MIP_COMMAND, sizeof(struct mip_3dm_low_pass_filter), program_low_pass_filter};
 
 static bool asked_low_pass_filter_1(const void *value) {
     const struct mip_3dm_low_pass_filter *v = (const struct mip_3dm_low_pass_filter *)value;
-
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
@@ -5455,149 +1625,35 @@ static const struct mip_response responses_low_pass_filter[] = {
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_low_pass_filter_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_LOW_PASS_FILTER_DESCRIPTOR,
-    MIP_COMMAND,
-    sizeof(struct mip_3dm_low_pass_filter),
-    0, /* time-out */
-    read_low_pass_filter,
-    write_low_pass_filter,
-    NULL,
-    responses_low_pass_filter,
-    NULL,
+const struct mip_command mip_3dm_low_pass_filter_command = {&mip_3dm_low_pass_filter_codec, NULL,
+                                                            responses_low_pass_filter, 0};
+
+static const uint8_t program_low_pass_filter_response[] = {
+    MIP_8_BITS(4, MIP_AT(struct mip_3dm_low_pass_filter_response, descriptor_set)),
+    MIP_32_BITS(1, MIP_AT(struct mip_3dm_low_pass_filter_response, frequency)),
+    MIP_END,
 };
-
-mip_error mip_3dm_low_pass_filter_decode(struct mip_3dm_low_pass_filter *value,
-                                         const struct mip_field *field) {
-    return mip_decode_field(field, read_low_pass_filter, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_low_pass_filter_encode(const struct mip_3dm_low_pass_filter *value,
-                                         struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_LOW_PASS_FILTER_DESCRIPTOR,
-                            write_low_pass_filter, value);
-}
-
-struct mip_3dm_low_pass_filter mip_3dm_low_pass_filter_write(uint8_t descriptor_set,
-                                                             uint8_t field_descriptor,
-                                                             mip_bool enable, mip_bool manual,
-                                                             float frequency) {
-    struct mip_3dm_low_pass_filter v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_WRITE;
-    v.descriptor_set = descriptor_set;
-    v.field_descriptor = field_descriptor;
-    v.enable = enable;
-    v.manual = manual;
-    v.frequency = frequency;
-    return v;
-}
-
-struct mip_3dm_low_pass_filter mip_3dm_low_pass_filter_read(uint8_t descriptor_set,
-                                                            uint8_t field_descriptor) {
-    struct mip_3dm_low_pass_filter v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_READ;
-    v.descriptor_set = descriptor_set;
-    v.field_descriptor = field_descriptor;
-    return v;
-}
-
-struct mip_3dm_low_pass_filter mip_3dm_low_pass_filter_save(uint8_t descriptor_set,
-                                                            uint8_t field_descriptor) {
-    struct mip_3dm_low_pass_filter v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_SAVE;
-    v.descriptor_set = descriptor_set;
-    v.field_descriptor = field_descriptor;
-    return v;
-}
-
-struct mip_3dm_low_pass_filter mip_3dm_low_pass_filter_load(uint8_t descriptor_set,
-                                                            uint8_t field_descriptor) {
-    struct mip_3dm_low_pass_filter v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_LOAD;
-    v.descriptor_set = descriptor_set;
-    v.field_descriptor = field_descriptor;
-    return v;
-}
-
-struct mip_3dm_low_pass_filter mip_3dm_low_pass_filter_default(uint8_t descriptor_set,
-                                                               uint8_t field_descriptor) {
-    struct mip_3dm_low_pass_filter v;
-    memset(&v, 0, sizeof(v));
-    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    v.descriptor_set = descriptor_set;
-    v.field_descriptor = field_descriptor;
-    return v;
-}
-
-static void read_low_pass_filter_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_low_pass_filter_response *v = (struct mip_3dm_low_pass_filter_response *)value;
-    mip_read_u8(r, &v->descriptor_set, 1);
-    mip_read_u8(r, &v->field_descriptor, 1);
-    mip_read_bool(r, &v->enable, 1);
-    mip_read_bool(r, &v->manual, 1);
-    mip_read_float(r, &v->frequency, 1);
-}
-
-static void write_low_pass_filter_response(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_low_pass_filter_response *v =
-        (const struct mip_3dm_low_pass_filter_response *)value;
-    mip_write_u8(w, &v->descriptor_set, 1);
-    mip_write_u8(w, &v->field_descriptor, 1);
-    mip_write_bool(w, &v->enable, 1);
-    mip_write_bool(w, &v->manual, 1);
-    mip_write_float(w, &v->frequency, 1);
-}
 
 const struct mip_codec mip_3dm_low_pass_filter_response_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_LOW_PASS_FILTER_RESPONSE_DESCRIPTOR,
-    MIP_RESPONSE,
-    sizeof(struct mip_3dm_low_pass_filter_response),
-    0, /* time-out */
-    read_low_pass_filter_response,
-    write_low_pass_filter_response,
-    NULL,
-    NULL,
-    NULL,
+    0x0C, 0xD4, MIP_RESPONSE, sizeof(struct mip_3dm_low_pass_filter_response),
+    program_low_pass_filter_response};
+
+static const uint8_t program_device_status[] = {
+    MIP_16_BITS(1, MIP_AT(struct mip_3dm_device_status, model_number)),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_device_status, status_selector)),
+    MIP_END,
 };
 
-mip_error mip_3dm_low_pass_filter_response_decode(struct mip_3dm_low_pass_filter_response *value,
-                                                  const struct mip_field *field) {
-    return mip_decode_field(field, read_low_pass_filter_response, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_low_pass_filter_response_encode(
-    const struct mip_3dm_low_pass_filter_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_LOW_PASS_FILTER_RESPONSE_DESCRIPTOR,
-                            write_low_pass_filter_response, value);
-}
-
-static void read_device_status(struct mip_reader *r, void *value) {
-    struct mip_3dm_device_status *v = (struct mip_3dm_device_status *)value;
-    mip_read_u16(r, &v->model_number, 1);
-    mip_read_u8(r, &v->status_selector, 1);
-}
-
-static void write_device_status(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_device_status *v = (const struct mip_3dm_device_status *)value;
-    mip_write_u16(w, &v->model_number, 1);
-    mip_write_u8(w, &v->status_selector, 1);
-}
+const struct mip_codec mip_3dm_device_status_codec = {
+    0x0C, 0x64, MIP_COMMAND, sizeof(struct mip_3dm_device_status), program_device_status};
 
 static bool asked_device_status_1(const void *value) {
     const struct mip_3dm_device_status *v = (const struct mip_3dm_device_status *)value;
-
     return v->status_selector == 1;
 }
 
 static bool asked_device_status_2(const void *value) {
     const struct mip_3dm_device_status *v = (const struct mip_3dm_device_status *)value;
-
     return v->status_selector == 2;
 }
 
@@ -5613,698 +1669,157 @@ static const struct mip_response responses_device_status[] = {
     {NULL, NULL},
 };
 
-const struct mip_codec mip_3dm_device_status_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_DEVICE_STATUS_DESCRIPTOR,
-    MIP_COMMAND,
-    sizeof(struct mip_3dm_device_status),
-    0, /* time-out */
-    read_device_status,
-    write_device_status,
-    NULL,
-    responses_device_status,
-    NULL,
-};
+const struct mip_command mip_3dm_device_status_command = {&mip_3dm_device_status_codec, NULL,
+                                                          responses_device_status, 0};
 
-mip_error mip_3dm_device_status_decode(struct mip_3dm_device_status *value,
-                                       const struct mip_field *field) {
-    return mip_decode_field(field, read_device_status, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_device_status_encode(const struct mip_3dm_device_status *value,
-                                       struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_DEVICE_STATUS_DESCRIPTOR, write_device_status,
-                            value);
-}
-
-struct mip_3dm_device_status
-mip_3dm_device_status_make(uint16_t model_number, mip_3dm_device_status_selector status_selector) {
-    struct mip_3dm_device_status v;
-    memset(&v, 0, sizeof(v));
-    v.model_number = model_number;
-    v.status_selector = status_selector;
-    return v;
-}
-
-static void read_device_status_basic_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_device_status_basic_response *v =
-        (struct mip_3dm_device_status_basic_response *)value;
-    mip_read_u16(r, &v->model_number, 1);
-    mip_read_constant(r, 1, 1);
-    mip_read_u32(r, &v->status_flags, 1);
-    mip_read_u16(r, &v->system_state, 1);
-    mip_read_u32(r, &v->system_timer, 1);
-}
-
-static void write_device_status_basic_response(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_device_status_basic_response *v =
-        (const struct mip_3dm_device_status_basic_response *)value;
-    mip_write_u16(w, &v->model_number, 1);
-    mip_write_constant(w, 1, 1);
-    mip_write_u32(w, &v->status_flags, 1);
-    mip_write_u16(w, &v->system_state, 1);
-    mip_write_u32(w, &v->system_timer, 1);
-}
-
-static const struct mip_constant constants_device_status_basic_response[] = {
-    {2, 1, 1},
-};
-static const struct mip_layout layout_device_status_basic_response = {
-    13,
-    253, /* bytes of data */
-    1,
-    constants_device_status_basic_response,
+static const uint8_t program_device_status_basic_response[] = {
+    MIP_LAYOUT(13, 253, 1, 2, 0x01),
+    MIP_16_BITS(1, MIP_AT(struct mip_3dm_device_status_basic_response, model_number)),
+    MIP_CONSTANT(1, 0x01),
+    MIP_32_BITS(1, MIP_AT(struct mip_3dm_device_status_basic_response, status_flags)),
+    MIP_16_BITS(1, MIP_AT(struct mip_3dm_device_status_basic_response, system_state)),
+    MIP_32_BITS(1, MIP_AT(struct mip_3dm_device_status_basic_response, system_timer)),
+    MIP_END,
 };
 
 const struct mip_codec mip_3dm_device_status_basic_response_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_DEVICE_STATUS_BASIC_RESPONSE_DESCRIPTOR,
-    MIP_RESPONSE,
-    sizeof(struct mip_3dm_device_status_basic_response),
-    0, /* time-out */
-    read_device_status_basic_response,
-    write_device_status_basic_response,
-    NULL,
-    NULL,
-    &layout_device_status_basic_response,
-};
+    0x0C, 0x90, MIP_RESPONSE, sizeof(struct mip_3dm_device_status_basic_response),
+    program_device_status_basic_response};
 
-mip_error mip_3dm_device_status_basic_response_decode(
-    struct mip_3dm_device_status_basic_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_device_status_basic_response, value, sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_device_status_basic_response_encode(
-    const struct mip_3dm_device_status_basic_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_DEVICE_STATUS_BASIC_RESPONSE_DESCRIPTOR,
-                            write_device_status_basic_response, value);
-}
-
-static void read_device_status_basic_without_state_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_device_status_basic_without_state_response *v =
-        (struct mip_3dm_device_status_basic_without_state_response *)value;
-    mip_read_u16(r, &v->model_number, 1);
-    mip_read_constant(r, 1, 1);
-    mip_read_u32(r, &v->status_flags, 1);
-    mip_read_u32(r, &v->system_timer, 1);
-}
-
-static void write_device_status_basic_without_state_response(struct mip_writer *w,
-                                                             const void *value) {
-    const struct mip_3dm_device_status_basic_without_state_response *v =
-        (const struct mip_3dm_device_status_basic_without_state_response *)value;
-    mip_write_u16(w, &v->model_number, 1);
-    mip_write_constant(w, 1, 1);
-    mip_write_u32(w, &v->status_flags, 1);
-    mip_write_u32(w, &v->system_timer, 1);
-}
-
-static const struct mip_constant constants_device_status_basic_without_state_response[] = {
-    {2, 1, 1},
-};
-static const struct mip_layout layout_device_status_basic_without_state_response = {
-    0,
-    12, /* bytes of data */
-    1,
-    constants_device_status_basic_without_state_response,
+static const uint8_t program_device_status_basic_without_state_response[] = {
+    MIP_LAYOUT(0, 12, 1, 2, 0x01),
+    MIP_16_BITS(1, MIP_AT(struct mip_3dm_device_status_basic_without_state_response, model_number)),
+    MIP_CONSTANT(1, 0x01),
+    MIP_32_BITS(2, MIP_AT(struct mip_3dm_device_status_basic_without_state_response, status_flags)),
+    MIP_END,
 };
 
 const struct mip_codec mip_3dm_device_status_basic_without_state_response_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_DEVICE_STATUS_BASIC_WITHOUT_STATE_RESPONSE_DESCRIPTOR,
-    MIP_RESPONSE,
-    sizeof(struct mip_3dm_device_status_basic_without_state_response),
-    0, /* time-out */
-    read_device_status_basic_without_state_response,
-    write_device_status_basic_without_state_response,
-    NULL,
-    NULL,
-    &layout_device_status_basic_without_state_response,
-};
+    0x0C, 0x90, MIP_RESPONSE, sizeof(struct mip_3dm_device_status_basic_without_state_response),
+    program_device_status_basic_without_state_response};
 
-mip_error mip_3dm_device_status_basic_without_state_response_decode(
-    struct mip_3dm_device_status_basic_without_state_response *value,
-    const struct mip_field *field) {
-    return mip_decode_field(field, read_device_status_basic_without_state_response, value,
-                            sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_device_status_basic_without_state_response_encode(
-    const struct mip_3dm_device_status_basic_without_state_response *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C,
-                            MIP_3DM_DEVICE_STATUS_BASIC_WITHOUT_STATE_RESPONSE_DESCRIPTOR,
-                            write_device_status_basic_without_state_response, value);
-}
-
-static void read_device_status_diagnostic_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_device_status_diagnostic_response *v =
-        (struct mip_3dm_device_status_diagnostic_response *)value;
-    mip_read_u16(r, &v->model_number, 1);
-    mip_read_constant(r, 2, 1);
-    mip_read_u32(r, &v->status_flags, 1);
-    mip_read_u16(r, &v->system_state, 1);
-    mip_read_u32(r, &v->system_timer, 1);
-    mip_read_bool(r, &v->imu_stream_enabled, 1);
-    mip_read_bool(r, &v->filter_stream_enabled, 1);
-    mip_read_u32(r, &v->imu_dropped_packets, 1);
-    mip_read_u32(r, &v->filter_dropped_packets, 1);
-    mip_read_u32(r, &v->comm_port_bytes_written, 1);
-    mip_read_u32(r, &v->comm_port_bytes_read, 1);
-    mip_read_u32(r, &v->comm_port_write_overruns, 1);
-    mip_read_u32(r, &v->comm_port_read_overruns, 1);
-    mip_read_u32(r, &v->imu_parser_errors, 1);
-    mip_read_u32(r, &v->imu_message_count, 1);
-    mip_read_u32(r, &v->imu_last_message_time, 1);
-}
-
-static void write_device_status_diagnostic_response(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_device_status_diagnostic_response *v =
-        (const struct mip_3dm_device_status_diagnostic_response *)value;
-    mip_write_u16(w, &v->model_number, 1);
-    mip_write_constant(w, 2, 1);
-    mip_write_u32(w, &v->status_flags, 1);
-    mip_write_u16(w, &v->system_state, 1);
-    mip_write_u32(w, &v->system_timer, 1);
-    mip_write_bool(w, &v->imu_stream_enabled, 1);
-    mip_write_bool(w, &v->filter_stream_enabled, 1);
-    mip_write_u32(w, &v->imu_dropped_packets, 1);
-    mip_write_u32(w, &v->filter_dropped_packets, 1);
-    mip_write_u32(w, &v->comm_port_bytes_written, 1);
-    mip_write_u32(w, &v->comm_port_bytes_read, 1);
-    mip_write_u32(w, &v->comm_port_write_overruns, 1);
-    mip_write_u32(w, &v->comm_port_read_overruns, 1);
-    mip_write_u32(w, &v->imu_parser_errors, 1);
-    mip_write_u32(w, &v->imu_message_count, 1);
-    mip_write_u32(w, &v->imu_last_message_time, 1);
-}
-
-static const struct mip_constant constants_device_status_diagnostic_response[] = {
-    {2, 1, 2},
-};
-static const struct mip_layout layout_device_status_diagnostic_response = {
-    0,
-    59, /* bytes of data */
-    1,
-    constants_device_status_diagnostic_response,
+static const uint8_t program_device_status_diagnostic_response[] = {
+    MIP_LAYOUT(0, 59, 1, 2, 0x02),
+    MIP_16_BITS(1, MIP_AT(struct mip_3dm_device_status_diagnostic_response, model_number)),
+    MIP_CONSTANT(1, 0x02),
+    MIP_32_BITS(1, MIP_AT(struct mip_3dm_device_status_diagnostic_response, status_flags)),
+    MIP_16_BITS(1, MIP_AT(struct mip_3dm_device_status_diagnostic_response, system_state)),
+    MIP_32_BITS(1, MIP_AT(struct mip_3dm_device_status_diagnostic_response, system_timer)),
+    MIP_8_BITS(2, MIP_AT(struct mip_3dm_device_status_diagnostic_response, imu_stream_enabled)),
+    MIP_32_BITS(9, MIP_AT(struct mip_3dm_device_status_diagnostic_response, imu_dropped_packets)),
+    MIP_END,
 };
 
 const struct mip_codec mip_3dm_device_status_diagnostic_response_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RESPONSE_DESCRIPTOR,
-    MIP_RESPONSE,
-    sizeof(struct mip_3dm_device_status_diagnostic_response),
-    0, /* time-out */
-    read_device_status_diagnostic_response,
-    write_device_status_diagnostic_response,
-    NULL,
-    NULL,
-    &layout_device_status_diagnostic_response,
-};
+    0x0C, 0x90, MIP_RESPONSE, sizeof(struct mip_3dm_device_status_diagnostic_response),
+    program_device_status_diagnostic_response};
 
-mip_error mip_3dm_device_status_diagnostic_response_decode(
-    struct mip_3dm_device_status_diagnostic_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_device_status_diagnostic_response, value, sizeof(*value),
-                            NULL);
-}
-
-mip_error mip_3dm_device_status_diagnostic_response_encode(
-    const struct mip_3dm_device_status_diagnostic_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RESPONSE_DESCRIPTOR,
-                            write_device_status_diagnostic_response, value);
-}
-
-static void read_device_status_diagnostic_gnss_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_device_status_diagnostic_gnss_response *v =
-        (struct mip_3dm_device_status_diagnostic_gnss_response *)value;
-    mip_read_u16(r, &v->model_number, 1);
-    mip_read_constant(r, 2, 1);
-    mip_read_u32(r, &v->status_flags, 1);
-    mip_read_u16(r, &v->system_state, 1);
-    mip_read_u32(r, &v->system_timer, 1);
-    mip_read_u8(r, &v->gnss_power_state, 1);
-    mip_read_u32(r, &v->pps_count, 1);
-    mip_read_u32(r, &v->pps_last_time, 1);
-    mip_read_bool(r, &v->imu_stream_enabled, 1);
-    mip_read_bool(r, &v->gnss_stream_enabled, 1);
-    mip_read_bool(r, &v->filter_stream_enabled, 1);
-    mip_read_u32(r, &v->imu_dropped_packets, 1);
-    mip_read_u32(r, &v->gnss_dropped_packets, 1);
-    mip_read_u32(r, &v->filter_dropped_packets, 1);
-    mip_read_u32(r, &v->comm_port_bytes_written, 1);
-    mip_read_u32(r, &v->comm_port_bytes_read, 1);
-    mip_read_u32(r, &v->comm_port_write_overruns, 1);
-    mip_read_u32(r, &v->comm_port_read_overruns, 1);
-    mip_read_u32(r, &v->imu_parser_errors, 1);
-    mip_read_u32(r, &v->imu_message_count, 1);
-    mip_read_u32(r, &v->imu_last_message_time, 1);
-    mip_read_u32(r, &v->gnss_parser_errors, 1);
-    mip_read_u32(r, &v->gnss_message_count, 1);
-    mip_read_u32(r, &v->gnss_last_message_time, 1);
-}
-
-static void write_device_status_diagnostic_gnss_response(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_device_status_diagnostic_gnss_response *v =
-        (const struct mip_3dm_device_status_diagnostic_gnss_response *)value;
-    mip_write_u16(w, &v->model_number, 1);
-    mip_write_constant(w, 2, 1);
-    mip_write_u32(w, &v->status_flags, 1);
-    mip_write_u16(w, &v->system_state, 1);
-    mip_write_u32(w, &v->system_timer, 1);
-    mip_write_u8(w, &v->gnss_power_state, 1);
-    mip_write_u32(w, &v->pps_count, 1);
-    mip_write_u32(w, &v->pps_last_time, 1);
-    mip_write_bool(w, &v->imu_stream_enabled, 1);
-    mip_write_bool(w, &v->gnss_stream_enabled, 1);
-    mip_write_bool(w, &v->filter_stream_enabled, 1);
-    mip_write_u32(w, &v->imu_dropped_packets, 1);
-    mip_write_u32(w, &v->gnss_dropped_packets, 1);
-    mip_write_u32(w, &v->filter_dropped_packets, 1);
-    mip_write_u32(w, &v->comm_port_bytes_written, 1);
-    mip_write_u32(w, &v->comm_port_bytes_read, 1);
-    mip_write_u32(w, &v->comm_port_write_overruns, 1);
-    mip_write_u32(w, &v->comm_port_read_overruns, 1);
-    mip_write_u32(w, &v->imu_parser_errors, 1);
-    mip_write_u32(w, &v->imu_message_count, 1);
-    mip_write_u32(w, &v->imu_last_message_time, 1);
-    mip_write_u32(w, &v->gnss_parser_errors, 1);
-    mip_write_u32(w, &v->gnss_message_count, 1);
-    mip_write_u32(w, &v->gnss_last_message_time, 1);
-}
-
-static const struct mip_constant constants_device_status_diagnostic_gnss_response[] = {
-    {2, 1, 2},
-};
-static const struct mip_layout layout_device_status_diagnostic_gnss_response = {
-    77,
-    79, /* bytes of data */
-    1,
-    constants_device_status_diagnostic_gnss_response,
+static const uint8_t program_device_status_diagnostic_gnss_response[] = {
+    MIP_LAYOUT(77, 79, 1, 2, 0x02),
+    MIP_16_BITS(1, MIP_AT(struct mip_3dm_device_status_diagnostic_gnss_response, model_number)),
+    MIP_CONSTANT(1, 0x02),
+    MIP_32_BITS(1, MIP_AT(struct mip_3dm_device_status_diagnostic_gnss_response, status_flags)),
+    MIP_16_BITS(1, MIP_AT(struct mip_3dm_device_status_diagnostic_gnss_response, system_state)),
+    MIP_32_BITS(1, MIP_AT(struct mip_3dm_device_status_diagnostic_gnss_response, system_timer)),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_device_status_diagnostic_gnss_response, gnss_power_state)),
+    MIP_32_BITS(2, MIP_AT(struct mip_3dm_device_status_diagnostic_gnss_response, pps_count)),
+    MIP_8_BITS(3,
+               MIP_AT(struct mip_3dm_device_status_diagnostic_gnss_response, imu_stream_enabled)),
+    MIP_32_BITS(13,
+                MIP_AT(struct mip_3dm_device_status_diagnostic_gnss_response, imu_dropped_packets)),
+    MIP_END,
 };
 
 const struct mip_codec mip_3dm_device_status_diagnostic_gnss_response_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GNSS_RESPONSE_DESCRIPTOR,
-    MIP_RESPONSE,
-    sizeof(struct mip_3dm_device_status_diagnostic_gnss_response),
-    0, /* time-out */
-    read_device_status_diagnostic_gnss_response,
-    write_device_status_diagnostic_gnss_response,
-    NULL,
-    NULL,
-    &layout_device_status_diagnostic_gnss_response,
-};
+    0x0C, 0x90, MIP_RESPONSE, sizeof(struct mip_3dm_device_status_diagnostic_gnss_response),
+    program_device_status_diagnostic_gnss_response};
 
-mip_error mip_3dm_device_status_diagnostic_gnss_response_decode(
-    struct mip_3dm_device_status_diagnostic_gnss_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_device_status_diagnostic_gnss_response, value,
-                            sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_device_status_diagnostic_gnss_response_encode(
-    const struct mip_3dm_device_status_diagnostic_gnss_response *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C,
-                            MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GNSS_RESPONSE_DESCRIPTOR,
-                            write_device_status_diagnostic_gnss_response, value);
-}
-
-static void read_device_status_diagnostic_gq4_45_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_device_status_diagnostic_gq4_45_response *v =
-        (struct mip_3dm_device_status_diagnostic_gq4_45_response *)value;
-    mip_read_u16(r, &v->model_number, 1);
-    mip_read_constant(r, 2, 1);
-    mip_read_u32(r, &v->status_flags, 1);
-    mip_read_u16(r, &v->system_state, 1);
-    mip_read_u32(r, &v->system_timer, 1);
-    mip_read_u8(r, &v->gnss_power_state, 1);
-    mip_read_u32(r, &v->pps_count, 1);
-    mip_read_u32(r, &v->pps_last_time, 1);
-    mip_read_bool(r, &v->imu_stream_enabled, 1);
-    mip_read_bool(r, &v->gnss_stream_enabled, 1);
-    mip_read_bool(r, &v->filter_stream_enabled, 1);
-    mip_read_u32(r, &v->imu_dropped_packets, 1);
-    mip_read_u32(r, &v->gnss_dropped_packets, 1);
-    mip_read_u32(r, &v->filter_dropped_packets, 1);
-    mip_read_u32(r, &v->comm_port_bytes_written, 1);
-    mip_read_u32(r, &v->comm_port_bytes_read, 1);
-    mip_read_u32(r, &v->comm_port_write_overruns, 1);
-    mip_read_u32(r, &v->comm_port_read_overruns, 1);
-    mip_read_u32(r, &v->imu_parser_errors, 1);
-    mip_read_u32(r, &v->imu_message_count, 1);
-    mip_read_u32(r, &v->imu_last_message_time, 1);
-    mip_read_u32(r, &v->gnss_parser_errors, 1);
-    mip_read_u32(r, &v->gnss_message_count, 1);
-    mip_read_u32(r, &v->gnss_last_message_time, 1);
-    mip_read_bool(r, &v->mag_init_failed, 1);
-    mip_read_bool(r, &v->pressure_init_failed, 1);
-    mip_read_bool(r, &v->receiver_init_failed, 1);
-}
-
-static void write_device_status_diagnostic_gq4_45_response(struct mip_writer *w,
-                                                           const void *value) {
-    const struct mip_3dm_device_status_diagnostic_gq4_45_response *v =
-        (const struct mip_3dm_device_status_diagnostic_gq4_45_response *)value;
-    mip_write_u16(w, &v->model_number, 1);
-    mip_write_constant(w, 2, 1);
-    mip_write_u32(w, &v->status_flags, 1);
-    mip_write_u16(w, &v->system_state, 1);
-    mip_write_u32(w, &v->system_timer, 1);
-    mip_write_u8(w, &v->gnss_power_state, 1);
-    mip_write_u32(w, &v->pps_count, 1);
-    mip_write_u32(w, &v->pps_last_time, 1);
-    mip_write_bool(w, &v->imu_stream_enabled, 1);
-    mip_write_bool(w, &v->gnss_stream_enabled, 1);
-    mip_write_bool(w, &v->filter_stream_enabled, 1);
-    mip_write_u32(w, &v->imu_dropped_packets, 1);
-    mip_write_u32(w, &v->gnss_dropped_packets, 1);
-    mip_write_u32(w, &v->filter_dropped_packets, 1);
-    mip_write_u32(w, &v->comm_port_bytes_written, 1);
-    mip_write_u32(w, &v->comm_port_bytes_read, 1);
-    mip_write_u32(w, &v->comm_port_write_overruns, 1);
-    mip_write_u32(w, &v->comm_port_read_overruns, 1);
-    mip_write_u32(w, &v->imu_parser_errors, 1);
-    mip_write_u32(w, &v->imu_message_count, 1);
-    mip_write_u32(w, &v->imu_last_message_time, 1);
-    mip_write_u32(w, &v->gnss_parser_errors, 1);
-    mip_write_u32(w, &v->gnss_message_count, 1);
-    mip_write_u32(w, &v->gnss_last_message_time, 1);
-    mip_write_bool(w, &v->mag_init_failed, 1);
-    mip_write_bool(w, &v->pressure_init_failed, 1);
-    mip_write_bool(w, &v->receiver_init_failed, 1);
-}
-
-static const struct mip_constant constants_device_status_diagnostic_gq4_45_response[] = {
-    {2, 1, 2},
-};
-static const struct mip_layout layout_device_status_diagnostic_gq4_45_response = {
-    80,
-    85, /* bytes of data */
-    1,
-    constants_device_status_diagnostic_gq4_45_response,
+static const uint8_t program_device_status_diagnostic_gq4_45_response[] = {
+    MIP_LAYOUT(80, 85, 1, 2, 0x02),
+    MIP_FAR,
+    MIP_16_BITS(1,
+                MIP_FAR_AT(struct mip_3dm_device_status_diagnostic_gq4_45_response, model_number)),
+    MIP_CONSTANT(1, 0x02),
+    MIP_32_BITS(1,
+                MIP_FAR_AT(struct mip_3dm_device_status_diagnostic_gq4_45_response, status_flags)),
+    MIP_16_BITS(1,
+                MIP_FAR_AT(struct mip_3dm_device_status_diagnostic_gq4_45_response, system_state)),
+    MIP_32_BITS(1,
+                MIP_FAR_AT(struct mip_3dm_device_status_diagnostic_gq4_45_response, system_timer)),
+    MIP_8_BITS(
+        1, MIP_FAR_AT(struct mip_3dm_device_status_diagnostic_gq4_45_response, gnss_power_state)),
+    MIP_32_BITS(2, MIP_FAR_AT(struct mip_3dm_device_status_diagnostic_gq4_45_response, pps_count)),
+    MIP_8_BITS(
+        3, MIP_FAR_AT(struct mip_3dm_device_status_diagnostic_gq4_45_response, imu_stream_enabled)),
+    MIP_32_BITS(13, MIP_FAR_AT(struct mip_3dm_device_status_diagnostic_gq4_45_response,
+                               imu_dropped_packets)),
+    MIP_8_BITS(
+        3, MIP_FAR_AT(struct mip_3dm_device_status_diagnostic_gq4_45_response, mag_init_failed)),
+    MIP_END,
 };
 
 const struct mip_codec mip_3dm_device_status_diagnostic_gq4_45_response_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GQ4_45_RESPONSE_DESCRIPTOR,
-    MIP_RESPONSE,
-    sizeof(struct mip_3dm_device_status_diagnostic_gq4_45_response),
-    0, /* time-out */
-    read_device_status_diagnostic_gq4_45_response,
-    write_device_status_diagnostic_gq4_45_response,
-    NULL,
-    NULL,
-    &layout_device_status_diagnostic_gq4_45_response,
-};
+    0x0C, 0x90, MIP_RESPONSE, sizeof(struct mip_3dm_device_status_diagnostic_gq4_45_response),
+    program_device_status_diagnostic_gq4_45_response};
 
-mip_error mip_3dm_device_status_diagnostic_gq4_45_response_decode(
-    struct mip_3dm_device_status_diagnostic_gq4_45_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_device_status_diagnostic_gq4_45_response, value,
-                            sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_device_status_diagnostic_gq4_45_response_encode(
-    const struct mip_3dm_device_status_diagnostic_gq4_45_response *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C,
-                            MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GQ4_45_RESPONSE_DESCRIPTOR,
-                            write_device_status_diagnostic_gq4_45_response, value);
-}
-
-static void read_device_status_diagnostic_rq1_45_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_device_status_diagnostic_rq1_45_response *v =
-        (struct mip_3dm_device_status_diagnostic_rq1_45_response *)value;
-    mip_read_u16(r, &v->model_number, 1);
-    mip_read_constant(r, 2, 1);
-    mip_read_u32(r, &v->status_flags, 1);
-    mip_read_u16(r, &v->system_state, 1);
-    mip_read_u32(r, &v->system_timer, 1);
-    mip_read_u8(r, &v->gnss_power_state, 1);
-    mip_read_u8(r, &v->cold_start_on_power_on, 1);
-    mip_read_float(r, &v->temperature, 1);
-    mip_read_u32(r, &v->temperature_last_time, 1);
-    mip_read_u32(r, &v->pps_count, 1);
-    mip_read_u32(r, &v->pps_last_time, 1);
-    mip_read_bool(r, &v->imu_stream_enabled, 1);
-    mip_read_bool(r, &v->gnss_stream_enabled, 1);
-    mip_read_bool(r, &v->filter_stream_enabled, 1);
-    mip_read_u32(r, &v->imu_dropped_packets, 1);
-    mip_read_u32(r, &v->gnss_dropped_packets, 1);
-    mip_read_u32(r, &v->filter_dropped_packets, 1);
-    mip_read_u32(r, &v->comm_port_bytes_written, 1);
-    mip_read_u32(r, &v->comm_port_bytes_read, 1);
-    mip_read_u32(r, &v->comm_port_write_overruns, 1);
-    mip_read_u32(r, &v->comm_port_read_overruns, 1);
-    mip_read_u32(r, &v->imu_parser_errors, 1);
-    mip_read_u32(r, &v->imu_message_count, 1);
-    mip_read_u32(r, &v->imu_last_message_time, 1);
-    mip_read_u32(r, &v->gnss_parser_errors, 1);
-    mip_read_u32(r, &v->gnss_message_count, 1);
-    mip_read_u32(r, &v->gnss_last_message_time, 1);
-}
-
-static void write_device_status_diagnostic_rq1_45_response(struct mip_writer *w,
-                                                           const void *value) {
-    const struct mip_3dm_device_status_diagnostic_rq1_45_response *v =
-        (const struct mip_3dm_device_status_diagnostic_rq1_45_response *)value;
-    mip_write_u16(w, &v->model_number, 1);
-    mip_write_constant(w, 2, 1);
-    mip_write_u32(w, &v->status_flags, 1);
-    mip_write_u16(w, &v->system_state, 1);
-    mip_write_u32(w, &v->system_timer, 1);
-    mip_write_u8(w, &v->gnss_power_state, 1);
-    mip_write_u8(w, &v->cold_start_on_power_on, 1);
-    mip_write_float(w, &v->temperature, 1);
-    mip_write_u32(w, &v->temperature_last_time, 1);
-    mip_write_u32(w, &v->pps_count, 1);
-    mip_write_u32(w, &v->pps_last_time, 1);
-    mip_write_bool(w, &v->imu_stream_enabled, 1);
-    mip_write_bool(w, &v->gnss_stream_enabled, 1);
-    mip_write_bool(w, &v->filter_stream_enabled, 1);
-    mip_write_u32(w, &v->imu_dropped_packets, 1);
-    mip_write_u32(w, &v->gnss_dropped_packets, 1);
-    mip_write_u32(w, &v->filter_dropped_packets, 1);
-    mip_write_u32(w, &v->comm_port_bytes_written, 1);
-    mip_write_u32(w, &v->comm_port_bytes_read, 1);
-    mip_write_u32(w, &v->comm_port_write_overruns, 1);
-    mip_write_u32(w, &v->comm_port_read_overruns, 1);
-    mip_write_u32(w, &v->imu_parser_errors, 1);
-    mip_write_u32(w, &v->imu_message_count, 1);
-    mip_write_u32(w, &v->imu_last_message_time, 1);
-    mip_write_u32(w, &v->gnss_parser_errors, 1);
-    mip_write_u32(w, &v->gnss_message_count, 1);
-    mip_write_u32(w, &v->gnss_last_message_time, 1);
-}
-
-static const struct mip_constant constants_device_status_diagnostic_rq1_45_response[] = {
-    {2, 1, 2},
-};
-static const struct mip_layout layout_device_status_diagnostic_rq1_45_response = {
-    86,
-    253, /* bytes of data */
-    1,
-    constants_device_status_diagnostic_rq1_45_response,
+static const uint8_t program_device_status_diagnostic_rq1_45_response[] = {
+    MIP_LAYOUT(86, 253, 1, 2, 0x02),
+    MIP_FAR,
+    MIP_16_BITS(1,
+                MIP_FAR_AT(struct mip_3dm_device_status_diagnostic_rq1_45_response, model_number)),
+    MIP_CONSTANT(1, 0x02),
+    MIP_32_BITS(1,
+                MIP_FAR_AT(struct mip_3dm_device_status_diagnostic_rq1_45_response, status_flags)),
+    MIP_16_BITS(1,
+                MIP_FAR_AT(struct mip_3dm_device_status_diagnostic_rq1_45_response, system_state)),
+    MIP_32_BITS(1,
+                MIP_FAR_AT(struct mip_3dm_device_status_diagnostic_rq1_45_response, system_timer)),
+    MIP_8_BITS(
+        2, MIP_FAR_AT(struct mip_3dm_device_status_diagnostic_rq1_45_response, gnss_power_state)),
+    MIP_32_BITS(4,
+                MIP_FAR_AT(struct mip_3dm_device_status_diagnostic_rq1_45_response, temperature)),
+    MIP_8_BITS(
+        3, MIP_FAR_AT(struct mip_3dm_device_status_diagnostic_rq1_45_response, imu_stream_enabled)),
+    MIP_32_BITS(13, MIP_FAR_AT(struct mip_3dm_device_status_diagnostic_rq1_45_response,
+                               imu_dropped_packets)),
+    MIP_END,
 };
 
 const struct mip_codec mip_3dm_device_status_diagnostic_rq1_45_response_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RQ1_45_RESPONSE_DESCRIPTOR,
-    MIP_RESPONSE,
-    sizeof(struct mip_3dm_device_status_diagnostic_rq1_45_response),
-    0, /* time-out */
-    read_device_status_diagnostic_rq1_45_response,
-    write_device_status_diagnostic_rq1_45_response,
-    NULL,
-    NULL,
-    &layout_device_status_diagnostic_rq1_45_response,
-};
+    0x0C, 0x90, MIP_RESPONSE, sizeof(struct mip_3dm_device_status_diagnostic_rq1_45_response),
+    program_device_status_diagnostic_rq1_45_response};
 
-mip_error mip_3dm_device_status_diagnostic_rq1_45_response_decode(
-    struct mip_3dm_device_status_diagnostic_rq1_45_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_device_status_diagnostic_rq1_45_response, value,
-                            sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_device_status_diagnostic_rq1_45_response_encode(
-    const struct mip_3dm_device_status_diagnostic_rq1_45_response *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C,
-                            MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RQ1_45_RESPONSE_DESCRIPTOR,
-                            write_device_status_diagnostic_rq1_45_response, value);
-}
-
-static void read_device_status_diagnostic_gx4_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_device_status_diagnostic_gx4_response *v =
-        (struct mip_3dm_device_status_diagnostic_gx4_response *)value;
-    mip_read_u16(r, &v->model_number, 1);
-    mip_read_constant(r, 2, 1);
-    mip_read_u32(r, &v->status_flags, 1);
-    mip_read_u32(r, &v->system_timer, 1);
-    mip_read_u32(r, &v->pps_count, 1);
-    mip_read_u32(r, &v->pps_last_time, 1);
-    mip_read_bool(r, &v->imu_stream_enabled, 1);
-    mip_read_bool(r, &v->filter_stream_enabled, 1);
-    mip_read_u32(r, &v->imu_dropped_packets, 1);
-    mip_read_u32(r, &v->filter_dropped_packets, 1);
-    mip_read_u32(r, &v->comm_port_bytes_written, 1);
-    mip_read_u32(r, &v->comm_port_bytes_read, 1);
-    mip_read_u32(r, &v->comm_port_write_overruns, 1);
-    mip_read_u32(r, &v->comm_port_read_overruns, 1);
-    mip_read_u32(r, &v->usb_bytes_written, 1);
-    mip_read_u32(r, &v->usb_bytes_read, 1);
-    mip_read_u32(r, &v->usb_write_overruns, 1);
-    mip_read_u32(r, &v->usb_read_overruns, 1);
-    mip_read_u32(r, &v->imu_parser_errors, 1);
-    mip_read_u32(r, &v->imu_message_count, 1);
-    mip_read_u32(r, &v->imu_last_message_time, 1);
-}
-
-static void write_device_status_diagnostic_gx4_response(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_device_status_diagnostic_gx4_response *v =
-        (const struct mip_3dm_device_status_diagnostic_gx4_response *)value;
-    mip_write_u16(w, &v->model_number, 1);
-    mip_write_constant(w, 2, 1);
-    mip_write_u32(w, &v->status_flags, 1);
-    mip_write_u32(w, &v->system_timer, 1);
-    mip_write_u32(w, &v->pps_count, 1);
-    mip_write_u32(w, &v->pps_last_time, 1);
-    mip_write_bool(w, &v->imu_stream_enabled, 1);
-    mip_write_bool(w, &v->filter_stream_enabled, 1);
-    mip_write_u32(w, &v->imu_dropped_packets, 1);
-    mip_write_u32(w, &v->filter_dropped_packets, 1);
-    mip_write_u32(w, &v->comm_port_bytes_written, 1);
-    mip_write_u32(w, &v->comm_port_bytes_read, 1);
-    mip_write_u32(w, &v->comm_port_write_overruns, 1);
-    mip_write_u32(w, &v->comm_port_read_overruns, 1);
-    mip_write_u32(w, &v->usb_bytes_written, 1);
-    mip_write_u32(w, &v->usb_bytes_read, 1);
-    mip_write_u32(w, &v->usb_write_overruns, 1);
-    mip_write_u32(w, &v->usb_read_overruns, 1);
-    mip_write_u32(w, &v->imu_parser_errors, 1);
-    mip_write_u32(w, &v->imu_message_count, 1);
-    mip_write_u32(w, &v->imu_last_message_time, 1);
-}
-
-static const struct mip_constant constants_device_status_diagnostic_gx4_response[] = {
-    {2, 1, 2},
-};
-static const struct mip_layout layout_device_status_diagnostic_gx4_response = {
-    73,
-    76, /* bytes of data */
-    1,
-    constants_device_status_diagnostic_gx4_response,
+static const uint8_t program_device_status_diagnostic_gx4_response[] = {
+    MIP_LAYOUT(73, 76, 1, 2, 0x02),
+    MIP_16_BITS(1, MIP_AT(struct mip_3dm_device_status_diagnostic_gx4_response, model_number)),
+    MIP_CONSTANT(1, 0x02),
+    MIP_32_BITS(4, MIP_AT(struct mip_3dm_device_status_diagnostic_gx4_response, status_flags)),
+    MIP_8_BITS(2, MIP_AT(struct mip_3dm_device_status_diagnostic_gx4_response, imu_stream_enabled)),
+    MIP_32_BITS(13,
+                MIP_AT(struct mip_3dm_device_status_diagnostic_gx4_response, imu_dropped_packets)),
+    MIP_END,
 };
 
 const struct mip_codec mip_3dm_device_status_diagnostic_gx4_response_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX4_RESPONSE_DESCRIPTOR,
-    MIP_RESPONSE,
-    sizeof(struct mip_3dm_device_status_diagnostic_gx4_response),
-    0, /* time-out */
-    read_device_status_diagnostic_gx4_response,
-    write_device_status_diagnostic_gx4_response,
-    NULL,
-    NULL,
-    &layout_device_status_diagnostic_gx4_response,
-};
+    0x0C, 0x90, MIP_RESPONSE, sizeof(struct mip_3dm_device_status_diagnostic_gx4_response),
+    program_device_status_diagnostic_gx4_response};
 
-mip_error mip_3dm_device_status_diagnostic_gx4_response_decode(
-    struct mip_3dm_device_status_diagnostic_gx4_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_device_status_diagnostic_gx4_response, value,
-                            sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_device_status_diagnostic_gx4_response_encode(
-    const struct mip_3dm_device_status_diagnostic_gx4_response *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX4_RESPONSE_DESCRIPTOR,
-                            write_device_status_diagnostic_gx4_response, value);
-}
-
-static void read_device_status_diagnostic_imu_response(struct mip_reader *r, void *value) {
-    struct mip_3dm_device_status_diagnostic_imu_response *v =
-        (struct mip_3dm_device_status_diagnostic_imu_response *)value;
-    mip_read_u16(r, &v->model_number, 1);
-    mip_read_constant(r, 2, 1);
-    mip_read_u32(r, &v->status_flags, 1);
-    mip_read_u32(r, &v->system_timer, 1);
-    mip_read_bool(r, &v->has_mag, 1);
-    mip_read_bool(r, &v->has_pressure, 1);
-    mip_read_u8(r, &v->power_state, 1);
-    mip_read_u16(r, &v->gyro_range, 1);
-    mip_read_u16(r, &v->accel_range, 1);
-    mip_read_u32(r, &v->reserved, 1);
-    mip_read_float(r, &v->temperature, 1);
-    mip_read_u32(r, &v->temperature_last_time, 1);
-    mip_read_u8(r, &v->temperature_error, 1);
-    mip_read_u32(r, &v->pps_count, 1);
-    mip_read_u32(r, &v->pps_last_time, 1);
-    mip_read_bool(r, &v->imu_stream_enabled, 1);
-    mip_read_u32(r, &v->imu_dropped_packets, 1);
-    mip_read_u32(r, &v->comm_port_bytes_written, 1);
-    mip_read_u32(r, &v->comm_port_bytes_read, 1);
-    mip_read_u32(r, &v->comm_port_write_overruns, 1);
-    mip_read_u32(r, &v->comm_port_read_overruns, 1);
-}
-
-static void write_device_status_diagnostic_imu_response(struct mip_writer *w, const void *value) {
-    const struct mip_3dm_device_status_diagnostic_imu_response *v =
-        (const struct mip_3dm_device_status_diagnostic_imu_response *)value;
-    mip_write_u16(w, &v->model_number, 1);
-    mip_write_constant(w, 2, 1);
-    mip_write_u32(w, &v->status_flags, 1);
-    mip_write_u32(w, &v->system_timer, 1);
-    mip_write_bool(w, &v->has_mag, 1);
-    mip_write_bool(w, &v->has_pressure, 1);
-    mip_write_u8(w, &v->power_state, 1);
-    mip_write_u16(w, &v->gyro_range, 1);
-    mip_write_u16(w, &v->accel_range, 1);
-    mip_write_u32(w, &v->reserved, 1);
-    mip_write_float(w, &v->temperature, 1);
-    mip_write_u32(w, &v->temperature_last_time, 1);
-    mip_write_u8(w, &v->temperature_error, 1);
-    mip_write_u32(w, &v->pps_count, 1);
-    mip_write_u32(w, &v->pps_last_time, 1);
-    mip_write_bool(w, &v->imu_stream_enabled, 1);
-    mip_write_u32(w, &v->imu_dropped_packets, 1);
-    mip_write_u32(w, &v->comm_port_bytes_written, 1);
-    mip_write_u32(w, &v->comm_port_bytes_read, 1);
-    mip_write_u32(w, &v->comm_port_write_overruns, 1);
-    mip_write_u32(w, &v->comm_port_read_overruns, 1);
-}
-
-static const struct mip_constant constants_device_status_diagnostic_imu_response[] = {
-    {2, 1, 2},
-};
-static const struct mip_layout layout_device_status_diagnostic_imu_response = {
-    60,
-    72, /* bytes of data */
-    1,
-    constants_device_status_diagnostic_imu_response,
+static const uint8_t program_device_status_diagnostic_imu_response[] = {
+    MIP_LAYOUT(60, 72, 1, 2, 0x02),
+    MIP_16_BITS(1, MIP_AT(struct mip_3dm_device_status_diagnostic_imu_response, model_number)),
+    MIP_CONSTANT(1, 0x02),
+    MIP_32_BITS(2, MIP_AT(struct mip_3dm_device_status_diagnostic_imu_response, status_flags)),
+    MIP_8_BITS(3, MIP_AT(struct mip_3dm_device_status_diagnostic_imu_response, has_mag)),
+    MIP_16_BITS(2, MIP_AT(struct mip_3dm_device_status_diagnostic_imu_response, gyro_range)),
+    MIP_32_BITS(3, MIP_AT(struct mip_3dm_device_status_diagnostic_imu_response, reserved)),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_device_status_diagnostic_imu_response, temperature_error)),
+    MIP_32_BITS(2, MIP_AT(struct mip_3dm_device_status_diagnostic_imu_response, pps_count)),
+    MIP_8_BITS(1, MIP_AT(struct mip_3dm_device_status_diagnostic_imu_response, imu_stream_enabled)),
+    MIP_32_BITS(5,
+                MIP_AT(struct mip_3dm_device_status_diagnostic_imu_response, imu_dropped_packets)),
+    MIP_END,
 };
 
 const struct mip_codec mip_3dm_device_status_diagnostic_imu_response_codec = {
-    0x0C, /* descriptor set */
-    MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_IMU_RESPONSE_DESCRIPTOR,
-    MIP_RESPONSE,
-    sizeof(struct mip_3dm_device_status_diagnostic_imu_response),
-    0, /* time-out */
-    read_device_status_diagnostic_imu_response,
-    write_device_status_diagnostic_imu_response,
-    NULL,
-    NULL,
-    &layout_device_status_diagnostic_imu_response,
-};
-
-mip_error mip_3dm_device_status_diagnostic_imu_response_decode(
-    struct mip_3dm_device_status_diagnostic_imu_response *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_device_status_diagnostic_imu_response, value,
-                            sizeof(*value), NULL);
-}
-
-mip_error mip_3dm_device_status_diagnostic_imu_response_encode(
-    const struct mip_3dm_device_status_diagnostic_imu_response *value,
-    struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x0C, MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_IMU_RESPONSE_DESCRIPTOR,
-                            write_device_status_diagnostic_imu_response, value);
-}
+    0x0C, 0x90, MIP_RESPONSE, sizeof(struct mip_3dm_device_status_diagnostic_imu_response),
+    program_device_status_diagnostic_imu_response};

@@ -31,42 +31,45 @@ struct mip_3dm_poll_entry {
     uint16_t reserved;
 };
 
-void mip_3dm_poll_entry_read(struct mip_reader *r, struct mip_3dm_poll_entry *v);
-void mip_3dm_poll_entry_write(struct mip_writer *w, const struct mip_3dm_poll_entry *v);
-
 /**
  * What happens to the message formats that are set.
  *
  * - 3dm-cv7-gnss-ins: Factory Streaming (0x0C,0x10)
  */
-typedef uint8_t mip_3dm_factory_streaming_action;
-/** The formats are replaced. */
-#define MIP_3DM_FACTORY_STREAMING_ACTION_OVERWRITE 0
-/** The support fields are merged into the formats; the order may change. */
-#define MIP_3DM_FACTORY_STREAMING_ACTION_MERGE 1
-/** The support fields are added behind the formats; fields may occur twice. */
-#define MIP_3DM_FACTORY_STREAMING_ACTION_ADD 2
+enum mip_3dm_factory_streaming_action {
+    /** The formats are replaced. */
+    MIP_3DM_FACTORY_STREAMING_ACTION_OVERWRITE = 0,
+    /** The support fields are merged into the formats; the order may change. */
+    MIP_3DM_FACTORY_STREAMING_ACTION_MERGE = 1,
+    /** The support fields are added behind the formats; fields may occur twice. */
+    MIP_3DM_FACTORY_STREAMING_ACTION_ADD = 2
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_3dm_factory_streaming_action_name(uint8_t value);
 /**
- * Constellation in the settings of a receiver. The values are not those of mip_gnss_constellation,
- * which GNSS data use.
+ * Constellation in the settings of a receiver. The values are not those of enum
+ * mip_gnss_constellation, which GNSS data use.
  *
  * - mip-sdk-4: Constellation Settings (0x0C,0x21)
  */
-typedef uint8_t mip_3dm_constellation_id;
-/** GPS, satellites G1 to G32. */
-#define MIP_3DM_CONSTELLATION_ID_GPS 0
-/** SBAS, satellites S120 to S158. */
-#define MIP_3DM_CONSTELLATION_ID_SBAS 1
-/** Galileo, satellites E1 to E36. */
-#define MIP_3DM_CONSTELLATION_ID_GALILEO 2
-/** BeiDou, satellites B1 to B37. */
-#define MIP_3DM_CONSTELLATION_ID_BEIDOU 3
-/** QZSS, satellites Q1 to Q5. */
-#define MIP_3DM_CONSTELLATION_ID_QZSS 5
-/** GLONASS, satellites R1 to R32. */
-#define MIP_3DM_CONSTELLATION_ID_GLONASS 6
+enum mip_3dm_constellation_id {
+    /** GPS, satellites G1 to G32. */
+    MIP_3DM_CONSTELLATION_ID_GPS = 0,
+    /** SBAS, satellites S120 to S158. */
+    MIP_3DM_CONSTELLATION_ID_SBAS = 1,
+    /** Galileo, satellites E1 to E36. */
+    MIP_3DM_CONSTELLATION_ID_GALILEO = 2,
+    /** BeiDou, satellites B1 to B37. */
+    MIP_3DM_CONSTELLATION_ID_BEIDOU = 3,
+    /** QZSS, satellites Q1 to Q5. */
+    MIP_3DM_CONSTELLATION_ID_QZSS = 5,
+    /** GLONASS, satellites R1 to R32. */
+    MIP_3DM_CONSTELLATION_ID_GLONASS = 6
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_3dm_constellation_id_name(uint8_t value);
 /**
  * Options of a constellation.
  *
@@ -75,15 +78,14 @@ typedef uint8_t mip_3dm_constellation_id;
 typedef uint16_t mip_3dm_constellation_options;
 /** Bit 0. The L1-SAIF signal; QZSS only. */
 #define MIP_3DM_CONSTELLATION_OPTIONS_L1SAIF 0x0001U
-
 /**
  * How a receiver tracks one constellation.
  *
  * - mip-sdk-4: Constellation Settings (0x0C,0x21)
  */
 struct mip_3dm_constellation_settings_entry {
-    /** Constellation. */
-    mip_3dm_constellation_id constellation_id;
+    /** Constellation. A value of enum mip_3dm_constellation_id. */
+    uint8_t constellation_id;
     /** 1 switches it on, 0 off. Range: 0 to 1. */
     uint8_t enable;
     /** Channels that are kept for it. Unit: 1. Range: 0 to 32. */
@@ -93,11 +95,6 @@ struct mip_3dm_constellation_settings_entry {
     /** Options. */
     mip_3dm_constellation_options option_flags;
 };
-
-void mip_3dm_constellation_settings_entry_read(struct mip_reader *r,
-                                               struct mip_3dm_constellation_settings_entry *v);
-void mip_3dm_constellation_settings_entry_write(
-    struct mip_writer *w, const struct mip_3dm_constellation_settings_entry *v);
 
 /**
  * How SBAS is used.
@@ -111,46 +108,54 @@ typedef uint16_t mip_3dm_sbas_options;
 #define MIP_3DM_SBAS_OPTIONS_ENABLE_CORRECTIONS 0x0002U
 /** Bit 2. Only GPS satellites with SBAS integrity information are used. */
 #define MIP_3DM_SBAS_OPTIONS_APPLY_INTEGRITY 0x0004U
-
 /**
  * Whether a receiver keeps its last fix.
  *
  * - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
  */
-typedef uint8_t mip_3dm_assisted_fix_option;
-/** The receiver starts without it. */
-#define MIP_3DM_ASSISTED_FIX_OPTION_NONE 0
-/** The receiver starts from its last fix. */
-#define MIP_3DM_ASSISTED_FIX_OPTION_ENABLED 1
+enum mip_3dm_assisted_fix_option {
+    /** The receiver starts without it. */
+    MIP_3DM_ASSISTED_FIX_OPTION_NONE = 0,
+    /** The receiver starts from its last fix. */
+    MIP_3DM_ASSISTED_FIX_OPTION_ENABLED = 1
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_3dm_assisted_fix_option_name(uint8_t value);
 /**
  * Where the pulse per second comes from.
  *
  * - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
  */
-typedef uint8_t mip_3dm_pps_source;
-/** No pulse. */
-#define MIP_3DM_PPS_SOURCE_DISABLED 0
-/** From GNSS receiver 1. */
-#define MIP_3DM_PPS_SOURCE_RECEIVER_1 1
-/** From GNSS receiver 2. */
-#define MIP_3DM_PPS_SOURCE_RECEIVER_2 2
-/** From a GPIO pin that is configured as a PPS input. */
-#define MIP_3DM_PPS_SOURCE_GPIO 3
-/** From the oscillator of the device. */
-#define MIP_3DM_PPS_SOURCE_GENERATED 4
+enum mip_3dm_pps_source {
+    /** No pulse. */
+    MIP_3DM_PPS_SOURCE_DISABLED = 0,
+    /** From GNSS receiver 1. */
+    MIP_3DM_PPS_SOURCE_RECEIVER_1 = 1,
+    /** From GNSS receiver 2. */
+    MIP_3DM_PPS_SOURCE_RECEIVER_2 = 2,
+    /** From a GPIO pin that is configured as a PPS input. */
+    MIP_3DM_PPS_SOURCE_GPIO = 3,
+    /** From the oscillator of the device. */
+    MIP_3DM_PPS_SOURCE_GENERATED = 4
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_3dm_pps_source_name(uint8_t value);
 /**
  * Which part of the event system is asked about.
  *
  * - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
  */
-typedef uint8_t mip_3dm_event_support_query;
-/** Triggers. */
-#define MIP_3DM_EVENT_SUPPORT_QUERY_TRIGGER_TYPES 1
-/** Actions. */
-#define MIP_3DM_EVENT_SUPPORT_QUERY_ACTION_TYPES 2
+enum mip_3dm_event_support_query {
+    /** Triggers. */
+    MIP_3DM_EVENT_SUPPORT_QUERY_TRIGGER_TYPES = 1,
+    /** Actions. */
+    MIP_3DM_EVENT_SUPPORT_QUERY_ACTION_TYPES = 2
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_3dm_event_support_query_name(uint8_t value);
 /**
  * How many instances of one trigger or action type a device can have.
  *
@@ -163,26 +168,17 @@ struct mip_3dm_event_support_info {
     uint8_t count;
 };
 
-void mip_3dm_event_support_info_read(struct mip_reader *r, struct mip_3dm_event_support_info *v);
-void mip_3dm_event_support_info_write(struct mip_writer *w,
-                                      const struct mip_3dm_event_support_info *v);
-
 /**
  * Type and state of one trigger.
  *
  * - 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
  */
 struct mip_3dm_event_trigger_status_entry {
-    /** Configured type. */
-    mip_event_trigger_type type;
+    /** Configured type. A value of enum mip_event_trigger_type. */
+    uint8_t type;
     /** State. */
     mip_event_trigger_status status;
 };
-
-void mip_3dm_event_trigger_status_entry_read(struct mip_reader *r,
-                                             struct mip_3dm_event_trigger_status_entry *v);
-void mip_3dm_event_trigger_status_entry_write(struct mip_writer *w,
-                                              const struct mip_3dm_event_trigger_status_entry *v);
 
 /**
  * Type and trigger of one action.
@@ -190,45 +186,46 @@ void mip_3dm_event_trigger_status_entry_write(struct mip_writer *w,
  * - 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D)
  */
 struct mip_3dm_event_action_status_entry {
-    /** Configured type. */
-    mip_event_action_type action_type;
+    /** Configured type. A value of enum mip_event_action_type. */
+    uint8_t action_type;
     /** Trigger instance that the action follows. */
     uint8_t trigger_id;
 };
-
-void mip_3dm_event_action_status_entry_read(struct mip_reader *r,
-                                            struct mip_3dm_event_action_status_entry *v);
-void mip_3dm_event_action_status_entry_write(struct mip_writer *w,
-                                             const struct mip_3dm_event_action_status_entry *v);
 
 /**
  * How the odometer input works.
  *
  * - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
  */
-typedef uint8_t mip_3dm_odometer_mode;
-/** Not used. */
-#define MIP_3DM_ODOMETER_MODE_DISABLED 0
-/** Quadrature encoder on two pins. */
-#define MIP_3DM_ODOMETER_MODE_QUADRATURE 2
+enum mip_3dm_odometer_mode {
+    /** Not used. */
+    MIP_3DM_ODOMETER_MODE_DISABLED = 0,
+    /** Quadrature encoder on two pins. */
+    MIP_3DM_ODOMETER_MODE_QUADRATURE = 2
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_3dm_odometer_mode_name(uint8_t value);
 /**
  * A sensor whose range can be set.
  *
  * - 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
  */
-typedef uint8_t mip_3dm_sensor_range_type;
-/** All sensors; for save, load and default only. */
-#define MIP_3DM_SENSOR_RANGE_TYPE_ALL 0
-/** Accelerometer. */
-#define MIP_3DM_SENSOR_RANGE_TYPE_ACCEL 1
-/** Gyroscope. */
-#define MIP_3DM_SENSOR_RANGE_TYPE_GYRO 2
-/** Magnetometer. */
-#define MIP_3DM_SENSOR_RANGE_TYPE_MAG 3
-/** Pressure sensor. */
-#define MIP_3DM_SENSOR_RANGE_TYPE_PRESSURE 4
+enum mip_3dm_sensor_range_type {
+    /** All sensors; for save, load and default only. */
+    MIP_3DM_SENSOR_RANGE_TYPE_ALL = 0,
+    /** Accelerometer. */
+    MIP_3DM_SENSOR_RANGE_TYPE_ACCEL = 1,
+    /** Gyroscope. */
+    MIP_3DM_SENSOR_RANGE_TYPE_GYRO = 2,
+    /** Magnetometer. */
+    MIP_3DM_SENSOR_RANGE_TYPE_MAG = 3,
+    /** Pressure sensor. */
+    MIP_3DM_SENSOR_RANGE_TYPE_PRESSURE = 4
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_3dm_sensor_range_type_name(uint8_t value);
 /**
  * A range that a sensor supports.
  *
@@ -241,36 +238,38 @@ struct mip_3dm_sensor_range_entry {
     float range;
 };
 
-void mip_3dm_sensor_range_entry_read(struct mip_reader *r, struct mip_3dm_sensor_range_entry *v);
-void mip_3dm_sensor_range_entry_write(struct mip_writer *w,
-                                      const struct mip_3dm_sensor_range_entry *v);
-
 /**
  * How much a device status tells.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  */
-typedef uint8_t mip_3dm_device_status_selector;
-/** State and timer. */
-#define MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC 1
-/** State and timer with the counters of streams and port. */
-#define MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC 2
+enum mip_3dm_device_status_selector {
+    /** State and timer. */
+    MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC = 1,
+    /** State and timer with the counters of streams and port. */
+    MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC = 2
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_3dm_device_status_selector_name(uint8_t value);
 /**
  * A data stream of a 5-series device.
  *
  * - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
  */
-typedef uint8_t mip_3dm_legacy_data_stream;
-/** All streams; for save, load and default only. */
-#define MIP_3DM_LEGACY_DATA_STREAM_ALL_STREAMS 0
-/** Sensor data (0x80). */
-#define MIP_3DM_LEGACY_DATA_STREAM_IMU 1
-/** GNSS data. */
-#define MIP_3DM_LEGACY_DATA_STREAM_GNSS 2
-/** Estimation filter data (0x82). */
-#define MIP_3DM_LEGACY_DATA_STREAM_FILTER 3
+enum mip_3dm_legacy_data_stream {
+    /** All streams; for save, load and default only. */
+    MIP_3DM_LEGACY_DATA_STREAM_ALL_STREAMS = 0,
+    /** Sensor data (0x80). */
+    MIP_3DM_LEGACY_DATA_STREAM_IMU = 1,
+    /** GNSS data. */
+    MIP_3DM_LEGACY_DATA_STREAM_GNSS = 2,
+    /** Estimation filter data (0x82). */
+    MIP_3DM_LEGACY_DATA_STREAM_FILTER = 3
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_3dm_legacy_data_stream_name(uint8_t value);
 /**
  * Poll IMU Data: command (0x0C,0x01).
  *
@@ -297,18 +296,40 @@ struct mip_3dm_poll_imu_data {
     struct mip_3dm_poll_entry descriptors[83];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_POLL_IMU_DATA 0x0C01
 #define MIP_3DM_POLL_IMU_DATA_DESCRIPTOR 0x01
 #define MIP_3DM_POLL_IMU_DATA_NAME "3dm.poll_imu_data"
 
-extern const struct mip_codec mip_3dm_poll_imu_data_codec;
-mip_error mip_3dm_poll_imu_data_decode(struct mip_3dm_poll_imu_data *value,
-                                       const struct mip_field *field);
-mip_error mip_3dm_poll_imu_data_encode(const struct mip_3dm_poll_imu_data *value,
-                                       struct mip_builder *builder);
-/** Poll IMU Data. */
-struct mip_3dm_poll_imu_data mip_3dm_poll_imu_data_make(
-    mip_bool suppress_ack, uint8_t num_descriptors, const struct mip_3dm_poll_entry descriptors[]);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_poll_imu_data_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_poll_imu_data_decode(struct mip_3dm_poll_imu_data *value,
+                                                     const struct mip_field *field) {
+    return mip_decode(&mip_3dm_poll_imu_data_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_poll_imu_data_encode(const struct mip_3dm_poll_imu_data *value,
+                                                     struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_poll_imu_data_codec, value, builder);
+}
+/**
+ * Poll IMU Data.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_poll_imu_data *
+mip_3dm_poll_imu_data_make(struct mip_3dm_poll_imu_data *command, mip_bool suppress_ack,
+                           uint8_t num_descriptors, const struct mip_3dm_poll_entry descriptors[]) {
+    memset(command, 0, sizeof(*command));
+    command->suppress_ack = suppress_ack;
+    command->num_descriptors = num_descriptors;
+    mip_copy(command->descriptors, sizeof(command->descriptors), descriptors,
+             num_descriptors * sizeof(descriptors[0]));
+    return command;
+}
 /**
  * Poll GNSS Data: command (0x0C,0x02).
  *
@@ -338,18 +359,40 @@ struct mip_3dm_poll_gnss_data {
     struct mip_3dm_poll_entry descriptors[83];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_POLL_GNSS_DATA 0x0C02
 #define MIP_3DM_POLL_GNSS_DATA_DESCRIPTOR 0x02
 #define MIP_3DM_POLL_GNSS_DATA_NAME "3dm.poll_gnss_data"
 
-extern const struct mip_codec mip_3dm_poll_gnss_data_codec;
-mip_error mip_3dm_poll_gnss_data_decode(struct mip_3dm_poll_gnss_data *value,
-                                        const struct mip_field *field);
-mip_error mip_3dm_poll_gnss_data_encode(const struct mip_3dm_poll_gnss_data *value,
-                                        struct mip_builder *builder);
-/** Poll GNSS Data. */
-struct mip_3dm_poll_gnss_data mip_3dm_poll_gnss_data_make(
-    mip_bool suppress_ack, uint8_t num_descriptors, const struct mip_3dm_poll_entry descriptors[]);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_poll_gnss_data_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_poll_gnss_data_decode(struct mip_3dm_poll_gnss_data *value,
+                                                      const struct mip_field *field) {
+    return mip_decode(&mip_3dm_poll_gnss_data_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_poll_gnss_data_encode(const struct mip_3dm_poll_gnss_data *value,
+                                                      struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_poll_gnss_data_codec, value, builder);
+}
+/**
+ * Poll GNSS Data.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_poll_gnss_data *mip_3dm_poll_gnss_data_make(
+    struct mip_3dm_poll_gnss_data *command, mip_bool suppress_ack, uint8_t num_descriptors,
+    const struct mip_3dm_poll_entry descriptors[]) {
+    memset(command, 0, sizeof(*command));
+    command->suppress_ack = suppress_ack;
+    command->num_descriptors = num_descriptors;
+    mip_copy(command->descriptors, sizeof(command->descriptors), descriptors,
+             num_descriptors * sizeof(descriptors[0]));
+    return command;
+}
 /**
  * Poll Estimation Filter Data: command (0x0C,0x03).
  *
@@ -375,18 +418,40 @@ struct mip_3dm_poll_filter_data {
     struct mip_3dm_poll_entry descriptors[83];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_POLL_FILTER_DATA 0x0C03
 #define MIP_3DM_POLL_FILTER_DATA_DESCRIPTOR 0x03
 #define MIP_3DM_POLL_FILTER_DATA_NAME "3dm.poll_filter_data"
 
-extern const struct mip_codec mip_3dm_poll_filter_data_codec;
-mip_error mip_3dm_poll_filter_data_decode(struct mip_3dm_poll_filter_data *value,
-                                          const struct mip_field *field);
-mip_error mip_3dm_poll_filter_data_encode(const struct mip_3dm_poll_filter_data *value,
-                                          struct mip_builder *builder);
-/** Poll Estimation Filter Data. */
-struct mip_3dm_poll_filter_data mip_3dm_poll_filter_data_make(
-    mip_bool suppress_ack, uint8_t num_descriptors, const struct mip_3dm_poll_entry descriptors[]);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_poll_filter_data_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_poll_filter_data_decode(struct mip_3dm_poll_filter_data *value,
+                                                        const struct mip_field *field) {
+    return mip_decode(&mip_3dm_poll_filter_data_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_poll_filter_data_encode(
+    const struct mip_3dm_poll_filter_data *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_poll_filter_data_codec, value, builder);
+}
+/**
+ * Poll Estimation Filter Data.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_poll_filter_data *mip_3dm_poll_filter_data_make(
+    struct mip_3dm_poll_filter_data *command, mip_bool suppress_ack, uint8_t num_descriptors,
+    const struct mip_3dm_poll_entry descriptors[]) {
+    memset(command, 0, sizeof(*command));
+    command->suppress_ack = suppress_ack;
+    command->num_descriptors = num_descriptors;
+    mip_copy(command->descriptors, sizeof(command->descriptors), descriptors,
+             num_descriptors * sizeof(descriptors[0]));
+    return command;
+}
 /**
  * Poll NMEA Data: command (0x0C,0x04).
  *
@@ -413,18 +478,40 @@ struct mip_3dm_poll_nmea_data {
     struct mip_nmea_message format_entries[50];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_POLL_NMEA_DATA 0x0C04
 #define MIP_3DM_POLL_NMEA_DATA_DESCRIPTOR 0x04
 #define MIP_3DM_POLL_NMEA_DATA_NAME "3dm.poll_nmea_data"
 
-extern const struct mip_codec mip_3dm_poll_nmea_data_codec;
-mip_error mip_3dm_poll_nmea_data_decode(struct mip_3dm_poll_nmea_data *value,
-                                        const struct mip_field *field);
-mip_error mip_3dm_poll_nmea_data_encode(const struct mip_3dm_poll_nmea_data *value,
-                                        struct mip_builder *builder);
-/** Poll NMEA Data. */
-struct mip_3dm_poll_nmea_data mip_3dm_poll_nmea_data_make(
-    mip_bool suppress_ack, uint8_t count, const struct mip_nmea_message format_entries[]);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_poll_nmea_data_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_poll_nmea_data_decode(struct mip_3dm_poll_nmea_data *value,
+                                                      const struct mip_field *field) {
+    return mip_decode(&mip_3dm_poll_nmea_data_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_poll_nmea_data_encode(const struct mip_3dm_poll_nmea_data *value,
+                                                      struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_poll_nmea_data_codec, value, builder);
+}
+/**
+ * Poll NMEA Data.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_poll_nmea_data *
+mip_3dm_poll_nmea_data_make(struct mip_3dm_poll_nmea_data *command, mip_bool suppress_ack,
+                            uint8_t count, const struct mip_nmea_message format_entries[]) {
+    memset(command, 0, sizeof(*command));
+    command->suppress_ack = suppress_ack;
+    command->count = count;
+    mip_copy(command->format_entries, sizeof(command->format_entries), format_entries,
+             count * sizeof(format_entries[0]));
+    return command;
+}
 /**
  * Get IMU Data Base Rate: command (0x0C,0x06).
  *
@@ -441,15 +528,25 @@ struct mip_3dm_get_imu_base_rate {
     uint8_t empty;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_GET_IMU_BASE_RATE 0x0C06
 #define MIP_3DM_GET_IMU_BASE_RATE_DESCRIPTOR 0x06
 #define MIP_3DM_GET_IMU_BASE_RATE_NAME "3dm.get_imu_base_rate"
 
-extern const struct mip_codec mip_3dm_get_imu_base_rate_codec;
-mip_error mip_3dm_get_imu_base_rate_decode(struct mip_3dm_get_imu_base_rate *value,
-                                           const struct mip_field *field);
-mip_error mip_3dm_get_imu_base_rate_encode(const struct mip_3dm_get_imu_base_rate *value,
-                                           struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_get_imu_base_rate_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_get_imu_base_rate_decode(struct mip_3dm_get_imu_base_rate *value,
+                                                         const struct mip_field *field) {
+    return mip_decode(&mip_3dm_get_imu_base_rate_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_get_imu_base_rate_encode(
+    const struct mip_3dm_get_imu_base_rate *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_get_imu_base_rate_codec, value, builder);
+}
 /**
  * Get IMU Data Base Rate response: response (0x0C,0x83).
  *
@@ -464,15 +561,49 @@ struct mip_3dm_get_imu_base_rate_response {
     uint16_t rate;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_GET_IMU_BASE_RATE_RESPONSE 0x0C83
 #define MIP_3DM_GET_IMU_BASE_RATE_RESPONSE_DESCRIPTOR 0x83
 #define MIP_3DM_GET_IMU_BASE_RATE_RESPONSE_NAME "3dm.get_imu_base_rate_response"
 
-extern const struct mip_codec mip_3dm_get_imu_base_rate_response_codec;
-mip_error mip_3dm_get_imu_base_rate_response_decode(
-    struct mip_3dm_get_imu_base_rate_response *value, const struct mip_field *field);
-mip_error mip_3dm_get_imu_base_rate_response_encode(
-    const struct mip_3dm_get_imu_base_rate_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_get_imu_base_rate_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_get_imu_base_rate_response_decode(
+    struct mip_3dm_get_imu_base_rate_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_get_imu_base_rate_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_get_imu_base_rate_response_encode(
+    const struct mip_3dm_get_imu_base_rate_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_get_imu_base_rate_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_3dm_get_imu_base_rate_response_decode_inline(
+    struct mip_3dm_get_imu_base_rate_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0C, 0x83, 2);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->rate = mip_get_16(field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_3dm_get_imu_base_rate_response_encode_inline(
+    const struct mip_3dm_get_imu_base_rate_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x83, 2, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_16(data, value->rate);
+    return MIP_OK;
+}
 /**
  * Get GNSS Data Base Rate: command (0x0C,0x07).
  *
@@ -489,15 +620,25 @@ struct mip_3dm_get_gnss_base_rate {
     uint8_t empty;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_GET_GNSS_BASE_RATE 0x0C07
 #define MIP_3DM_GET_GNSS_BASE_RATE_DESCRIPTOR 0x07
 #define MIP_3DM_GET_GNSS_BASE_RATE_NAME "3dm.get_gnss_base_rate"
 
-extern const struct mip_codec mip_3dm_get_gnss_base_rate_codec;
-mip_error mip_3dm_get_gnss_base_rate_decode(struct mip_3dm_get_gnss_base_rate *value,
-                                            const struct mip_field *field);
-mip_error mip_3dm_get_gnss_base_rate_encode(const struct mip_3dm_get_gnss_base_rate *value,
-                                            struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_get_gnss_base_rate_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_get_gnss_base_rate_decode(struct mip_3dm_get_gnss_base_rate *value,
+                                                          const struct mip_field *field) {
+    return mip_decode(&mip_3dm_get_gnss_base_rate_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_get_gnss_base_rate_encode(
+    const struct mip_3dm_get_gnss_base_rate *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_get_gnss_base_rate_codec, value, builder);
+}
 /**
  * Get GNSS Data Base Rate response: response (0x0C,0x84).
  *
@@ -512,15 +653,49 @@ struct mip_3dm_get_gnss_base_rate_response {
     uint16_t rate;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_GET_GNSS_BASE_RATE_RESPONSE 0x0C84
 #define MIP_3DM_GET_GNSS_BASE_RATE_RESPONSE_DESCRIPTOR 0x84
 #define MIP_3DM_GET_GNSS_BASE_RATE_RESPONSE_NAME "3dm.get_gnss_base_rate_response"
 
-extern const struct mip_codec mip_3dm_get_gnss_base_rate_response_codec;
-mip_error mip_3dm_get_gnss_base_rate_response_decode(
-    struct mip_3dm_get_gnss_base_rate_response *value, const struct mip_field *field);
-mip_error mip_3dm_get_gnss_base_rate_response_encode(
-    const struct mip_3dm_get_gnss_base_rate_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_get_gnss_base_rate_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_get_gnss_base_rate_response_decode(
+    struct mip_3dm_get_gnss_base_rate_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_get_gnss_base_rate_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_get_gnss_base_rate_response_encode(
+    const struct mip_3dm_get_gnss_base_rate_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_get_gnss_base_rate_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_3dm_get_gnss_base_rate_response_decode_inline(
+    struct mip_3dm_get_gnss_base_rate_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0C, 0x84, 2);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->rate = mip_get_16(field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_3dm_get_gnss_base_rate_response_encode_inline(
+    const struct mip_3dm_get_gnss_base_rate_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x84, 2, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_16(data, value->rate);
+    return MIP_OK;
+}
 /**
  * IMU Message Format: command (0x0C,0x08).
  *
@@ -540,34 +715,92 @@ mip_error mip_3dm_get_gnss_base_rate_response_encode(
 struct mip_3dm_imu_message_format {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /** Number of fields. The number of elements of descriptors. Required for write. */
     uint8_t num_descriptors;
     /** Fields and decimations. Required for write. */
     struct mip_descriptor_rate descriptors[83];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_IMU_MESSAGE_FORMAT 0x0C08
 #define MIP_3DM_IMU_MESSAGE_FORMAT_DESCRIPTOR 0x08
 #define MIP_3DM_IMU_MESSAGE_FORMAT_NAME "3dm.imu_message_format"
 
-extern const struct mip_codec mip_3dm_imu_message_format_codec;
-mip_error mip_3dm_imu_message_format_decode(struct mip_3dm_imu_message_format *value,
-                                            const struct mip_field *field);
-mip_error mip_3dm_imu_message_format_encode(const struct mip_3dm_imu_message_format *value,
-                                            struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_3dm_imu_message_format mip_3dm_imu_message_format_write(
-    uint8_t num_descriptors, const struct mip_descriptor_rate descriptors[]);
-/** Send the current setting back in a response. */
-struct mip_3dm_imu_message_format mip_3dm_imu_message_format_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_3dm_imu_message_format mip_3dm_imu_message_format_save(void);
-/** Load the saved setting. */
-struct mip_3dm_imu_message_format mip_3dm_imu_message_format_load(void);
-/** Load the factory default setting. */
-struct mip_3dm_imu_message_format mip_3dm_imu_message_format_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_imu_message_format_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_imu_message_format_decode(struct mip_3dm_imu_message_format *value,
+                                                          const struct mip_field *field) {
+    return mip_decode(&mip_3dm_imu_message_format_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_imu_message_format_encode(
+    const struct mip_3dm_imu_message_format *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_imu_message_format_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_imu_message_format *mip_3dm_imu_message_format_write(
+    struct mip_3dm_imu_message_format *command, uint8_t num_descriptors,
+    const struct mip_descriptor_rate descriptors[]) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->num_descriptors = num_descriptors;
+    mip_copy(command->descriptors, sizeof(command->descriptors), descriptors,
+             num_descriptors * sizeof(descriptors[0]));
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_imu_message_format *
+mip_3dm_imu_message_format_read(struct mip_3dm_imu_message_format *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_imu_message_format *
+mip_3dm_imu_message_format_save(struct mip_3dm_imu_message_format *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_imu_message_format *
+mip_3dm_imu_message_format_load(struct mip_3dm_imu_message_format *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_imu_message_format *
+mip_3dm_imu_message_format_default(struct mip_3dm_imu_message_format *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * IMU Message Format response: response (0x0C,0x80).
  *
@@ -583,15 +816,25 @@ struct mip_3dm_imu_message_format_response {
     struct mip_descriptor_rate descriptors[84];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_IMU_MESSAGE_FORMAT_RESPONSE 0x0C80
 #define MIP_3DM_IMU_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR 0x80
 #define MIP_3DM_IMU_MESSAGE_FORMAT_RESPONSE_NAME "3dm.imu_message_format_response"
 
-extern const struct mip_codec mip_3dm_imu_message_format_response_codec;
-mip_error mip_3dm_imu_message_format_response_decode(
-    struct mip_3dm_imu_message_format_response *value, const struct mip_field *field);
-mip_error mip_3dm_imu_message_format_response_encode(
-    const struct mip_3dm_imu_message_format_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_imu_message_format_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_imu_message_format_response_decode(
+    struct mip_3dm_imu_message_format_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_imu_message_format_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_imu_message_format_response_encode(
+    const struct mip_3dm_imu_message_format_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_imu_message_format_response_codec, value, builder);
+}
 /**
  * GNSS Message Format: command (0x0C,0x09).
  *
@@ -609,8 +852,8 @@ mip_error mip_3dm_imu_message_format_response_encode(
 struct mip_3dm_gnss_message_format {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /**
      * Number of fields. The number of elements of descriptors. Range: 0 to 82. Required for write.
      */
@@ -619,26 +862,84 @@ struct mip_3dm_gnss_message_format {
     struct mip_descriptor_rate descriptors[83];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_GNSS_MESSAGE_FORMAT 0x0C09
 #define MIP_3DM_GNSS_MESSAGE_FORMAT_DESCRIPTOR 0x09
 #define MIP_3DM_GNSS_MESSAGE_FORMAT_NAME "3dm.gnss_message_format"
 
-extern const struct mip_codec mip_3dm_gnss_message_format_codec;
-mip_error mip_3dm_gnss_message_format_decode(struct mip_3dm_gnss_message_format *value,
-                                             const struct mip_field *field);
-mip_error mip_3dm_gnss_message_format_encode(const struct mip_3dm_gnss_message_format *value,
-                                             struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_3dm_gnss_message_format mip_3dm_gnss_message_format_write(
-    uint8_t num_descriptors, const struct mip_descriptor_rate descriptors[]);
-/** Send the current setting back in a response. */
-struct mip_3dm_gnss_message_format mip_3dm_gnss_message_format_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_3dm_gnss_message_format mip_3dm_gnss_message_format_save(void);
-/** Load the saved setting. */
-struct mip_3dm_gnss_message_format mip_3dm_gnss_message_format_load(void);
-/** Load the factory default setting. */
-struct mip_3dm_gnss_message_format mip_3dm_gnss_message_format_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_gnss_message_format_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_gnss_message_format_decode(
+    struct mip_3dm_gnss_message_format *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_gnss_message_format_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_gnss_message_format_encode(
+    const struct mip_3dm_gnss_message_format *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_gnss_message_format_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_gnss_message_format *mip_3dm_gnss_message_format_write(
+    struct mip_3dm_gnss_message_format *command, uint8_t num_descriptors,
+    const struct mip_descriptor_rate descriptors[]) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->num_descriptors = num_descriptors;
+    mip_copy(command->descriptors, sizeof(command->descriptors), descriptors,
+             num_descriptors * sizeof(descriptors[0]));
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_gnss_message_format *
+mip_3dm_gnss_message_format_read(struct mip_3dm_gnss_message_format *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_gnss_message_format *
+mip_3dm_gnss_message_format_save(struct mip_3dm_gnss_message_format *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_gnss_message_format *
+mip_3dm_gnss_message_format_load(struct mip_3dm_gnss_message_format *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_gnss_message_format *
+mip_3dm_gnss_message_format_default(struct mip_3dm_gnss_message_format *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * GNSS Message Format response: response (0x0C,0x81).
  *
@@ -655,15 +956,25 @@ struct mip_3dm_gnss_message_format_response {
     struct mip_descriptor_rate descriptors[84];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_GNSS_MESSAGE_FORMAT_RESPONSE 0x0C81
 #define MIP_3DM_GNSS_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR 0x81
 #define MIP_3DM_GNSS_MESSAGE_FORMAT_RESPONSE_NAME "3dm.gnss_message_format_response"
 
-extern const struct mip_codec mip_3dm_gnss_message_format_response_codec;
-mip_error mip_3dm_gnss_message_format_response_decode(
-    struct mip_3dm_gnss_message_format_response *value, const struct mip_field *field);
-mip_error mip_3dm_gnss_message_format_response_encode(
-    const struct mip_3dm_gnss_message_format_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_gnss_message_format_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_gnss_message_format_response_decode(
+    struct mip_3dm_gnss_message_format_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_gnss_message_format_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_gnss_message_format_response_encode(
+    const struct mip_3dm_gnss_message_format_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_gnss_message_format_response_codec, value, builder);
+}
 /**
  * Estimation Filter Message Format: command (0x0C,0x0A).
  *
@@ -684,34 +995,92 @@ mip_error mip_3dm_gnss_message_format_response_encode(
 struct mip_3dm_filter_message_format {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /** Number of fields. The number of elements of descriptors. Required for write. */
     uint8_t num_descriptors;
     /** Fields and decimations. Required for write. */
     struct mip_descriptor_rate descriptors[83];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_FILTER_MESSAGE_FORMAT 0x0C0A
 #define MIP_3DM_FILTER_MESSAGE_FORMAT_DESCRIPTOR 0x0A
 #define MIP_3DM_FILTER_MESSAGE_FORMAT_NAME "3dm.filter_message_format"
 
-extern const struct mip_codec mip_3dm_filter_message_format_codec;
-mip_error mip_3dm_filter_message_format_decode(struct mip_3dm_filter_message_format *value,
-                                               const struct mip_field *field);
-mip_error mip_3dm_filter_message_format_encode(const struct mip_3dm_filter_message_format *value,
-                                               struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_3dm_filter_message_format mip_3dm_filter_message_format_write(
-    uint8_t num_descriptors, const struct mip_descriptor_rate descriptors[]);
-/** Send the current setting back in a response. */
-struct mip_3dm_filter_message_format mip_3dm_filter_message_format_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_3dm_filter_message_format mip_3dm_filter_message_format_save(void);
-/** Load the saved setting. */
-struct mip_3dm_filter_message_format mip_3dm_filter_message_format_load(void);
-/** Load the factory default setting. */
-struct mip_3dm_filter_message_format mip_3dm_filter_message_format_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_filter_message_format_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_filter_message_format_decode(
+    struct mip_3dm_filter_message_format *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_filter_message_format_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_filter_message_format_encode(
+    const struct mip_3dm_filter_message_format *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_filter_message_format_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_filter_message_format *mip_3dm_filter_message_format_write(
+    struct mip_3dm_filter_message_format *command, uint8_t num_descriptors,
+    const struct mip_descriptor_rate descriptors[]) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->num_descriptors = num_descriptors;
+    mip_copy(command->descriptors, sizeof(command->descriptors), descriptors,
+             num_descriptors * sizeof(descriptors[0]));
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_filter_message_format *
+mip_3dm_filter_message_format_read(struct mip_3dm_filter_message_format *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_filter_message_format *
+mip_3dm_filter_message_format_save(struct mip_3dm_filter_message_format *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_filter_message_format *
+mip_3dm_filter_message_format_load(struct mip_3dm_filter_message_format *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_filter_message_format *
+mip_3dm_filter_message_format_default(struct mip_3dm_filter_message_format *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * Estimation Filter Message Format response: response (0x0C,0x82).
  *
@@ -727,15 +1096,25 @@ struct mip_3dm_filter_message_format_response {
     struct mip_descriptor_rate descriptors[84];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_FILTER_MESSAGE_FORMAT_RESPONSE 0x0C82
 #define MIP_3DM_FILTER_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR 0x82
 #define MIP_3DM_FILTER_MESSAGE_FORMAT_RESPONSE_NAME "3dm.filter_message_format_response"
 
-extern const struct mip_codec mip_3dm_filter_message_format_response_codec;
-mip_error mip_3dm_filter_message_format_response_decode(
-    struct mip_3dm_filter_message_format_response *value, const struct mip_field *field);
-mip_error mip_3dm_filter_message_format_response_encode(
-    const struct mip_3dm_filter_message_format_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_filter_message_format_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_filter_message_format_response_decode(
+    struct mip_3dm_filter_message_format_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_filter_message_format_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_filter_message_format_response_encode(
+    const struct mip_3dm_filter_message_format_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_filter_message_format_response_codec, value, builder);
+}
 /**
  * Get Estimation Filter Data Base Rate: command (0x0C,0x0B).
  *
@@ -751,15 +1130,25 @@ struct mip_3dm_get_filter_base_rate {
     uint8_t empty;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_GET_FILTER_BASE_RATE 0x0C0B
 #define MIP_3DM_GET_FILTER_BASE_RATE_DESCRIPTOR 0x0B
 #define MIP_3DM_GET_FILTER_BASE_RATE_NAME "3dm.get_filter_base_rate"
 
-extern const struct mip_codec mip_3dm_get_filter_base_rate_codec;
-mip_error mip_3dm_get_filter_base_rate_decode(struct mip_3dm_get_filter_base_rate *value,
-                                              const struct mip_field *field);
-mip_error mip_3dm_get_filter_base_rate_encode(const struct mip_3dm_get_filter_base_rate *value,
-                                              struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_get_filter_base_rate_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_get_filter_base_rate_decode(
+    struct mip_3dm_get_filter_base_rate *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_get_filter_base_rate_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_get_filter_base_rate_encode(
+    const struct mip_3dm_get_filter_base_rate *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_get_filter_base_rate_codec, value, builder);
+}
 /**
  * Get Estimation Filter Data Base Rate response: response (0x0C,0x8A).
  *
@@ -773,15 +1162,49 @@ struct mip_3dm_get_filter_base_rate_response {
     uint16_t rate;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_GET_FILTER_BASE_RATE_RESPONSE 0x0C8A
 #define MIP_3DM_GET_FILTER_BASE_RATE_RESPONSE_DESCRIPTOR 0x8A
 #define MIP_3DM_GET_FILTER_BASE_RATE_RESPONSE_NAME "3dm.get_filter_base_rate_response"
 
-extern const struct mip_codec mip_3dm_get_filter_base_rate_response_codec;
-mip_error mip_3dm_get_filter_base_rate_response_decode(
-    struct mip_3dm_get_filter_base_rate_response *value, const struct mip_field *field);
-mip_error mip_3dm_get_filter_base_rate_response_encode(
-    const struct mip_3dm_get_filter_base_rate_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_get_filter_base_rate_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_get_filter_base_rate_response_decode(
+    struct mip_3dm_get_filter_base_rate_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_get_filter_base_rate_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_get_filter_base_rate_response_encode(
+    const struct mip_3dm_get_filter_base_rate_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_get_filter_base_rate_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_3dm_get_filter_base_rate_response_decode_inline(
+    struct mip_3dm_get_filter_base_rate_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0C, 0x8A, 2);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->rate = mip_get_16(field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_3dm_get_filter_base_rate_response_encode_inline(
+    const struct mip_3dm_get_filter_base_rate_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x8A, 2, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_16(data, value->rate);
+    return MIP_OK;
+}
 /**
  * NMEA Message Format: command (0x0C,0x0C).
  *
@@ -799,34 +1222,92 @@ mip_error mip_3dm_get_filter_base_rate_response_encode(
 struct mip_3dm_nmea_message_format {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /** Number of sentences. The number of elements of format_entries. Required for write. */
     uint8_t count;
     /** Sentences to stream. Required for write. */
     struct mip_nmea_message format_entries[50];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_NMEA_MESSAGE_FORMAT 0x0C0C
 #define MIP_3DM_NMEA_MESSAGE_FORMAT_DESCRIPTOR 0x0C
 #define MIP_3DM_NMEA_MESSAGE_FORMAT_NAME "3dm.nmea_message_format"
 
-extern const struct mip_codec mip_3dm_nmea_message_format_codec;
-mip_error mip_3dm_nmea_message_format_decode(struct mip_3dm_nmea_message_format *value,
-                                             const struct mip_field *field);
-mip_error mip_3dm_nmea_message_format_encode(const struct mip_3dm_nmea_message_format *value,
-                                             struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_3dm_nmea_message_format
-mip_3dm_nmea_message_format_write(uint8_t count, const struct mip_nmea_message format_entries[]);
-/** Send the current setting back in a response. */
-struct mip_3dm_nmea_message_format mip_3dm_nmea_message_format_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_3dm_nmea_message_format mip_3dm_nmea_message_format_save(void);
-/** Load the saved setting. */
-struct mip_3dm_nmea_message_format mip_3dm_nmea_message_format_load(void);
-/** Load the factory default setting. */
-struct mip_3dm_nmea_message_format mip_3dm_nmea_message_format_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_nmea_message_format_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_nmea_message_format_decode(
+    struct mip_3dm_nmea_message_format *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_nmea_message_format_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_nmea_message_format_encode(
+    const struct mip_3dm_nmea_message_format *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_nmea_message_format_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_nmea_message_format *
+mip_3dm_nmea_message_format_write(struct mip_3dm_nmea_message_format *command, uint8_t count,
+                                  const struct mip_nmea_message format_entries[]) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->count = count;
+    mip_copy(command->format_entries, sizeof(command->format_entries), format_entries,
+             count * sizeof(format_entries[0]));
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_nmea_message_format *
+mip_3dm_nmea_message_format_read(struct mip_3dm_nmea_message_format *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_nmea_message_format *
+mip_3dm_nmea_message_format_save(struct mip_3dm_nmea_message_format *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_nmea_message_format *
+mip_3dm_nmea_message_format_load(struct mip_3dm_nmea_message_format *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_nmea_message_format *
+mip_3dm_nmea_message_format_default(struct mip_3dm_nmea_message_format *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * NMEA Message Format response: response (0x0C,0x8C).
  *
@@ -841,15 +1322,25 @@ struct mip_3dm_nmea_message_format_response {
     struct mip_nmea_message format_entries[50];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_NMEA_MESSAGE_FORMAT_RESPONSE 0x0C8C
 #define MIP_3DM_NMEA_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR 0x8C
 #define MIP_3DM_NMEA_MESSAGE_FORMAT_RESPONSE_NAME "3dm.nmea_message_format_response"
 
-extern const struct mip_codec mip_3dm_nmea_message_format_response_codec;
-mip_error mip_3dm_nmea_message_format_response_decode(
-    struct mip_3dm_nmea_message_format_response *value, const struct mip_field *field);
-mip_error mip_3dm_nmea_message_format_response_encode(
-    const struct mip_3dm_nmea_message_format_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_nmea_message_format_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_nmea_message_format_response_decode(
+    struct mip_3dm_nmea_message_format_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_nmea_message_format_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_nmea_message_format_response_encode(
+    const struct mip_3dm_nmea_message_format_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_nmea_message_format_response_codec, value, builder);
+}
 /**
  * Poll Data: command (0x0C,0x0D).
  *
@@ -878,18 +1369,43 @@ struct mip_3dm_poll_data {
     uint8_t descriptors[250];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_POLL_DATA 0x0C0D
 #define MIP_3DM_POLL_DATA_DESCRIPTOR 0x0D
 #define MIP_3DM_POLL_DATA_NAME "3dm.poll_data"
 
-extern const struct mip_codec mip_3dm_poll_data_codec;
-mip_error mip_3dm_poll_data_decode(struct mip_3dm_poll_data *value, const struct mip_field *field);
-mip_error mip_3dm_poll_data_encode(const struct mip_3dm_poll_data *value,
-                                   struct mip_builder *builder);
-/** Poll Data. */
-struct mip_3dm_poll_data mip_3dm_poll_data_make(uint8_t descriptor_set, mip_bool suppress_ack,
-                                                uint8_t num_descriptors,
-                                                const uint8_t descriptors[]);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_poll_data_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_poll_data_decode(struct mip_3dm_poll_data *value,
+                                                 const struct mip_field *field) {
+    return mip_decode(&mip_3dm_poll_data_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_poll_data_encode(const struct mip_3dm_poll_data *value,
+                                                 struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_poll_data_codec, value, builder);
+}
+/**
+ * Poll Data.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_poll_data *mip_3dm_poll_data_make(struct mip_3dm_poll_data *command,
+                                                               uint8_t descriptor_set,
+                                                               mip_bool suppress_ack,
+                                                               uint8_t num_descriptors,
+                                                               const uint8_t descriptors[]) {
+    memset(command, 0, sizeof(*command));
+    command->descriptor_set = descriptor_set;
+    command->suppress_ack = suppress_ack;
+    command->num_descriptors = num_descriptors;
+    mip_copy(command->descriptors, sizeof(command->descriptors), descriptors,
+             num_descriptors * sizeof(descriptors[0]));
+    return command;
+}
 /**
  * Get Data Base Rate: command (0x0C,0x0E).
  *
@@ -904,17 +1420,60 @@ struct mip_3dm_get_base_rate {
     uint8_t descriptor_set;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_GET_BASE_RATE 0x0C0E
 #define MIP_3DM_GET_BASE_RATE_DESCRIPTOR 0x0E
 #define MIP_3DM_GET_BASE_RATE_NAME "3dm.get_base_rate"
 
-extern const struct mip_codec mip_3dm_get_base_rate_codec;
-mip_error mip_3dm_get_base_rate_decode(struct mip_3dm_get_base_rate *value,
-                                       const struct mip_field *field);
-mip_error mip_3dm_get_base_rate_encode(const struct mip_3dm_get_base_rate *value,
-                                       struct mip_builder *builder);
-/** Get Data Base Rate. */
-struct mip_3dm_get_base_rate mip_3dm_get_base_rate_make(uint8_t descriptor_set);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_get_base_rate_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_get_base_rate_decode(struct mip_3dm_get_base_rate *value,
+                                                     const struct mip_field *field) {
+    return mip_decode(&mip_3dm_get_base_rate_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_get_base_rate_encode(const struct mip_3dm_get_base_rate *value,
+                                                     struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_get_base_rate_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_3dm_get_base_rate_decode_inline(struct mip_3dm_get_base_rate *value,
+                                                            const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0C, 0x0E, 1);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->descriptor_set = mip_get_8(field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_3dm_get_base_rate_encode_inline(
+    const struct mip_3dm_get_base_rate *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x0E, 1, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->descriptor_set);
+    return MIP_OK;
+}
+/**
+ * Get Data Base Rate.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_get_base_rate *
+mip_3dm_get_base_rate_make(struct mip_3dm_get_base_rate *command, uint8_t descriptor_set) {
+    memset(command, 0, sizeof(*command));
+    command->descriptor_set = descriptor_set;
+    return command;
+}
 /**
  * Get Data Base Rate response: response (0x0C,0x8E).
  *
@@ -929,15 +1488,51 @@ struct mip_3dm_get_base_rate_response {
     uint16_t rate;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_GET_BASE_RATE_RESPONSE 0x0C8E
 #define MIP_3DM_GET_BASE_RATE_RESPONSE_DESCRIPTOR 0x8E
 #define MIP_3DM_GET_BASE_RATE_RESPONSE_NAME "3dm.get_base_rate_response"
 
-extern const struct mip_codec mip_3dm_get_base_rate_response_codec;
-mip_error mip_3dm_get_base_rate_response_decode(struct mip_3dm_get_base_rate_response *value,
-                                                const struct mip_field *field);
-mip_error mip_3dm_get_base_rate_response_encode(const struct mip_3dm_get_base_rate_response *value,
-                                                struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_get_base_rate_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_get_base_rate_response_decode(
+    struct mip_3dm_get_base_rate_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_get_base_rate_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_get_base_rate_response_encode(
+    const struct mip_3dm_get_base_rate_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_get_base_rate_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_3dm_get_base_rate_response_decode_inline(
+    struct mip_3dm_get_base_rate_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0C, 0x8E, 3);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->descriptor_set = mip_get_8(field->data);
+    value->rate = mip_get_16(field->data + 1);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_3dm_get_base_rate_response_encode_inline(
+    const struct mip_3dm_get_base_rate_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x8E, 3, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->descriptor_set);
+    mip_put_16(data + 1, value->rate);
+    return MIP_OK;
+}
 /**
  * Message Format: command (0x0C,0x0F).
  *
@@ -957,8 +1552,8 @@ mip_error mip_3dm_get_base_rate_response_encode(const struct mip_3dm_get_base_ra
 struct mip_3dm_message_format {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /** Data descriptor set; 0 means all of them (save, load, default). */
     uint8_t descriptor_set;
     /** Number of fields. The number of elements of descriptors. Required for write. */
@@ -967,27 +1562,89 @@ struct mip_3dm_message_format {
     struct mip_descriptor_rate descriptors[83];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_MESSAGE_FORMAT 0x0C0F
 #define MIP_3DM_MESSAGE_FORMAT_DESCRIPTOR 0x0F
 #define MIP_3DM_MESSAGE_FORMAT_NAME "3dm.message_format"
 
-extern const struct mip_codec mip_3dm_message_format_codec;
-mip_error mip_3dm_message_format_decode(struct mip_3dm_message_format *value,
-                                        const struct mip_field *field);
-mip_error mip_3dm_message_format_encode(const struct mip_3dm_message_format *value,
-                                        struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_3dm_message_format
-mip_3dm_message_format_write(uint8_t descriptor_set, uint8_t num_descriptors,
-                             const struct mip_descriptor_rate descriptors[]);
-/** Send the current setting back in a response. */
-struct mip_3dm_message_format mip_3dm_message_format_read(uint8_t descriptor_set);
-/** Save the current setting to non-volatile memory. */
-struct mip_3dm_message_format mip_3dm_message_format_save(uint8_t descriptor_set);
-/** Load the saved setting. */
-struct mip_3dm_message_format mip_3dm_message_format_load(uint8_t descriptor_set);
-/** Load the factory default setting. */
-struct mip_3dm_message_format mip_3dm_message_format_default(uint8_t descriptor_set);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_message_format_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_message_format_decode(struct mip_3dm_message_format *value,
+                                                      const struct mip_field *field) {
+    return mip_decode(&mip_3dm_message_format_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_message_format_encode(const struct mip_3dm_message_format *value,
+                                                      struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_message_format_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_message_format *mip_3dm_message_format_write(
+    struct mip_3dm_message_format *command, uint8_t descriptor_set, uint8_t num_descriptors,
+    const struct mip_descriptor_rate descriptors[]) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->descriptor_set = descriptor_set;
+    command->num_descriptors = num_descriptors;
+    mip_copy(command->descriptors, sizeof(command->descriptors), descriptors,
+             num_descriptors * sizeof(descriptors[0]));
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_message_format *
+mip_3dm_message_format_read(struct mip_3dm_message_format *command, uint8_t descriptor_set) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    command->descriptor_set = descriptor_set;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_message_format *
+mip_3dm_message_format_save(struct mip_3dm_message_format *command, uint8_t descriptor_set) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    command->descriptor_set = descriptor_set;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_message_format *
+mip_3dm_message_format_load(struct mip_3dm_message_format *command, uint8_t descriptor_set) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    command->descriptor_set = descriptor_set;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_message_format *
+mip_3dm_message_format_default(struct mip_3dm_message_format *command, uint8_t descriptor_set) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    command->descriptor_set = descriptor_set;
+    return command;
+}
 /**
  * Message Format response: response (0x0C,0x8F).
  *
@@ -1004,15 +1661,25 @@ struct mip_3dm_message_format_response {
     struct mip_descriptor_rate descriptors[83];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_MESSAGE_FORMAT_RESPONSE 0x0C8F
 #define MIP_3DM_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR 0x8F
 #define MIP_3DM_MESSAGE_FORMAT_RESPONSE_NAME "3dm.message_format_response"
 
-extern const struct mip_codec mip_3dm_message_format_response_codec;
-mip_error mip_3dm_message_format_response_decode(struct mip_3dm_message_format_response *value,
-                                                 const struct mip_field *field);
-mip_error mip_3dm_message_format_response_encode(
-    const struct mip_3dm_message_format_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_message_format_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_message_format_response_decode(
+    struct mip_3dm_message_format_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_message_format_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_message_format_response_encode(
+    const struct mip_3dm_message_format_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_message_format_response_codec, value, builder);
+}
 /**
  * Factory Streaming: command (0x0C,0x10).
  *
@@ -1023,24 +1690,68 @@ mip_error mip_3dm_message_format_response_encode(
  * - 3dm-cv7-gnss-ins: Factory Streaming (0x0C,0x10)
  */
 struct mip_3dm_factory_streaming {
-    /** What happens to the present formats. */
-    mip_3dm_factory_streaming_action action;
+    /** What happens to the present formats. A value of enum mip_3dm_factory_streaming_action. */
+    uint8_t action;
     /** Reserved: send 0. */
     uint8_t reserved;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_FACTORY_STREAMING 0x0C10
 #define MIP_3DM_FACTORY_STREAMING_DESCRIPTOR 0x10
 #define MIP_3DM_FACTORY_STREAMING_NAME "3dm.factory_streaming"
 
-extern const struct mip_codec mip_3dm_factory_streaming_codec;
-mip_error mip_3dm_factory_streaming_decode(struct mip_3dm_factory_streaming *value,
-                                           const struct mip_field *field);
-mip_error mip_3dm_factory_streaming_encode(const struct mip_3dm_factory_streaming *value,
-                                           struct mip_builder *builder);
-/** Factory Streaming. */
-struct mip_3dm_factory_streaming
-mip_3dm_factory_streaming_make(mip_3dm_factory_streaming_action action);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_factory_streaming_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_factory_streaming_decode(struct mip_3dm_factory_streaming *value,
+                                                         const struct mip_field *field) {
+    return mip_decode(&mip_3dm_factory_streaming_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_factory_streaming_encode(
+    const struct mip_3dm_factory_streaming *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_factory_streaming_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_3dm_factory_streaming_decode_inline(
+    struct mip_3dm_factory_streaming *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0C, 0x10, 2);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->action = mip_get_8(field->data);
+    value->reserved = mip_get_8(field->data + 1);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_3dm_factory_streaming_encode_inline(
+    const struct mip_3dm_factory_streaming *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x10, 2, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->action);
+    mip_put_8(data + 1, value->reserved);
+    return MIP_OK;
+}
+/**
+ * Factory Streaming.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_factory_streaming *mip_3dm_factory_streaming_make(
+    struct mip_3dm_factory_streaming *command, enum mip_3dm_factory_streaming_action action) {
+    memset(command, 0, sizeof(*command));
+    command->action = (uint8_t)action;
+    return command;
+}
 /**
  * Data Stream Control: command (0x0C,0x11).
  *
@@ -1053,8 +1764,8 @@ mip_3dm_factory_streaming_make(mip_3dm_factory_streaming_action action);
  * 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15,
  * 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45 and 3DM-MV5-AR.
  *
- * 5-series devices name the stream by a number of their own (mip_3dm_legacy_data_stream), others by
- * its descriptor set.
+ * 5-series devices name the stream by a number of their own (enum mip_3dm_legacy_data_stream),
+ * others by its descriptor set.
  *
  * - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
  * - 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
@@ -1062,14 +1773,14 @@ mip_3dm_factory_streaming_make(mip_3dm_factory_streaming_action action);
 struct mip_3dm_data_stream_control {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /**
      * Data descriptor set; 0 means all streams (save, load, default). On the 3DM-CL5-15,
      * 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
      * 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
      * 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-15, 3DM-GX5-25, 3DM-GX5-35,
-     * 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of
+     * 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of enum
      * mip_3dm_legacy_data_stream.
      */
     uint8_t descriptor_set;
@@ -1077,26 +1788,86 @@ struct mip_3dm_data_stream_control {
     mip_bool enable;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_DATA_STREAM_CONTROL 0x0C11
 #define MIP_3DM_DATA_STREAM_CONTROL_DESCRIPTOR 0x11
 #define MIP_3DM_DATA_STREAM_CONTROL_NAME "3dm.data_stream_control"
 
-extern const struct mip_codec mip_3dm_data_stream_control_codec;
-mip_error mip_3dm_data_stream_control_decode(struct mip_3dm_data_stream_control *value,
-                                             const struct mip_field *field);
-mip_error mip_3dm_data_stream_control_encode(const struct mip_3dm_data_stream_control *value,
-                                             struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_3dm_data_stream_control mip_3dm_data_stream_control_write(uint8_t descriptor_set,
-                                                                     mip_bool enable);
-/** Send the current setting back in a response. */
-struct mip_3dm_data_stream_control mip_3dm_data_stream_control_read(uint8_t descriptor_set);
-/** Save the current setting to non-volatile memory. */
-struct mip_3dm_data_stream_control mip_3dm_data_stream_control_save(uint8_t descriptor_set);
-/** Load the saved setting. */
-struct mip_3dm_data_stream_control mip_3dm_data_stream_control_load(uint8_t descriptor_set);
-/** Load the factory default setting. */
-struct mip_3dm_data_stream_control mip_3dm_data_stream_control_default(uint8_t descriptor_set);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_data_stream_control_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_data_stream_control_decode(
+    struct mip_3dm_data_stream_control *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_data_stream_control_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_data_stream_control_encode(
+    const struct mip_3dm_data_stream_control *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_data_stream_control_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_write(
+    struct mip_3dm_data_stream_control *command, uint8_t descriptor_set, mip_bool enable) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->descriptor_set = descriptor_set;
+    command->enable = enable;
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_read(
+    struct mip_3dm_data_stream_control *command, uint8_t descriptor_set) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    command->descriptor_set = descriptor_set;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_save(
+    struct mip_3dm_data_stream_control *command, uint8_t descriptor_set) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    command->descriptor_set = descriptor_set;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_load(
+    struct mip_3dm_data_stream_control *command, uint8_t descriptor_set) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    command->descriptor_set = descriptor_set;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_default(
+    struct mip_3dm_data_stream_control *command, uint8_t descriptor_set) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    command->descriptor_set = descriptor_set;
+    return command;
+}
 /**
  * Data Stream Control response: response (0x0C,0x85).
  *
@@ -1116,22 +1887,58 @@ struct mip_3dm_data_stream_control_response {
      * 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15,
      * 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10,
      * 3DM-GX5-15, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST:
-     * values of mip_3dm_legacy_data_stream.
+     * values of enum mip_3dm_legacy_data_stream.
      */
     uint8_t descriptor_set;
     /** Whether the stream is sent. */
     mip_bool enabled;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_DATA_STREAM_CONTROL_RESPONSE 0x0C85
 #define MIP_3DM_DATA_STREAM_CONTROL_RESPONSE_DESCRIPTOR 0x85
 #define MIP_3DM_DATA_STREAM_CONTROL_RESPONSE_NAME "3dm.data_stream_control_response"
 
-extern const struct mip_codec mip_3dm_data_stream_control_response_codec;
-mip_error mip_3dm_data_stream_control_response_decode(
-    struct mip_3dm_data_stream_control_response *value, const struct mip_field *field);
-mip_error mip_3dm_data_stream_control_response_encode(
-    const struct mip_3dm_data_stream_control_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_data_stream_control_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_data_stream_control_response_decode(
+    struct mip_3dm_data_stream_control_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_data_stream_control_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_data_stream_control_response_encode(
+    const struct mip_3dm_data_stream_control_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_data_stream_control_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_3dm_data_stream_control_response_decode_inline(
+    struct mip_3dm_data_stream_control_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0C, 0x85, 2);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->descriptor_set = mip_get_8(field->data);
+    value->enabled = mip_get_8(field->data + 1);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_3dm_data_stream_control_response_encode_inline(
+    const struct mip_3dm_data_stream_control_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x85, 2, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->descriptor_set);
+    mip_put_8(data + 1, value->enabled);
+    return MIP_OK;
+}
 /**
  * Constellation Settings: command (0x0C,0x21).
  *
@@ -1161,8 +1968,8 @@ mip_error mip_3dm_data_stream_control_response_encode(
 struct mip_3dm_constellation_settings {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /**
      * Tracking channels in use at most; no more than the response reports as available. Unit: 1.
      * Required for write.
@@ -1176,27 +1983,85 @@ struct mip_3dm_constellation_settings {
     struct mip_3dm_constellation_settings_entry settings[41];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_CONSTELLATION_SETTINGS 0x0C21
 #define MIP_3DM_CONSTELLATION_SETTINGS_DESCRIPTOR 0x21
 #define MIP_3DM_CONSTELLATION_SETTINGS_NAME "3dm.constellation_settings"
 
-extern const struct mip_codec mip_3dm_constellation_settings_codec;
-mip_error mip_3dm_constellation_settings_decode(struct mip_3dm_constellation_settings *value,
-                                                const struct mip_field *field);
-mip_error mip_3dm_constellation_settings_encode(const struct mip_3dm_constellation_settings *value,
-                                                struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_3dm_constellation_settings
-mip_3dm_constellation_settings_write(uint16_t max_channels, uint8_t config_count,
-                                     const struct mip_3dm_constellation_settings_entry settings[]);
-/** Send the current setting back in a response. */
-struct mip_3dm_constellation_settings mip_3dm_constellation_settings_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_3dm_constellation_settings mip_3dm_constellation_settings_save(void);
-/** Load the saved setting. */
-struct mip_3dm_constellation_settings mip_3dm_constellation_settings_load(void);
-/** Load the factory default setting. */
-struct mip_3dm_constellation_settings mip_3dm_constellation_settings_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_constellation_settings_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_constellation_settings_decode(
+    struct mip_3dm_constellation_settings *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_constellation_settings_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_constellation_settings_encode(
+    const struct mip_3dm_constellation_settings *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_constellation_settings_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_constellation_settings *mip_3dm_constellation_settings_write(
+    struct mip_3dm_constellation_settings *command, uint16_t max_channels, uint8_t config_count,
+    const struct mip_3dm_constellation_settings_entry settings[]) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->max_channels = max_channels;
+    command->config_count = config_count;
+    mip_copy(command->settings, sizeof(command->settings), settings,
+             config_count * sizeof(settings[0]));
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_constellation_settings *
+mip_3dm_constellation_settings_read(struct mip_3dm_constellation_settings *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_constellation_settings *
+mip_3dm_constellation_settings_save(struct mip_3dm_constellation_settings *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_constellation_settings *
+mip_3dm_constellation_settings_load(struct mip_3dm_constellation_settings *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_constellation_settings *
+mip_3dm_constellation_settings_default(struct mip_3dm_constellation_settings *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * Constellation Settings response: response (0x0C,0xA0).
  *
@@ -1219,15 +2084,25 @@ struct mip_3dm_constellation_settings_response {
     struct mip_3dm_constellation_settings_entry settings[41];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_CONSTELLATION_SETTINGS_RESPONSE 0x0CA0
 #define MIP_3DM_CONSTELLATION_SETTINGS_RESPONSE_DESCRIPTOR 0xA0
 #define MIP_3DM_CONSTELLATION_SETTINGS_RESPONSE_NAME "3dm.constellation_settings_response"
 
-extern const struct mip_codec mip_3dm_constellation_settings_response_codec;
-mip_error mip_3dm_constellation_settings_response_decode(
-    struct mip_3dm_constellation_settings_response *value, const struct mip_field *field);
-mip_error mip_3dm_constellation_settings_response_encode(
-    const struct mip_3dm_constellation_settings_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_constellation_settings_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_constellation_settings_response_decode(
+    struct mip_3dm_constellation_settings_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_constellation_settings_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_constellation_settings_response_encode(
+    const struct mip_3dm_constellation_settings_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_constellation_settings_response_codec, value, builder);
+}
 /**
  * GNSS SBAS Settings: command (0x0C,0x22).
  *
@@ -1241,8 +2116,8 @@ mip_error mip_3dm_constellation_settings_response_encode(
 struct mip_3dm_gnss_sbas_settings {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /**
      * 1 switches SBAS on, 0 off. Range: 0 to 1. Required for write. On the 3DM-GX5-35: default 1.
      */
@@ -1261,27 +2136,86 @@ struct mip_3dm_gnss_sbas_settings {
     uint16_t included_prns[124];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_GNSS_SBAS_SETTINGS 0x0C22
 #define MIP_3DM_GNSS_SBAS_SETTINGS_DESCRIPTOR 0x22
 #define MIP_3DM_GNSS_SBAS_SETTINGS_NAME "3dm.gnss_sbas_settings"
 
-extern const struct mip_codec mip_3dm_gnss_sbas_settings_codec;
-mip_error mip_3dm_gnss_sbas_settings_decode(struct mip_3dm_gnss_sbas_settings *value,
-                                            const struct mip_field *field);
-mip_error mip_3dm_gnss_sbas_settings_encode(const struct mip_3dm_gnss_sbas_settings *value,
-                                            struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_3dm_gnss_sbas_settings
-mip_3dm_gnss_sbas_settings_write(uint8_t enable_sbas, mip_3dm_sbas_options sbas_options,
-                                 uint8_t num_included_prns, const uint16_t included_prns[]);
-/** Send the current setting back in a response. */
-struct mip_3dm_gnss_sbas_settings mip_3dm_gnss_sbas_settings_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_3dm_gnss_sbas_settings mip_3dm_gnss_sbas_settings_save(void);
-/** Load the saved setting. */
-struct mip_3dm_gnss_sbas_settings mip_3dm_gnss_sbas_settings_load(void);
-/** Load the factory default setting. */
-struct mip_3dm_gnss_sbas_settings mip_3dm_gnss_sbas_settings_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_gnss_sbas_settings_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_gnss_sbas_settings_decode(struct mip_3dm_gnss_sbas_settings *value,
+                                                          const struct mip_field *field) {
+    return mip_decode(&mip_3dm_gnss_sbas_settings_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_gnss_sbas_settings_encode(
+    const struct mip_3dm_gnss_sbas_settings *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_gnss_sbas_settings_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_gnss_sbas_settings *mip_3dm_gnss_sbas_settings_write(
+    struct mip_3dm_gnss_sbas_settings *command, uint8_t enable_sbas,
+    mip_3dm_sbas_options sbas_options, uint8_t num_included_prns, const uint16_t included_prns[]) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->enable_sbas = enable_sbas;
+    command->sbas_options = sbas_options;
+    command->num_included_prns = num_included_prns;
+    mip_copy(command->included_prns, sizeof(command->included_prns), included_prns,
+             num_included_prns * sizeof(included_prns[0]));
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_gnss_sbas_settings *
+mip_3dm_gnss_sbas_settings_read(struct mip_3dm_gnss_sbas_settings *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_gnss_sbas_settings *
+mip_3dm_gnss_sbas_settings_save(struct mip_3dm_gnss_sbas_settings *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_gnss_sbas_settings *
+mip_3dm_gnss_sbas_settings_load(struct mip_3dm_gnss_sbas_settings *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_gnss_sbas_settings *
+mip_3dm_gnss_sbas_settings_default(struct mip_3dm_gnss_sbas_settings *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * GNSS SBAS Settings response: response (0x0C,0xA1).
  *
@@ -1301,15 +2235,25 @@ struct mip_3dm_gnss_sbas_settings_response {
     uint16_t included_prns[124];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_GNSS_SBAS_SETTINGS_RESPONSE 0x0CA1
 #define MIP_3DM_GNSS_SBAS_SETTINGS_RESPONSE_DESCRIPTOR 0xA1
 #define MIP_3DM_GNSS_SBAS_SETTINGS_RESPONSE_NAME "3dm.gnss_sbas_settings_response"
 
-extern const struct mip_codec mip_3dm_gnss_sbas_settings_response_codec;
-mip_error mip_3dm_gnss_sbas_settings_response_decode(
-    struct mip_3dm_gnss_sbas_settings_response *value, const struct mip_field *field);
-mip_error mip_3dm_gnss_sbas_settings_response_encode(
-    const struct mip_3dm_gnss_sbas_settings_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_gnss_sbas_settings_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_gnss_sbas_settings_response_decode(
+    struct mip_3dm_gnss_sbas_settings_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_gnss_sbas_settings_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_gnss_sbas_settings_response_encode(
+    const struct mip_3dm_gnss_sbas_settings_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_gnss_sbas_settings_response_codec, value, builder);
+}
 /**
  * GNSS Assisted Fix: command (0x0C,0x23).
  *
@@ -1333,37 +2277,98 @@ mip_error mip_3dm_gnss_sbas_settings_response_encode(
 struct mip_3dm_gnss_assisted_fix {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /**
-     * Assisted fix. Default: MIP_3DM_ASSISTED_FIX_OPTION_NONE. Required for write. On the
-     * 3DM-GX5-35: default MIP_3DM_ASSISTED_FIX_OPTION_NONE.
+     * Assisted fix. A value of enum mip_3dm_assisted_fix_option. Default:
+     * MIP_3DM_ASSISTED_FIX_OPTION_NONE. Required for write. On the 3DM-GX5-35: default
+     * MIP_3DM_ASSISTED_FIX_OPTION_NONE.
      */
-    mip_3dm_assisted_fix_option option;
+    uint8_t option;
     /** Reserved: send 255. Required for write. On the 3DM-GX5-35: default 255. */
     uint8_t flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_GNSS_ASSISTED_FIX 0x0C23
 #define MIP_3DM_GNSS_ASSISTED_FIX_DESCRIPTOR 0x23
 #define MIP_3DM_GNSS_ASSISTED_FIX_NAME "3dm.gnss_assisted_fix"
 
-extern const struct mip_codec mip_3dm_gnss_assisted_fix_codec;
-mip_error mip_3dm_gnss_assisted_fix_decode(struct mip_3dm_gnss_assisted_fix *value,
-                                           const struct mip_field *field);
-mip_error mip_3dm_gnss_assisted_fix_encode(const struct mip_3dm_gnss_assisted_fix *value,
-                                           struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_3dm_gnss_assisted_fix
-mip_3dm_gnss_assisted_fix_write(mip_3dm_assisted_fix_option option);
-/** Send the current setting back in a response. */
-struct mip_3dm_gnss_assisted_fix mip_3dm_gnss_assisted_fix_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_3dm_gnss_assisted_fix mip_3dm_gnss_assisted_fix_save(void);
-/** Load the saved setting. */
-struct mip_3dm_gnss_assisted_fix mip_3dm_gnss_assisted_fix_load(void);
-/** Load the factory default setting. */
-struct mip_3dm_gnss_assisted_fix mip_3dm_gnss_assisted_fix_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_gnss_assisted_fix_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_gnss_assisted_fix_decode(struct mip_3dm_gnss_assisted_fix *value,
+                                                         const struct mip_field *field) {
+    return mip_decode(&mip_3dm_gnss_assisted_fix_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_gnss_assisted_fix_encode(
+    const struct mip_3dm_gnss_assisted_fix *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_gnss_assisted_fix_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_gnss_assisted_fix *mip_3dm_gnss_assisted_fix_write(
+    struct mip_3dm_gnss_assisted_fix *command, enum mip_3dm_assisted_fix_option option) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->option = (uint8_t)option;
+    command->flags = 255;
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_gnss_assisted_fix *
+mip_3dm_gnss_assisted_fix_read(struct mip_3dm_gnss_assisted_fix *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    command->flags = 255;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_gnss_assisted_fix *
+mip_3dm_gnss_assisted_fix_save(struct mip_3dm_gnss_assisted_fix *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    command->flags = 255;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_gnss_assisted_fix *
+mip_3dm_gnss_assisted_fix_load(struct mip_3dm_gnss_assisted_fix *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    command->flags = 255;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_gnss_assisted_fix *
+mip_3dm_gnss_assisted_fix_default(struct mip_3dm_gnss_assisted_fix *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    command->flags = 255;
+    return command;
+}
 /**
  * GNSS Assisted Fix response: response (0x0C,0xA2).
  *
@@ -1373,21 +2378,60 @@ struct mip_3dm_gnss_assisted_fix mip_3dm_gnss_assisted_fix_default(void);
  * - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
  */
 struct mip_3dm_gnss_assisted_fix_response {
-    /** Assisted fix. Default: MIP_3DM_ASSISTED_FIX_OPTION_NONE. */
-    mip_3dm_assisted_fix_option option;
+    /**
+     * Assisted fix. A value of enum mip_3dm_assisted_fix_option. Default:
+     * MIP_3DM_ASSISTED_FIX_OPTION_NONE.
+     */
+    uint8_t option;
     /** Reserved. */
     uint8_t flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_GNSS_ASSISTED_FIX_RESPONSE 0x0CA2
 #define MIP_3DM_GNSS_ASSISTED_FIX_RESPONSE_DESCRIPTOR 0xA2
 #define MIP_3DM_GNSS_ASSISTED_FIX_RESPONSE_NAME "3dm.gnss_assisted_fix_response"
 
-extern const struct mip_codec mip_3dm_gnss_assisted_fix_response_codec;
-mip_error mip_3dm_gnss_assisted_fix_response_decode(
-    struct mip_3dm_gnss_assisted_fix_response *value, const struct mip_field *field);
-mip_error mip_3dm_gnss_assisted_fix_response_encode(
-    const struct mip_3dm_gnss_assisted_fix_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_gnss_assisted_fix_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_gnss_assisted_fix_response_decode(
+    struct mip_3dm_gnss_assisted_fix_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_gnss_assisted_fix_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_gnss_assisted_fix_response_encode(
+    const struct mip_3dm_gnss_assisted_fix_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_gnss_assisted_fix_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_3dm_gnss_assisted_fix_response_decode_inline(
+    struct mip_3dm_gnss_assisted_fix_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0C, 0xA2, 2);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->option = mip_get_8(field->data);
+    value->flags = mip_get_8(field->data + 1);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_3dm_gnss_assisted_fix_response_encode_inline(
+    const struct mip_3dm_gnss_assisted_fix_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0C, 0xA2, 2, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->option);
+    mip_put_8(data + 1, value->flags);
+    return MIP_OK;
+}
 /**
  * GNSS Time Assistance: command (0x0C,0x24).
  *
@@ -1403,8 +2447,8 @@ mip_error mip_3dm_gnss_assisted_fix_response_encode(
 struct mip_3dm_gnss_time_assistance {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /** GPS time of week. Unit: s. Required for write. */
     double tow;
     /** GPS week number since 1980. Unit: week. Required for write. */
@@ -1413,21 +2457,51 @@ struct mip_3dm_gnss_time_assistance {
     float accuracy;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_GNSS_TIME_ASSISTANCE 0x0C24
 #define MIP_3DM_GNSS_TIME_ASSISTANCE_DESCRIPTOR 0x24
 #define MIP_3DM_GNSS_TIME_ASSISTANCE_NAME "3dm.gnss_time_assistance"
 
-extern const struct mip_codec mip_3dm_gnss_time_assistance_codec;
-mip_error mip_3dm_gnss_time_assistance_decode(struct mip_3dm_gnss_time_assistance *value,
-                                              const struct mip_field *field);
-mip_error mip_3dm_gnss_time_assistance_encode(const struct mip_3dm_gnss_time_assistance *value,
-                                              struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_3dm_gnss_time_assistance mip_3dm_gnss_time_assistance_write(double tow,
-                                                                       uint16_t week_number,
-                                                                       float accuracy);
-/** Send the current setting back in a response. */
-struct mip_3dm_gnss_time_assistance mip_3dm_gnss_time_assistance_read(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_gnss_time_assistance_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_gnss_time_assistance_decode(
+    struct mip_3dm_gnss_time_assistance *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_gnss_time_assistance_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_gnss_time_assistance_encode(
+    const struct mip_3dm_gnss_time_assistance *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_gnss_time_assistance_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_gnss_time_assistance *
+mip_3dm_gnss_time_assistance_write(struct mip_3dm_gnss_time_assistance *command, double tow,
+                                   uint16_t week_number, float accuracy) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->tow = tow;
+    command->week_number = week_number;
+    command->accuracy = accuracy;
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_gnss_time_assistance *
+mip_3dm_gnss_time_assistance_read(struct mip_3dm_gnss_time_assistance *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
 /**
  * GNSS Time Assistance response: response (0x0C,0xA3).
  *
@@ -1445,15 +2519,53 @@ struct mip_3dm_gnss_time_assistance_response {
     float accuracy;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_GNSS_TIME_ASSISTANCE_RESPONSE 0x0CA3
 #define MIP_3DM_GNSS_TIME_ASSISTANCE_RESPONSE_DESCRIPTOR 0xA3
 #define MIP_3DM_GNSS_TIME_ASSISTANCE_RESPONSE_NAME "3dm.gnss_time_assistance_response"
 
-extern const struct mip_codec mip_3dm_gnss_time_assistance_response_codec;
-mip_error mip_3dm_gnss_time_assistance_response_decode(
-    struct mip_3dm_gnss_time_assistance_response *value, const struct mip_field *field);
-mip_error mip_3dm_gnss_time_assistance_response_encode(
-    const struct mip_3dm_gnss_time_assistance_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_gnss_time_assistance_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_gnss_time_assistance_response_decode(
+    struct mip_3dm_gnss_time_assistance_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_gnss_time_assistance_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_gnss_time_assistance_response_encode(
+    const struct mip_3dm_gnss_time_assistance_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_gnss_time_assistance_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_3dm_gnss_time_assistance_response_decode_inline(
+    struct mip_3dm_gnss_time_assistance_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0C, 0xA3, 14);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_double(&value->tow, field->data);
+    value->week_number = mip_get_16(field->data + 8);
+    mip_get_float(&value->accuracy, field->data + 10);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_3dm_gnss_time_assistance_response_encode_inline(
+    const struct mip_3dm_gnss_time_assistance_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0C, 0xA3, 14, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_double(data, &value->tow);
+    mip_put_16(data + 8, value->week_number);
+    mip_put_float(data + 10, &value->accuracy);
+    return MIP_OK;
+}
 /**
  * PPS Source Control: command (0x0C,0x28).
  *
@@ -1472,35 +2584,91 @@ mip_error mip_3dm_gnss_time_assistance_response_encode(
 struct mip_3dm_pps_source_control {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /**
-     * Source of the pulse. Default: MIP_3DM_PPS_SOURCE_RECEIVER_1. Required for write. On the
-     * 3DM-CV7-AHRS and 3DM-CV7-AR: only MIP_3DM_PPS_SOURCE_DISABLED, MIP_3DM_PPS_SOURCE_GPIO and
-     * MIP_3DM_PPS_SOURCE_GENERATED.
+     * Source of the pulse. A value of enum mip_3dm_pps_source. Default:
+     * MIP_3DM_PPS_SOURCE_RECEIVER_1. Required for write. On the 3DM-CV7-AHRS and 3DM-CV7-AR: only
+     * MIP_3DM_PPS_SOURCE_DISABLED, MIP_3DM_PPS_SOURCE_GPIO and MIP_3DM_PPS_SOURCE_GENERATED.
      */
-    mip_3dm_pps_source source;
+    uint8_t source;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_PPS_SOURCE_CONTROL 0x0C28
 #define MIP_3DM_PPS_SOURCE_CONTROL_DESCRIPTOR 0x28
 #define MIP_3DM_PPS_SOURCE_CONTROL_NAME "3dm.pps_source_control"
 
-extern const struct mip_codec mip_3dm_pps_source_control_codec;
-mip_error mip_3dm_pps_source_control_decode(struct mip_3dm_pps_source_control *value,
-                                            const struct mip_field *field);
-mip_error mip_3dm_pps_source_control_encode(const struct mip_3dm_pps_source_control *value,
-                                            struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_3dm_pps_source_control mip_3dm_pps_source_control_write(mip_3dm_pps_source source);
-/** Send the current setting back in a response. */
-struct mip_3dm_pps_source_control mip_3dm_pps_source_control_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_3dm_pps_source_control mip_3dm_pps_source_control_save(void);
-/** Load the saved setting. */
-struct mip_3dm_pps_source_control mip_3dm_pps_source_control_load(void);
-/** Load the factory default setting. */
-struct mip_3dm_pps_source_control mip_3dm_pps_source_control_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_pps_source_control_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_pps_source_control_decode(struct mip_3dm_pps_source_control *value,
+                                                          const struct mip_field *field) {
+    return mip_decode(&mip_3dm_pps_source_control_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_pps_source_control_encode(
+    const struct mip_3dm_pps_source_control *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_pps_source_control_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_pps_source_control *mip_3dm_pps_source_control_write(
+    struct mip_3dm_pps_source_control *command, enum mip_3dm_pps_source source) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->source = (uint8_t)source;
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_pps_source_control *
+mip_3dm_pps_source_control_read(struct mip_3dm_pps_source_control *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_pps_source_control *
+mip_3dm_pps_source_control_save(struct mip_3dm_pps_source_control *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_pps_source_control *
+mip_3dm_pps_source_control_load(struct mip_3dm_pps_source_control *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_pps_source_control *
+mip_3dm_pps_source_control_default(struct mip_3dm_pps_source_control *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * PPS Source Control response: response (0x0C,0xA8).
  *
@@ -1510,19 +2678,56 @@ struct mip_3dm_pps_source_control mip_3dm_pps_source_control_default(void);
  * - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
  */
 struct mip_3dm_pps_source_control_response {
-    /** Source of the pulse. Default: MIP_3DM_PPS_SOURCE_RECEIVER_1. */
-    mip_3dm_pps_source source;
+    /**
+     * Source of the pulse. A value of enum mip_3dm_pps_source. Default:
+     * MIP_3DM_PPS_SOURCE_RECEIVER_1.
+     */
+    uint8_t source;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_PPS_SOURCE_CONTROL_RESPONSE 0x0CA8
 #define MIP_3DM_PPS_SOURCE_CONTROL_RESPONSE_DESCRIPTOR 0xA8
 #define MIP_3DM_PPS_SOURCE_CONTROL_RESPONSE_NAME "3dm.pps_source_control_response"
 
-extern const struct mip_codec mip_3dm_pps_source_control_response_codec;
-mip_error mip_3dm_pps_source_control_response_decode(
-    struct mip_3dm_pps_source_control_response *value, const struct mip_field *field);
-mip_error mip_3dm_pps_source_control_response_encode(
-    const struct mip_3dm_pps_source_control_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_pps_source_control_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_pps_source_control_response_decode(
+    struct mip_3dm_pps_source_control_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_pps_source_control_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_pps_source_control_response_encode(
+    const struct mip_3dm_pps_source_control_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_pps_source_control_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_3dm_pps_source_control_response_decode_inline(
+    struct mip_3dm_pps_source_control_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0C, 0xA8, 1);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->source = mip_get_8(field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_3dm_pps_source_control_response_encode_inline(
+    const struct mip_3dm_pps_source_control_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0C, 0xA8, 1, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->source);
+    return MIP_OK;
+}
 /**
  * Get Supported Events: command (0x0C,0x2A).
  *
@@ -1533,21 +2738,64 @@ mip_error mip_3dm_pps_source_control_response_encode(
  * - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
  */
 struct mip_3dm_get_event_support {
-    /** Triggers or actions. */
-    mip_3dm_event_support_query query;
+    /** Triggers or actions. A value of enum mip_3dm_event_support_query. */
+    uint8_t query;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_GET_EVENT_SUPPORT 0x0C2A
 #define MIP_3DM_GET_EVENT_SUPPORT_DESCRIPTOR 0x2A
 #define MIP_3DM_GET_EVENT_SUPPORT_NAME "3dm.get_event_support"
 
-extern const struct mip_codec mip_3dm_get_event_support_codec;
-mip_error mip_3dm_get_event_support_decode(struct mip_3dm_get_event_support *value,
-                                           const struct mip_field *field);
-mip_error mip_3dm_get_event_support_encode(const struct mip_3dm_get_event_support *value,
-                                           struct mip_builder *builder);
-/** Get Supported Events. */
-struct mip_3dm_get_event_support mip_3dm_get_event_support_make(mip_3dm_event_support_query query);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_get_event_support_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_get_event_support_decode(struct mip_3dm_get_event_support *value,
+                                                         const struct mip_field *field) {
+    return mip_decode(&mip_3dm_get_event_support_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_get_event_support_encode(
+    const struct mip_3dm_get_event_support *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_get_event_support_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_3dm_get_event_support_decode_inline(
+    struct mip_3dm_get_event_support *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0C, 0x2A, 1);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->query = mip_get_8(field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_3dm_get_event_support_encode_inline(
+    const struct mip_3dm_get_event_support *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x2A, 1, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->query);
+    return MIP_OK;
+}
+/**
+ * Get Supported Events.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_get_event_support *mip_3dm_get_event_support_make(
+    struct mip_3dm_get_event_support *command, enum mip_3dm_event_support_query query) {
+    memset(command, 0, sizeof(*command));
+    command->query = (uint8_t)query;
+    return command;
+}
 /**
  * Get Supported Events response: response (0x0C,0xB4).
  *
@@ -1556,29 +2804,39 @@ struct mip_3dm_get_event_support mip_3dm_get_event_support_make(mip_3dm_event_su
  * - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
  */
 struct mip_3dm_get_event_support_response {
-    /** Query of the command. */
-    mip_3dm_event_support_query query;
+    /** Query of the command. A value of enum mip_3dm_event_support_query. */
+    uint8_t query;
     /** Number of slots; instances go from 1 to this. Unit: 1. */
     uint8_t max_instances;
     /** Number of types. The number of elements of entries. */
     uint8_t num_entries;
     /**
-     * The types. If query is MIP_3DM_EVENT_SUPPORT_QUERY_TRIGGER_TYPES: type has values of
+     * The types. If query is MIP_3DM_EVENT_SUPPORT_QUERY_TRIGGER_TYPES: type has values of enum
      * mip_event_trigger_type. If query is MIP_3DM_EVENT_SUPPORT_QUERY_ACTION_TYPES: type has values
-     * of mip_event_action_type.
+     * of enum mip_event_action_type.
      */
     struct mip_3dm_event_support_info entries[125];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_GET_EVENT_SUPPORT_RESPONSE 0x0CB4
 #define MIP_3DM_GET_EVENT_SUPPORT_RESPONSE_DESCRIPTOR 0xB4
 #define MIP_3DM_GET_EVENT_SUPPORT_RESPONSE_NAME "3dm.get_event_support_response"
 
-extern const struct mip_codec mip_3dm_get_event_support_response_codec;
-mip_error mip_3dm_get_event_support_response_decode(
-    struct mip_3dm_get_event_support_response *value, const struct mip_field *field);
-mip_error mip_3dm_get_event_support_response_encode(
-    const struct mip_3dm_get_event_support_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_get_event_support_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_get_event_support_response_decode(
+    struct mip_3dm_get_event_support_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_get_event_support_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_get_event_support_response_encode(
+    const struct mip_3dm_get_event_support_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_get_event_support_response_codec, value, builder);
+}
 /**
  * Event Control: command (0x0C,0x2B).
  *
@@ -1596,34 +2854,97 @@ mip_error mip_3dm_get_event_support_response_encode(
 struct mip_3dm_event_control {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /** Trigger instance; 0 means all configured triggers, except for read. */
     uint8_t instance;
-    /** New mode. Default: MIP_EVENT_TRIGGER_MODE_DISABLED. Required for write. */
-    mip_event_trigger_mode mode;
+    /**
+     * New mode. A value of enum mip_event_trigger_mode. Default: MIP_EVENT_TRIGGER_MODE_DISABLED.
+     * Required for write.
+     */
+    uint8_t mode;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_EVENT_CONTROL 0x0C2B
 #define MIP_3DM_EVENT_CONTROL_DESCRIPTOR 0x2B
 #define MIP_3DM_EVENT_CONTROL_NAME "3dm.event_control"
 
-extern const struct mip_codec mip_3dm_event_control_codec;
-mip_error mip_3dm_event_control_decode(struct mip_3dm_event_control *value,
-                                       const struct mip_field *field);
-mip_error mip_3dm_event_control_encode(const struct mip_3dm_event_control *value,
-                                       struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_3dm_event_control mip_3dm_event_control_write(uint8_t instance,
-                                                         mip_event_trigger_mode mode);
-/** Send the current setting back in a response. */
-struct mip_3dm_event_control mip_3dm_event_control_read(uint8_t instance);
-/** Save the current setting to non-volatile memory. */
-struct mip_3dm_event_control mip_3dm_event_control_save(uint8_t instance);
-/** Load the saved setting. */
-struct mip_3dm_event_control mip_3dm_event_control_load(uint8_t instance);
-/** Load the factory default setting. */
-struct mip_3dm_event_control mip_3dm_event_control_default(uint8_t instance);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_event_control_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_event_control_decode(struct mip_3dm_event_control *value,
+                                                     const struct mip_field *field) {
+    return mip_decode(&mip_3dm_event_control_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_event_control_encode(const struct mip_3dm_event_control *value,
+                                                     struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_event_control_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_event_control *mip_3dm_event_control_write(
+    struct mip_3dm_event_control *command, uint8_t instance, enum mip_event_trigger_mode mode) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->instance = instance;
+    command->mode = (uint8_t)mode;
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_event_control *
+mip_3dm_event_control_read(struct mip_3dm_event_control *command, uint8_t instance) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    command->instance = instance;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_event_control *
+mip_3dm_event_control_save(struct mip_3dm_event_control *command, uint8_t instance) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    command->instance = instance;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_event_control *
+mip_3dm_event_control_load(struct mip_3dm_event_control *command, uint8_t instance) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    command->instance = instance;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_event_control *
+mip_3dm_event_control_default(struct mip_3dm_event_control *command, uint8_t instance) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    command->instance = instance;
+    return command;
+}
 /**
  * Event Control response: response (0x0C,0xB5).
  *
@@ -1634,19 +2955,57 @@ struct mip_3dm_event_control mip_3dm_event_control_default(uint8_t instance);
 struct mip_3dm_event_control_response {
     /** Trigger instance; 0 means all configured triggers, except for read. */
     uint8_t instance;
-    /** New mode. Default: MIP_EVENT_TRIGGER_MODE_DISABLED. */
-    mip_event_trigger_mode mode;
+    /**
+     * New mode. A value of enum mip_event_trigger_mode. Default: MIP_EVENT_TRIGGER_MODE_DISABLED.
+     */
+    uint8_t mode;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_EVENT_CONTROL_RESPONSE 0x0CB5
 #define MIP_3DM_EVENT_CONTROL_RESPONSE_DESCRIPTOR 0xB5
 #define MIP_3DM_EVENT_CONTROL_RESPONSE_NAME "3dm.event_control_response"
 
-extern const struct mip_codec mip_3dm_event_control_response_codec;
-mip_error mip_3dm_event_control_response_decode(struct mip_3dm_event_control_response *value,
-                                                const struct mip_field *field);
-mip_error mip_3dm_event_control_response_encode(const struct mip_3dm_event_control_response *value,
-                                                struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_event_control_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_event_control_response_decode(
+    struct mip_3dm_event_control_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_event_control_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_event_control_response_encode(
+    const struct mip_3dm_event_control_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_event_control_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_3dm_event_control_response_decode_inline(
+    struct mip_3dm_event_control_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0C, 0xB5, 2);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->instance = mip_get_8(field->data);
+    value->mode = mip_get_8(field->data + 1);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_3dm_event_control_response_encode_inline(
+    const struct mip_3dm_event_control_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0C, 0xB5, 2, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->instance);
+    mip_put_8(data + 1, value->mode);
+    return MIP_OK;
+}
 /**
  * Get Event Trigger Status: command (0x0C,0x2C).
  *
@@ -1666,18 +3025,39 @@ struct mip_3dm_get_event_trigger_status {
     uint8_t requested_instances[252];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_GET_EVENT_TRIGGER_STATUS 0x0C2C
 #define MIP_3DM_GET_EVENT_TRIGGER_STATUS_DESCRIPTOR 0x2C
 #define MIP_3DM_GET_EVENT_TRIGGER_STATUS_NAME "3dm.get_event_trigger_status"
 
-extern const struct mip_codec mip_3dm_get_event_trigger_status_codec;
-mip_error mip_3dm_get_event_trigger_status_decode(struct mip_3dm_get_event_trigger_status *value,
-                                                  const struct mip_field *field);
-mip_error mip_3dm_get_event_trigger_status_encode(
-    const struct mip_3dm_get_event_trigger_status *value, struct mip_builder *builder);
-/** Get Event Trigger Status. */
-struct mip_3dm_get_event_trigger_status
-mip_3dm_get_event_trigger_status_make(uint8_t requested_count, const uint8_t requested_instances[]);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_get_event_trigger_status_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_get_event_trigger_status_decode(
+    struct mip_3dm_get_event_trigger_status *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_get_event_trigger_status_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_get_event_trigger_status_encode(
+    const struct mip_3dm_get_event_trigger_status *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_get_event_trigger_status_codec, value, builder);
+}
+/**
+ * Get Event Trigger Status.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_get_event_trigger_status *mip_3dm_get_event_trigger_status_make(
+    struct mip_3dm_get_event_trigger_status *command, uint8_t requested_count,
+    const uint8_t requested_instances[]) {
+    memset(command, 0, sizeof(*command));
+    command->requested_count = requested_count;
+    mip_copy(command->requested_instances, sizeof(command->requested_instances),
+             requested_instances, requested_count * sizeof(requested_instances[0]));
+    return command;
+}
 /**
  * Get Event Trigger Status response: response (0x0C,0xB6).
  *
@@ -1692,15 +3072,25 @@ struct mip_3dm_get_event_trigger_status_response {
     struct mip_3dm_event_trigger_status_entry triggers[126];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_GET_EVENT_TRIGGER_STATUS_RESPONSE 0x0CB6
 #define MIP_3DM_GET_EVENT_TRIGGER_STATUS_RESPONSE_DESCRIPTOR 0xB6
 #define MIP_3DM_GET_EVENT_TRIGGER_STATUS_RESPONSE_NAME "3dm.get_event_trigger_status_response"
 
-extern const struct mip_codec mip_3dm_get_event_trigger_status_response_codec;
-mip_error mip_3dm_get_event_trigger_status_response_decode(
-    struct mip_3dm_get_event_trigger_status_response *value, const struct mip_field *field);
-mip_error mip_3dm_get_event_trigger_status_response_encode(
-    const struct mip_3dm_get_event_trigger_status_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_get_event_trigger_status_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_get_event_trigger_status_response_decode(
+    struct mip_3dm_get_event_trigger_status_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_get_event_trigger_status_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_get_event_trigger_status_response_encode(
+    const struct mip_3dm_get_event_trigger_status_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_get_event_trigger_status_response_codec, value, builder);
+}
 /**
  * Get Event Action Status: command (0x0C,0x2D).
  *
@@ -1720,18 +3110,39 @@ struct mip_3dm_get_event_action_status {
     uint8_t requested_instances[252];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_GET_EVENT_ACTION_STATUS 0x0C2D
 #define MIP_3DM_GET_EVENT_ACTION_STATUS_DESCRIPTOR 0x2D
 #define MIP_3DM_GET_EVENT_ACTION_STATUS_NAME "3dm.get_event_action_status"
 
-extern const struct mip_codec mip_3dm_get_event_action_status_codec;
-mip_error mip_3dm_get_event_action_status_decode(struct mip_3dm_get_event_action_status *value,
-                                                 const struct mip_field *field);
-mip_error mip_3dm_get_event_action_status_encode(
-    const struct mip_3dm_get_event_action_status *value, struct mip_builder *builder);
-/** Get Event Action Status. */
-struct mip_3dm_get_event_action_status
-mip_3dm_get_event_action_status_make(uint8_t requested_count, const uint8_t requested_instances[]);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_get_event_action_status_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_get_event_action_status_decode(
+    struct mip_3dm_get_event_action_status *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_get_event_action_status_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_get_event_action_status_encode(
+    const struct mip_3dm_get_event_action_status *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_get_event_action_status_codec, value, builder);
+}
+/**
+ * Get Event Action Status.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_get_event_action_status *
+mip_3dm_get_event_action_status_make(struct mip_3dm_get_event_action_status *command,
+                                     uint8_t requested_count, const uint8_t requested_instances[]) {
+    memset(command, 0, sizeof(*command));
+    command->requested_count = requested_count;
+    mip_copy(command->requested_instances, sizeof(command->requested_instances),
+             requested_instances, requested_count * sizeof(requested_instances[0]));
+    return command;
+}
 /**
  * Get Event Action Status response: response (0x0C,0xB7).
  *
@@ -1746,15 +3157,25 @@ struct mip_3dm_get_event_action_status_response {
     struct mip_3dm_event_action_status_entry actions[126];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_GET_EVENT_ACTION_STATUS_RESPONSE 0x0CB7
 #define MIP_3DM_GET_EVENT_ACTION_STATUS_RESPONSE_DESCRIPTOR 0xB7
 #define MIP_3DM_GET_EVENT_ACTION_STATUS_RESPONSE_NAME "3dm.get_event_action_status_response"
 
-extern const struct mip_codec mip_3dm_get_event_action_status_response_codec;
-mip_error mip_3dm_get_event_action_status_response_decode(
-    struct mip_3dm_get_event_action_status_response *value, const struct mip_field *field);
-mip_error mip_3dm_get_event_action_status_response_encode(
-    const struct mip_3dm_get_event_action_status_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_get_event_action_status_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_get_event_action_status_response_decode(
+    struct mip_3dm_get_event_action_status_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_get_event_action_status_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_get_event_action_status_response_encode(
+    const struct mip_3dm_get_event_action_status_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_get_event_action_status_response_codec, value, builder);
+}
 /** The member of mip_3dm_event_trigger_config that `type` selects. */
 union mip_3dm_event_trigger_config_parameters {
     /** If type is MIP_EVENT_TRIGGER_TYPE_GPIO. Watches a GPIO pin. */
@@ -1788,12 +3209,15 @@ union mip_3dm_event_trigger_config_parameters {
 struct mip_3dm_event_trigger_config {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /** Trigger instance; 0 means all (save, load, default). */
     uint8_t instance;
-    /** Kind of trigger. Default: MIP_EVENT_TRIGGER_TYPE_NONE. Required for write. */
-    mip_event_trigger_type type;
+    /**
+     * Kind of trigger. A value of enum mip_event_trigger_type. Default:
+     * MIP_EVENT_TRIGGER_TYPE_NONE. Required for write.
+     */
+    uint8_t type;
     /**
      * The condition. Selected by type. Required for write. Empty if type is
      * MIP_EVENT_TRIGGER_TYPE_NONE.
@@ -1801,27 +3225,91 @@ struct mip_3dm_event_trigger_config {
     union mip_3dm_event_trigger_config_parameters parameters;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_EVENT_TRIGGER_CONFIG 0x0C2E
 #define MIP_3DM_EVENT_TRIGGER_CONFIG_DESCRIPTOR 0x2E
 #define MIP_3DM_EVENT_TRIGGER_CONFIG_NAME "3dm.event_trigger_config"
 
-extern const struct mip_codec mip_3dm_event_trigger_config_codec;
-mip_error mip_3dm_event_trigger_config_decode(struct mip_3dm_event_trigger_config *value,
-                                              const struct mip_field *field);
-mip_error mip_3dm_event_trigger_config_encode(const struct mip_3dm_event_trigger_config *value,
-                                              struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_3dm_event_trigger_config
-mip_3dm_event_trigger_config_write(uint8_t instance, mip_event_trigger_type type,
-                                   const union mip_3dm_event_trigger_config_parameters *parameters);
-/** Send the current setting back in a response. */
-struct mip_3dm_event_trigger_config mip_3dm_event_trigger_config_read(uint8_t instance);
-/** Save the current setting to non-volatile memory. */
-struct mip_3dm_event_trigger_config mip_3dm_event_trigger_config_save(uint8_t instance);
-/** Load the saved setting. */
-struct mip_3dm_event_trigger_config mip_3dm_event_trigger_config_load(uint8_t instance);
-/** Load the factory default setting. */
-struct mip_3dm_event_trigger_config mip_3dm_event_trigger_config_default(uint8_t instance);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_event_trigger_config_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_event_trigger_config_decode(
+    struct mip_3dm_event_trigger_config *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_event_trigger_config_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_event_trigger_config_encode(
+    const struct mip_3dm_event_trigger_config *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_event_trigger_config_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_event_trigger_config *mip_3dm_event_trigger_config_write(
+    struct mip_3dm_event_trigger_config *command, uint8_t instance,
+    enum mip_event_trigger_type type,
+    const union mip_3dm_event_trigger_config_parameters *parameters) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->instance = instance;
+    command->type = (uint8_t)type;
+    if (parameters != NULL) {
+        command->parameters = *parameters;
+    }
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_event_trigger_config *
+mip_3dm_event_trigger_config_read(struct mip_3dm_event_trigger_config *command, uint8_t instance) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    command->instance = instance;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_event_trigger_config *
+mip_3dm_event_trigger_config_save(struct mip_3dm_event_trigger_config *command, uint8_t instance) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    command->instance = instance;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_event_trigger_config *
+mip_3dm_event_trigger_config_load(struct mip_3dm_event_trigger_config *command, uint8_t instance) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    command->instance = instance;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_event_trigger_config *mip_3dm_event_trigger_config_default(
+    struct mip_3dm_event_trigger_config *command, uint8_t instance) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    command->instance = instance;
+    return command;
+}
 /** The member of mip_3dm_event_trigger_config_response that `type` selects. */
 union mip_3dm_event_trigger_config_response_parameters {
     /** If type is MIP_EVENT_TRIGGER_TYPE_GPIO. Watches a GPIO pin. */
@@ -1849,21 +3337,34 @@ union mip_3dm_event_trigger_config_response_parameters {
 struct mip_3dm_event_trigger_config_response {
     /** Trigger instance; 0 means all (save, load, default). */
     uint8_t instance;
-    /** Kind of trigger. Default: MIP_EVENT_TRIGGER_TYPE_NONE. */
-    mip_event_trigger_type type;
+    /**
+     * Kind of trigger. A value of enum mip_event_trigger_type. Default:
+     * MIP_EVENT_TRIGGER_TYPE_NONE.
+     */
+    uint8_t type;
     /** The condition. Selected by type. Empty if type is MIP_EVENT_TRIGGER_TYPE_NONE. */
     union mip_3dm_event_trigger_config_response_parameters parameters;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_EVENT_TRIGGER_CONFIG_RESPONSE 0x0CB8
 #define MIP_3DM_EVENT_TRIGGER_CONFIG_RESPONSE_DESCRIPTOR 0xB8
 #define MIP_3DM_EVENT_TRIGGER_CONFIG_RESPONSE_NAME "3dm.event_trigger_config_response"
 
-extern const struct mip_codec mip_3dm_event_trigger_config_response_codec;
-mip_error mip_3dm_event_trigger_config_response_decode(
-    struct mip_3dm_event_trigger_config_response *value, const struct mip_field *field);
-mip_error mip_3dm_event_trigger_config_response_encode(
-    const struct mip_3dm_event_trigger_config_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_event_trigger_config_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_event_trigger_config_response_decode(
+    struct mip_3dm_event_trigger_config_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_event_trigger_config_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_event_trigger_config_response_encode(
+    const struct mip_3dm_event_trigger_config_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_event_trigger_config_response_codec, value, builder);
+}
 /** The member of mip_3dm_event_action_config that `type` selects. */
 union mip_3dm_event_action_config_parameters {
     /** If type is MIP_EVENT_ACTION_TYPE_GPIO. Controls a GPIO pin. */
@@ -1889,14 +3390,17 @@ union mip_3dm_event_action_config_parameters {
 struct mip_3dm_event_action_config {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /** Action instance; 0 means all (save, load, default). */
     uint8_t instance;
     /** Trigger instance that the action follows. Required for write. */
     uint8_t trigger;
-    /** Kind of action. Default: MIP_EVENT_ACTION_TYPE_NONE. Required for write. */
-    mip_event_action_type type;
+    /**
+     * Kind of action. A value of enum mip_event_action_type. Default: MIP_EVENT_ACTION_TYPE_NONE.
+     * Required for write.
+     */
+    uint8_t type;
     /**
      * The effect. Selected by type. Required for write. Empty if type is
      * MIP_EVENT_ACTION_TYPE_NONE.
@@ -1904,27 +3408,92 @@ struct mip_3dm_event_action_config {
     union mip_3dm_event_action_config_parameters parameters;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_EVENT_ACTION_CONFIG 0x0C2F
 #define MIP_3DM_EVENT_ACTION_CONFIG_DESCRIPTOR 0x2F
 #define MIP_3DM_EVENT_ACTION_CONFIG_NAME "3dm.event_action_config"
 
-extern const struct mip_codec mip_3dm_event_action_config_codec;
-mip_error mip_3dm_event_action_config_decode(struct mip_3dm_event_action_config *value,
-                                             const struct mip_field *field);
-mip_error mip_3dm_event_action_config_encode(const struct mip_3dm_event_action_config *value,
-                                             struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_3dm_event_action_config
-mip_3dm_event_action_config_write(uint8_t instance, uint8_t trigger, mip_event_action_type type,
-                                  const union mip_3dm_event_action_config_parameters *parameters);
-/** Send the current setting back in a response. */
-struct mip_3dm_event_action_config mip_3dm_event_action_config_read(uint8_t instance);
-/** Save the current setting to non-volatile memory. */
-struct mip_3dm_event_action_config mip_3dm_event_action_config_save(uint8_t instance);
-/** Load the saved setting. */
-struct mip_3dm_event_action_config mip_3dm_event_action_config_load(uint8_t instance);
-/** Load the factory default setting. */
-struct mip_3dm_event_action_config mip_3dm_event_action_config_default(uint8_t instance);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_event_action_config_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_event_action_config_decode(
+    struct mip_3dm_event_action_config *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_event_action_config_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_event_action_config_encode(
+    const struct mip_3dm_event_action_config *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_event_action_config_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_event_action_config *
+mip_3dm_event_action_config_write(struct mip_3dm_event_action_config *command, uint8_t instance,
+                                  uint8_t trigger, enum mip_event_action_type type,
+                                  const union mip_3dm_event_action_config_parameters *parameters) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->instance = instance;
+    command->trigger = trigger;
+    command->type = (uint8_t)type;
+    if (parameters != NULL) {
+        command->parameters = *parameters;
+    }
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_event_action_config *
+mip_3dm_event_action_config_read(struct mip_3dm_event_action_config *command, uint8_t instance) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    command->instance = instance;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_event_action_config *
+mip_3dm_event_action_config_save(struct mip_3dm_event_action_config *command, uint8_t instance) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    command->instance = instance;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_event_action_config *
+mip_3dm_event_action_config_load(struct mip_3dm_event_action_config *command, uint8_t instance) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    command->instance = instance;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_event_action_config *
+mip_3dm_event_action_config_default(struct mip_3dm_event_action_config *command, uint8_t instance) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    command->instance = instance;
+    return command;
+}
 /** The member of mip_3dm_event_action_config_response that `type` selects. */
 union mip_3dm_event_action_config_response_parameters {
     /** If type is MIP_EVENT_ACTION_TYPE_GPIO. Controls a GPIO pin. */
@@ -1946,21 +3515,33 @@ struct mip_3dm_event_action_config_response {
     uint8_t instance;
     /** Trigger instance that the action follows. */
     uint8_t trigger;
-    /** Kind of action. Default: MIP_EVENT_ACTION_TYPE_NONE. */
-    mip_event_action_type type;
+    /**
+     * Kind of action. A value of enum mip_event_action_type. Default: MIP_EVENT_ACTION_TYPE_NONE.
+     */
+    uint8_t type;
     /** The effect. Selected by type. Empty if type is MIP_EVENT_ACTION_TYPE_NONE. */
     union mip_3dm_event_action_config_response_parameters parameters;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_EVENT_ACTION_CONFIG_RESPONSE 0x0CB9
 #define MIP_3DM_EVENT_ACTION_CONFIG_RESPONSE_DESCRIPTOR 0xB9
 #define MIP_3DM_EVENT_ACTION_CONFIG_RESPONSE_NAME "3dm.event_action_config_response"
 
-extern const struct mip_codec mip_3dm_event_action_config_response_codec;
-mip_error mip_3dm_event_action_config_response_decode(
-    struct mip_3dm_event_action_config_response *value, const struct mip_field *field);
-mip_error mip_3dm_event_action_config_response_encode(
-    const struct mip_3dm_event_action_config_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_event_action_config_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_event_action_config_response_decode(
+    struct mip_3dm_event_action_config_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_event_action_config_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_event_action_config_response_encode(
+    const struct mip_3dm_event_action_config_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_event_action_config_response_codec, value, builder);
+}
 /**
  * Device Start Up Settings: command (0x0C,0x30).
  *
@@ -1976,25 +3557,86 @@ mip_error mip_3dm_event_action_config_response_encode(
  * - 3dm-cv7-gnss-ins: Device Start Up Settings (0x0C,0x30)
  */
 struct mip_3dm_device_settings {
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_DEVICE_SETTINGS 0x0C30
 #define MIP_3DM_DEVICE_SETTINGS_DESCRIPTOR 0x30
 #define MIP_3DM_DEVICE_SETTINGS_NAME "3dm.device_settings"
 
-extern const struct mip_codec mip_3dm_device_settings_codec;
-mip_error mip_3dm_device_settings_decode(struct mip_3dm_device_settings *value,
-                                         const struct mip_field *field);
-mip_error mip_3dm_device_settings_encode(const struct mip_3dm_device_settings *value,
-                                         struct mip_builder *builder);
-/** Save the current setting to non-volatile memory. */
-struct mip_3dm_device_settings mip_3dm_device_settings_save(void);
-/** Load the saved setting. */
-struct mip_3dm_device_settings mip_3dm_device_settings_load(void);
-/** Load the factory default setting. */
-struct mip_3dm_device_settings mip_3dm_device_settings_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_device_settings_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_device_settings_decode(struct mip_3dm_device_settings *value,
+                                                       const struct mip_field *field) {
+    return mip_decode(&mip_3dm_device_settings_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_device_settings_encode(const struct mip_3dm_device_settings *value,
+                                                       struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_device_settings_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_3dm_device_settings_decode_inline(struct mip_3dm_device_settings *value,
+                                                              const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0C, 0x30, 1);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->function = mip_get_8(field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_3dm_device_settings_encode_inline(
+    const struct mip_3dm_device_settings *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x30, 1, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->function);
+    return MIP_OK;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_device_settings *
+mip_3dm_device_settings_save(struct mip_3dm_device_settings *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_device_settings *
+mip_3dm_device_settings_load(struct mip_3dm_device_settings *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_device_settings *
+mip_3dm_device_settings_default(struct mip_3dm_device_settings *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * Sensor-to-Vehicle Frame Transformation Euler: command (0x0C,0x31).
  *
@@ -2024,8 +3666,8 @@ struct mip_3dm_device_settings mip_3dm_device_settings_default(void);
 struct mip_3dm_sensor_to_vehicle_transform_euler {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /** Rotation about the x axis. Unit: rad. Required for write. */
     float roll;
     /** Rotation about the y axis. Unit: rad. Required for write. */
@@ -2034,30 +3676,88 @@ struct mip_3dm_sensor_to_vehicle_transform_euler {
     float yaw;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER 0x0C31
 #define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_DESCRIPTOR 0x31
 #define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_NAME "3dm.sensor_to_vehicle_transform_euler"
 
-extern const struct mip_codec mip_3dm_sensor_to_vehicle_transform_euler_codec;
-mip_error mip_3dm_sensor_to_vehicle_transform_euler_decode(
-    struct mip_3dm_sensor_to_vehicle_transform_euler *value, const struct mip_field *field);
-mip_error mip_3dm_sensor_to_vehicle_transform_euler_encode(
-    const struct mip_3dm_sensor_to_vehicle_transform_euler *value, struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_3dm_sensor_to_vehicle_transform_euler
-mip_3dm_sensor_to_vehicle_transform_euler_write(float roll, float pitch, float yaw);
-/** Send the current setting back in a response. */
-struct mip_3dm_sensor_to_vehicle_transform_euler
-mip_3dm_sensor_to_vehicle_transform_euler_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_3dm_sensor_to_vehicle_transform_euler
-mip_3dm_sensor_to_vehicle_transform_euler_save(void);
-/** Load the saved setting. */
-struct mip_3dm_sensor_to_vehicle_transform_euler
-mip_3dm_sensor_to_vehicle_transform_euler_load(void);
-/** Load the factory default setting. */
-struct mip_3dm_sensor_to_vehicle_transform_euler
-mip_3dm_sensor_to_vehicle_transform_euler_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_transform_euler_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_sensor_to_vehicle_transform_euler_decode(
+    struct mip_3dm_sensor_to_vehicle_transform_euler *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_sensor_to_vehicle_transform_euler_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_sensor_to_vehicle_transform_euler_encode(
+    const struct mip_3dm_sensor_to_vehicle_transform_euler *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_sensor_to_vehicle_transform_euler_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_sensor_to_vehicle_transform_euler *
+mip_3dm_sensor_to_vehicle_transform_euler_write(
+    struct mip_3dm_sensor_to_vehicle_transform_euler *command, float roll, float pitch, float yaw) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->roll = roll;
+    command->pitch = pitch;
+    command->yaw = yaw;
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_sensor_to_vehicle_transform_euler *
+mip_3dm_sensor_to_vehicle_transform_euler_read(
+    struct mip_3dm_sensor_to_vehicle_transform_euler *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_sensor_to_vehicle_transform_euler *
+mip_3dm_sensor_to_vehicle_transform_euler_save(
+    struct mip_3dm_sensor_to_vehicle_transform_euler *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_sensor_to_vehicle_transform_euler *
+mip_3dm_sensor_to_vehicle_transform_euler_load(
+    struct mip_3dm_sensor_to_vehicle_transform_euler *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_sensor_to_vehicle_transform_euler *
+mip_3dm_sensor_to_vehicle_transform_euler_default(
+    struct mip_3dm_sensor_to_vehicle_transform_euler *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * Sensor-to-Vehicle Frame Transformation Euler response: response (0x0C,0xB1).
  *
@@ -2075,18 +3775,59 @@ struct mip_3dm_sensor_to_vehicle_transform_euler_response {
     float yaw;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_RESPONSE 0x0CB1
 #define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_RESPONSE_DESCRIPTOR 0xB1
 #define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_RESPONSE_NAME \
     "3dm.sensor_to_vehicle_transform_euler_response"
 
-extern const struct mip_codec mip_3dm_sensor_to_vehicle_transform_euler_response_codec;
-mip_error mip_3dm_sensor_to_vehicle_transform_euler_response_decode(
-    struct mip_3dm_sensor_to_vehicle_transform_euler_response *value,
-    const struct mip_field *field);
-mip_error mip_3dm_sensor_to_vehicle_transform_euler_response_encode(
-    const struct mip_3dm_sensor_to_vehicle_transform_euler_response *value,
-    struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_transform_euler_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_sensor_to_vehicle_transform_euler_response_decode(
+    struct mip_3dm_sensor_to_vehicle_transform_euler_response *value,
+    const struct mip_field *field) {
+    return mip_decode(&mip_3dm_sensor_to_vehicle_transform_euler_response_codec, value, field,
+                      NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_sensor_to_vehicle_transform_euler_response_encode(
+    const struct mip_3dm_sensor_to_vehicle_transform_euler_response *value,
+    struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_sensor_to_vehicle_transform_euler_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_3dm_sensor_to_vehicle_transform_euler_response_decode_inline(
+    struct mip_3dm_sensor_to_vehicle_transform_euler_response *value,
+    const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0C, 0xB1, 12);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_float(&value->roll, field->data);
+    mip_get_float(&value->pitch, field->data + 4);
+    mip_get_float(&value->yaw, field->data + 8);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_3dm_sensor_to_vehicle_transform_euler_response_encode_inline(
+    const struct mip_3dm_sensor_to_vehicle_transform_euler_response *value,
+    struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0C, 0xB1, 12, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_float(data, &value->roll);
+    mip_put_float(data + 4, &value->pitch);
+    mip_put_float(data + 8, &value->yaw);
+    return MIP_OK;
+}
 /**
  * Sensor-to-Vehicle Frame Transformation Quaternion: command (0x0C,0x32).
  *
@@ -2109,8 +3850,8 @@ mip_error mip_3dm_sensor_to_vehicle_transform_euler_response_encode(
 struct mip_3dm_sensor_to_vehicle_transform_quaternion {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /**
      * Unit quaternion that transforms vectors from the sensor frame to the vehicle frame. Elements:
      * w, x, y, z. Unit: 1. Required for write.
@@ -2118,32 +3859,88 @@ struct mip_3dm_sensor_to_vehicle_transform_quaternion {
     float q[4];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION 0x0C32
 #define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_DESCRIPTOR 0x32
 #define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_NAME \
     "3dm.sensor_to_vehicle_transform_quaternion"
 
-extern const struct mip_codec mip_3dm_sensor_to_vehicle_transform_quaternion_codec;
-mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_decode(
-    struct mip_3dm_sensor_to_vehicle_transform_quaternion *value, const struct mip_field *field);
-mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_encode(
-    const struct mip_3dm_sensor_to_vehicle_transform_quaternion *value,
-    struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_3dm_sensor_to_vehicle_transform_quaternion
-mip_3dm_sensor_to_vehicle_transform_quaternion_write(const float q[4]);
-/** Send the current setting back in a response. */
-struct mip_3dm_sensor_to_vehicle_transform_quaternion
-mip_3dm_sensor_to_vehicle_transform_quaternion_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_3dm_sensor_to_vehicle_transform_quaternion
-mip_3dm_sensor_to_vehicle_transform_quaternion_save(void);
-/** Load the saved setting. */
-struct mip_3dm_sensor_to_vehicle_transform_quaternion
-mip_3dm_sensor_to_vehicle_transform_quaternion_load(void);
-/** Load the factory default setting. */
-struct mip_3dm_sensor_to_vehicle_transform_quaternion
-mip_3dm_sensor_to_vehicle_transform_quaternion_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_transform_quaternion_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_decode(
+    struct mip_3dm_sensor_to_vehicle_transform_quaternion *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_sensor_to_vehicle_transform_quaternion_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_encode(
+    const struct mip_3dm_sensor_to_vehicle_transform_quaternion *value,
+    struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_sensor_to_vehicle_transform_quaternion_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_sensor_to_vehicle_transform_quaternion *
+mip_3dm_sensor_to_vehicle_transform_quaternion_write(
+    struct mip_3dm_sensor_to_vehicle_transform_quaternion *command, const float q[4]) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    memcpy(command->q, q, sizeof(command->q));
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_sensor_to_vehicle_transform_quaternion *
+mip_3dm_sensor_to_vehicle_transform_quaternion_read(
+    struct mip_3dm_sensor_to_vehicle_transform_quaternion *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_sensor_to_vehicle_transform_quaternion *
+mip_3dm_sensor_to_vehicle_transform_quaternion_save(
+    struct mip_3dm_sensor_to_vehicle_transform_quaternion *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_sensor_to_vehicle_transform_quaternion *
+mip_3dm_sensor_to_vehicle_transform_quaternion_load(
+    struct mip_3dm_sensor_to_vehicle_transform_quaternion *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_sensor_to_vehicle_transform_quaternion *
+mip_3dm_sensor_to_vehicle_transform_quaternion_default(
+    struct mip_3dm_sensor_to_vehicle_transform_quaternion *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * Sensor-to-Vehicle Frame Transformation Quaternion response: response (0x0C,0xB2).
  *
@@ -2160,18 +3957,60 @@ struct mip_3dm_sensor_to_vehicle_transform_quaternion_response {
     float q[4];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_RESPONSE 0x0CB2
 #define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_RESPONSE_DESCRIPTOR 0xB2
 #define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_RESPONSE_NAME \
     "3dm.sensor_to_vehicle_transform_quaternion_response"
 
-extern const struct mip_codec mip_3dm_sensor_to_vehicle_transform_quaternion_response_codec;
-mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_response_decode(
-    struct mip_3dm_sensor_to_vehicle_transform_quaternion_response *value,
-    const struct mip_field *field);
-mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_response_encode(
-    const struct mip_3dm_sensor_to_vehicle_transform_quaternion_response *value,
-    struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_transform_quaternion_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_response_decode(
+    struct mip_3dm_sensor_to_vehicle_transform_quaternion_response *value,
+    const struct mip_field *field) {
+    return mip_decode(&mip_3dm_sensor_to_vehicle_transform_quaternion_response_codec, value, field,
+                      NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_response_encode(
+    const struct mip_3dm_sensor_to_vehicle_transform_quaternion_response *value,
+    struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_sensor_to_vehicle_transform_quaternion_response_codec, value,
+                      builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_response_decode_inline(
+    struct mip_3dm_sensor_to_vehicle_transform_quaternion_response *value,
+    const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0C, 0xB2, 16);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 4; i++) {
+        mip_get_float(&value->q[i], field->data + 4 * i);
+    }
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_response_encode_inline(
+    const struct mip_3dm_sensor_to_vehicle_transform_quaternion_response *value,
+    struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0C, 0xB2, 16, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 4; i++) {
+        mip_put_float(data + 4 * i, &value->q[i]);
+    }
+    return MIP_OK;
+}
 /**
  * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix: command (0x0C,0x33).
  *
@@ -2193,8 +4032,8 @@ mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_response_encode(
 struct mip_3dm_sensor_to_vehicle_transform_dcm {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /**
      * The matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
      * 1. Required for write.
@@ -2202,27 +4041,86 @@ struct mip_3dm_sensor_to_vehicle_transform_dcm {
     float dcm[9];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM 0x0C33
 #define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_DESCRIPTOR 0x33
 #define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_NAME "3dm.sensor_to_vehicle_transform_dcm"
 
-extern const struct mip_codec mip_3dm_sensor_to_vehicle_transform_dcm_codec;
-mip_error mip_3dm_sensor_to_vehicle_transform_dcm_decode(
-    struct mip_3dm_sensor_to_vehicle_transform_dcm *value, const struct mip_field *field);
-mip_error mip_3dm_sensor_to_vehicle_transform_dcm_encode(
-    const struct mip_3dm_sensor_to_vehicle_transform_dcm *value, struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_3dm_sensor_to_vehicle_transform_dcm
-mip_3dm_sensor_to_vehicle_transform_dcm_write(const float dcm[9]);
-/** Send the current setting back in a response. */
-struct mip_3dm_sensor_to_vehicle_transform_dcm mip_3dm_sensor_to_vehicle_transform_dcm_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_3dm_sensor_to_vehicle_transform_dcm mip_3dm_sensor_to_vehicle_transform_dcm_save(void);
-/** Load the saved setting. */
-struct mip_3dm_sensor_to_vehicle_transform_dcm mip_3dm_sensor_to_vehicle_transform_dcm_load(void);
-/** Load the factory default setting. */
-struct mip_3dm_sensor_to_vehicle_transform_dcm
-mip_3dm_sensor_to_vehicle_transform_dcm_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_transform_dcm_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_sensor_to_vehicle_transform_dcm_decode(
+    struct mip_3dm_sensor_to_vehicle_transform_dcm *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_sensor_to_vehicle_transform_dcm_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_sensor_to_vehicle_transform_dcm_encode(
+    const struct mip_3dm_sensor_to_vehicle_transform_dcm *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_sensor_to_vehicle_transform_dcm_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_sensor_to_vehicle_transform_dcm *
+mip_3dm_sensor_to_vehicle_transform_dcm_write(
+    struct mip_3dm_sensor_to_vehicle_transform_dcm *command, const float dcm[9]) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    memcpy(command->dcm, dcm, sizeof(command->dcm));
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_sensor_to_vehicle_transform_dcm *
+mip_3dm_sensor_to_vehicle_transform_dcm_read(
+    struct mip_3dm_sensor_to_vehicle_transform_dcm *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_sensor_to_vehicle_transform_dcm *
+mip_3dm_sensor_to_vehicle_transform_dcm_save(
+    struct mip_3dm_sensor_to_vehicle_transform_dcm *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_sensor_to_vehicle_transform_dcm *
+mip_3dm_sensor_to_vehicle_transform_dcm_load(
+    struct mip_3dm_sensor_to_vehicle_transform_dcm *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_sensor_to_vehicle_transform_dcm *
+mip_3dm_sensor_to_vehicle_transform_dcm_default(
+    struct mip_3dm_sensor_to_vehicle_transform_dcm *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix response: response (0x0C,0xB3).
  *
@@ -2239,17 +4137,56 @@ struct mip_3dm_sensor_to_vehicle_transform_dcm_response {
     float dcm[9];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_RESPONSE 0x0CB3
 #define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_RESPONSE_DESCRIPTOR 0xB3
 #define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_RESPONSE_NAME \
     "3dm.sensor_to_vehicle_transform_dcm_response"
 
-extern const struct mip_codec mip_3dm_sensor_to_vehicle_transform_dcm_response_codec;
-mip_error mip_3dm_sensor_to_vehicle_transform_dcm_response_decode(
-    struct mip_3dm_sensor_to_vehicle_transform_dcm_response *value, const struct mip_field *field);
-mip_error mip_3dm_sensor_to_vehicle_transform_dcm_response_encode(
-    const struct mip_3dm_sensor_to_vehicle_transform_dcm_response *value,
-    struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_transform_dcm_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_sensor_to_vehicle_transform_dcm_response_decode(
+    struct mip_3dm_sensor_to_vehicle_transform_dcm_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_sensor_to_vehicle_transform_dcm_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_sensor_to_vehicle_transform_dcm_response_encode(
+    const struct mip_3dm_sensor_to_vehicle_transform_dcm_response *value,
+    struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_sensor_to_vehicle_transform_dcm_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_3dm_sensor_to_vehicle_transform_dcm_response_decode_inline(
+    struct mip_3dm_sensor_to_vehicle_transform_dcm_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0C, 0xB3, 36);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 9; i++) {
+        mip_get_float(&value->dcm[i], field->data + 4 * i);
+    }
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_3dm_sensor_to_vehicle_transform_dcm_response_encode_inline(
+    const struct mip_3dm_sensor_to_vehicle_transform_dcm_response *value,
+    struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0C, 0xB3, 36, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 9; i++) {
+        mip_put_float(data + 4 * i, &value->dcm[i]);
+    }
+    return MIP_OK;
+}
 /**
  * Accelerometer Bias Configuration: command (0x0C,0x37).
  *
@@ -2266,35 +4203,101 @@ mip_error mip_3dm_sensor_to_vehicle_transform_dcm_response_encode(
 struct mip_3dm_accel_bias {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /**
      * Accelerometer bias. Elements: x, y, z. Unit: g. Frame: sensor. Required for write and apply.
      */
     float bias[3];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_ACCEL_BIAS 0x0C37
 #define MIP_3DM_ACCEL_BIAS_DESCRIPTOR 0x37
 #define MIP_3DM_ACCEL_BIAS_NAME "3dm.accel_bias"
 
-extern const struct mip_codec mip_3dm_accel_bias_codec;
-mip_error mip_3dm_accel_bias_decode(struct mip_3dm_accel_bias *value,
-                                    const struct mip_field *field);
-mip_error mip_3dm_accel_bias_encode(const struct mip_3dm_accel_bias *value,
-                                    struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_3dm_accel_bias mip_3dm_accel_bias_write(const float bias[3]);
-/** Send the current setting back in a response. */
-struct mip_3dm_accel_bias mip_3dm_accel_bias_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_3dm_accel_bias mip_3dm_accel_bias_save(void);
-/** Load the saved setting. */
-struct mip_3dm_accel_bias mip_3dm_accel_bias_load(void);
-/** Load the factory default setting. */
-struct mip_3dm_accel_bias mip_3dm_accel_bias_default(void);
-/** Apply the new setting and send no acknowledge (5-series devices). */
-struct mip_3dm_accel_bias mip_3dm_accel_bias_apply(const float bias[3]);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_accel_bias_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_accel_bias_decode(struct mip_3dm_accel_bias *value,
+                                                  const struct mip_field *field) {
+    return mip_decode(&mip_3dm_accel_bias_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_accel_bias_encode(const struct mip_3dm_accel_bias *value,
+                                                  struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_accel_bias_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_accel_bias *
+mip_3dm_accel_bias_write(struct mip_3dm_accel_bias *command, const float bias[3]) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    memcpy(command->bias, bias, sizeof(command->bias));
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_accel_bias *
+mip_3dm_accel_bias_read(struct mip_3dm_accel_bias *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_accel_bias *
+mip_3dm_accel_bias_save(struct mip_3dm_accel_bias *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_accel_bias *
+mip_3dm_accel_bias_load(struct mip_3dm_accel_bias *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_accel_bias *
+mip_3dm_accel_bias_default(struct mip_3dm_accel_bias *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
+/**
+ * Apply the new setting and send no acknowledge (5-series devices).
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_accel_bias *
+mip_3dm_accel_bias_apply(struct mip_3dm_accel_bias *command, const float bias[3]) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_APPLY;
+    memcpy(command->bias, bias, sizeof(command->bias));
+    return command;
+}
 /**
  * Accelerometer Bias Configuration response: response (0x0C,0x9A).
  *
@@ -2309,15 +4312,53 @@ struct mip_3dm_accel_bias_response {
     float bias[3];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_ACCEL_BIAS_RESPONSE 0x0C9A
 #define MIP_3DM_ACCEL_BIAS_RESPONSE_DESCRIPTOR 0x9A
 #define MIP_3DM_ACCEL_BIAS_RESPONSE_NAME "3dm.accel_bias_response"
 
-extern const struct mip_codec mip_3dm_accel_bias_response_codec;
-mip_error mip_3dm_accel_bias_response_decode(struct mip_3dm_accel_bias_response *value,
-                                             const struct mip_field *field);
-mip_error mip_3dm_accel_bias_response_encode(const struct mip_3dm_accel_bias_response *value,
-                                             struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_accel_bias_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_accel_bias_response_decode(
+    struct mip_3dm_accel_bias_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_accel_bias_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_accel_bias_response_encode(
+    const struct mip_3dm_accel_bias_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_accel_bias_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_3dm_accel_bias_response_decode_inline(
+    struct mip_3dm_accel_bias_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0C, 0x9A, 12);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->bias[i], field->data + 4 * i);
+    }
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_3dm_accel_bias_response_encode_inline(
+    const struct mip_3dm_accel_bias_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x9A, 12, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 4 * i, &value->bias[i]);
+    }
+    return MIP_OK;
+}
 /**
  * Gyroscope Bias Configuration: command (0x0C,0x38).
  *
@@ -2335,34 +4376,98 @@ mip_error mip_3dm_accel_bias_response_encode(const struct mip_3dm_accel_bias_res
 struct mip_3dm_gyro_bias {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /**
      * Gyroscope bias. Elements: x, y, z. Unit: rad/s. Frame: sensor. Required for write and apply.
      */
     float bias[3];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_GYRO_BIAS 0x0C38
 #define MIP_3DM_GYRO_BIAS_DESCRIPTOR 0x38
 #define MIP_3DM_GYRO_BIAS_NAME "3dm.gyro_bias"
 
-extern const struct mip_codec mip_3dm_gyro_bias_codec;
-mip_error mip_3dm_gyro_bias_decode(struct mip_3dm_gyro_bias *value, const struct mip_field *field);
-mip_error mip_3dm_gyro_bias_encode(const struct mip_3dm_gyro_bias *value,
-                                   struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_3dm_gyro_bias mip_3dm_gyro_bias_write(const float bias[3]);
-/** Send the current setting back in a response. */
-struct mip_3dm_gyro_bias mip_3dm_gyro_bias_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_3dm_gyro_bias mip_3dm_gyro_bias_save(void);
-/** Load the saved setting. */
-struct mip_3dm_gyro_bias mip_3dm_gyro_bias_load(void);
-/** Load the factory default setting. */
-struct mip_3dm_gyro_bias mip_3dm_gyro_bias_default(void);
-/** Apply the new setting and send no acknowledge (5-series devices). */
-struct mip_3dm_gyro_bias mip_3dm_gyro_bias_apply(const float bias[3]);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_gyro_bias_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_gyro_bias_decode(struct mip_3dm_gyro_bias *value,
+                                                 const struct mip_field *field) {
+    return mip_decode(&mip_3dm_gyro_bias_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_gyro_bias_encode(const struct mip_3dm_gyro_bias *value,
+                                                 struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_gyro_bias_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_gyro_bias *mip_3dm_gyro_bias_write(struct mip_3dm_gyro_bias *command,
+                                                                const float bias[3]) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    memcpy(command->bias, bias, sizeof(command->bias));
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_gyro_bias *mip_3dm_gyro_bias_read(struct mip_3dm_gyro_bias *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_gyro_bias *mip_3dm_gyro_bias_save(struct mip_3dm_gyro_bias *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_gyro_bias *mip_3dm_gyro_bias_load(struct mip_3dm_gyro_bias *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_gyro_bias *
+mip_3dm_gyro_bias_default(struct mip_3dm_gyro_bias *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
+/**
+ * Apply the new setting and send no acknowledge (5-series devices).
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_gyro_bias *mip_3dm_gyro_bias_apply(struct mip_3dm_gyro_bias *command,
+                                                                const float bias[3]) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_APPLY;
+    memcpy(command->bias, bias, sizeof(command->bias));
+    return command;
+}
 /**
  * Gyroscope Bias Configuration response: response (0x0C,0x9B).
  *
@@ -2381,15 +4486,53 @@ struct mip_3dm_gyro_bias_response {
     float bias[3];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_GYRO_BIAS_RESPONSE 0x0C9B
 #define MIP_3DM_GYRO_BIAS_RESPONSE_DESCRIPTOR 0x9B
 #define MIP_3DM_GYRO_BIAS_RESPONSE_NAME "3dm.gyro_bias_response"
 
-extern const struct mip_codec mip_3dm_gyro_bias_response_codec;
-mip_error mip_3dm_gyro_bias_response_decode(struct mip_3dm_gyro_bias_response *value,
-                                            const struct mip_field *field);
-mip_error mip_3dm_gyro_bias_response_encode(const struct mip_3dm_gyro_bias_response *value,
-                                            struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_gyro_bias_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_gyro_bias_response_decode(struct mip_3dm_gyro_bias_response *value,
+                                                          const struct mip_field *field) {
+    return mip_decode(&mip_3dm_gyro_bias_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_gyro_bias_response_encode(
+    const struct mip_3dm_gyro_bias_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_gyro_bias_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_3dm_gyro_bias_response_decode_inline(
+    struct mip_3dm_gyro_bias_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0C, 0x9B, 12);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->bias[i], field->data + 4 * i);
+    }
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_3dm_gyro_bias_response_encode_inline(
+    const struct mip_3dm_gyro_bias_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x9B, 12, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 4 * i, &value->bias[i]);
+    }
+    return MIP_OK;
+}
 /**
  * Capture Gyroscope Bias: command (0x0C,0x39).
  *
@@ -2415,17 +4558,60 @@ struct mip_3dm_capture_gyro_bias {
     uint16_t averaging_time_ms;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_CAPTURE_GYRO_BIAS 0x0C39
 #define MIP_3DM_CAPTURE_GYRO_BIAS_DESCRIPTOR 0x39
 #define MIP_3DM_CAPTURE_GYRO_BIAS_NAME "3dm.capture_gyro_bias"
 
-extern const struct mip_codec mip_3dm_capture_gyro_bias_codec;
-mip_error mip_3dm_capture_gyro_bias_decode(struct mip_3dm_capture_gyro_bias *value,
-                                           const struct mip_field *field);
-mip_error mip_3dm_capture_gyro_bias_encode(const struct mip_3dm_capture_gyro_bias *value,
-                                           struct mip_builder *builder);
-/** Capture Gyroscope Bias. */
-struct mip_3dm_capture_gyro_bias mip_3dm_capture_gyro_bias_make(uint16_t averaging_time_ms);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_capture_gyro_bias_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_capture_gyro_bias_decode(struct mip_3dm_capture_gyro_bias *value,
+                                                         const struct mip_field *field) {
+    return mip_decode(&mip_3dm_capture_gyro_bias_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_capture_gyro_bias_encode(
+    const struct mip_3dm_capture_gyro_bias *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_capture_gyro_bias_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_3dm_capture_gyro_bias_decode_inline(
+    struct mip_3dm_capture_gyro_bias *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0C, 0x39, 2);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->averaging_time_ms = mip_get_16(field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_3dm_capture_gyro_bias_encode_inline(
+    const struct mip_3dm_capture_gyro_bias *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x39, 2, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_16(data, value->averaging_time_ms);
+    return MIP_OK;
+}
+/**
+ * Capture Gyroscope Bias.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_capture_gyro_bias *mip_3dm_capture_gyro_bias_make(
+    struct mip_3dm_capture_gyro_bias *command, uint16_t averaging_time_ms) {
+    memset(command, 0, sizeof(*command));
+    command->averaging_time_ms = averaging_time_ms;
+    return command;
+}
 /**
  * Magnetometer Hard Iron Offset: command (0x0C,0x3A).
  *
@@ -2445,8 +4631,8 @@ struct mip_3dm_capture_gyro_bias mip_3dm_capture_gyro_bias_make(uint16_t averagi
 struct mip_3dm_mag_hard_iron_offset {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /**
      * Hard iron offset. Elements: x, y, z. Unit: gauss. Frame: sensor. Required for write and
      * apply. On the 3DM-GX5-45: default 0, 0, 0.
@@ -2454,27 +4640,93 @@ struct mip_3dm_mag_hard_iron_offset {
     float offset[3];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_MAG_HARD_IRON_OFFSET 0x0C3A
 #define MIP_3DM_MAG_HARD_IRON_OFFSET_DESCRIPTOR 0x3A
 #define MIP_3DM_MAG_HARD_IRON_OFFSET_NAME "3dm.mag_hard_iron_offset"
 
-extern const struct mip_codec mip_3dm_mag_hard_iron_offset_codec;
-mip_error mip_3dm_mag_hard_iron_offset_decode(struct mip_3dm_mag_hard_iron_offset *value,
-                                              const struct mip_field *field);
-mip_error mip_3dm_mag_hard_iron_offset_encode(const struct mip_3dm_mag_hard_iron_offset *value,
-                                              struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_3dm_mag_hard_iron_offset mip_3dm_mag_hard_iron_offset_write(const float offset[3]);
-/** Send the current setting back in a response. */
-struct mip_3dm_mag_hard_iron_offset mip_3dm_mag_hard_iron_offset_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_3dm_mag_hard_iron_offset mip_3dm_mag_hard_iron_offset_save(void);
-/** Load the saved setting. */
-struct mip_3dm_mag_hard_iron_offset mip_3dm_mag_hard_iron_offset_load(void);
-/** Load the factory default setting. */
-struct mip_3dm_mag_hard_iron_offset mip_3dm_mag_hard_iron_offset_default(void);
-/** Apply the new setting and send no acknowledge (5-series devices). */
-struct mip_3dm_mag_hard_iron_offset mip_3dm_mag_hard_iron_offset_apply(const float offset[3]);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_mag_hard_iron_offset_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_mag_hard_iron_offset_decode(
+    struct mip_3dm_mag_hard_iron_offset *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_mag_hard_iron_offset_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_mag_hard_iron_offset_encode(
+    const struct mip_3dm_mag_hard_iron_offset *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_mag_hard_iron_offset_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_mag_hard_iron_offset *mip_3dm_mag_hard_iron_offset_write(
+    struct mip_3dm_mag_hard_iron_offset *command, const float offset[3]) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    memcpy(command->offset, offset, sizeof(command->offset));
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_mag_hard_iron_offset *
+mip_3dm_mag_hard_iron_offset_read(struct mip_3dm_mag_hard_iron_offset *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_mag_hard_iron_offset *
+mip_3dm_mag_hard_iron_offset_save(struct mip_3dm_mag_hard_iron_offset *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_mag_hard_iron_offset *
+mip_3dm_mag_hard_iron_offset_load(struct mip_3dm_mag_hard_iron_offset *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_mag_hard_iron_offset *
+mip_3dm_mag_hard_iron_offset_default(struct mip_3dm_mag_hard_iron_offset *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
+/**
+ * Apply the new setting and send no acknowledge (5-series devices).
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_mag_hard_iron_offset *mip_3dm_mag_hard_iron_offset_apply(
+    struct mip_3dm_mag_hard_iron_offset *command, const float offset[3]) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_APPLY;
+    memcpy(command->offset, offset, sizeof(command->offset));
+    return command;
+}
 /**
  * Magnetometer Hard Iron Offset response: response (0x0C,0x9C).
  *
@@ -2489,15 +4741,53 @@ struct mip_3dm_mag_hard_iron_offset_response {
     float offset[3];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_MAG_HARD_IRON_OFFSET_RESPONSE 0x0C9C
 #define MIP_3DM_MAG_HARD_IRON_OFFSET_RESPONSE_DESCRIPTOR 0x9C
 #define MIP_3DM_MAG_HARD_IRON_OFFSET_RESPONSE_NAME "3dm.mag_hard_iron_offset_response"
 
-extern const struct mip_codec mip_3dm_mag_hard_iron_offset_response_codec;
-mip_error mip_3dm_mag_hard_iron_offset_response_decode(
-    struct mip_3dm_mag_hard_iron_offset_response *value, const struct mip_field *field);
-mip_error mip_3dm_mag_hard_iron_offset_response_encode(
-    const struct mip_3dm_mag_hard_iron_offset_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_mag_hard_iron_offset_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_mag_hard_iron_offset_response_decode(
+    struct mip_3dm_mag_hard_iron_offset_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_mag_hard_iron_offset_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_mag_hard_iron_offset_response_encode(
+    const struct mip_3dm_mag_hard_iron_offset_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_mag_hard_iron_offset_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_3dm_mag_hard_iron_offset_response_decode_inline(
+    struct mip_3dm_mag_hard_iron_offset_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0C, 0x9C, 12);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->offset[i], field->data + 4 * i);
+    }
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_3dm_mag_hard_iron_offset_response_encode_inline(
+    const struct mip_3dm_mag_hard_iron_offset_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x9C, 12, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 4 * i, &value->offset[i]);
+    }
+    return MIP_OK;
+}
 /**
  * Magnetometer Soft Iron Matrix: command (0x0C,0x3B).
  *
@@ -2517,8 +4807,8 @@ mip_error mip_3dm_mag_hard_iron_offset_response_encode(
 struct mip_3dm_mag_soft_iron_matrix {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /**
      * Soft iron matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
      * Unit: 1. Frame: sensor. Required for write and apply.
@@ -2526,27 +4816,93 @@ struct mip_3dm_mag_soft_iron_matrix {
     float matrix[9];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_MAG_SOFT_IRON_MATRIX 0x0C3B
 #define MIP_3DM_MAG_SOFT_IRON_MATRIX_DESCRIPTOR 0x3B
 #define MIP_3DM_MAG_SOFT_IRON_MATRIX_NAME "3dm.mag_soft_iron_matrix"
 
-extern const struct mip_codec mip_3dm_mag_soft_iron_matrix_codec;
-mip_error mip_3dm_mag_soft_iron_matrix_decode(struct mip_3dm_mag_soft_iron_matrix *value,
-                                              const struct mip_field *field);
-mip_error mip_3dm_mag_soft_iron_matrix_encode(const struct mip_3dm_mag_soft_iron_matrix *value,
-                                              struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_3dm_mag_soft_iron_matrix mip_3dm_mag_soft_iron_matrix_write(const float matrix[9]);
-/** Send the current setting back in a response. */
-struct mip_3dm_mag_soft_iron_matrix mip_3dm_mag_soft_iron_matrix_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_3dm_mag_soft_iron_matrix mip_3dm_mag_soft_iron_matrix_save(void);
-/** Load the saved setting. */
-struct mip_3dm_mag_soft_iron_matrix mip_3dm_mag_soft_iron_matrix_load(void);
-/** Load the factory default setting. */
-struct mip_3dm_mag_soft_iron_matrix mip_3dm_mag_soft_iron_matrix_default(void);
-/** Apply the new setting and send no acknowledge (5-series devices). */
-struct mip_3dm_mag_soft_iron_matrix mip_3dm_mag_soft_iron_matrix_apply(const float matrix[9]);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_mag_soft_iron_matrix_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_mag_soft_iron_matrix_decode(
+    struct mip_3dm_mag_soft_iron_matrix *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_mag_soft_iron_matrix_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_mag_soft_iron_matrix_encode(
+    const struct mip_3dm_mag_soft_iron_matrix *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_mag_soft_iron_matrix_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_mag_soft_iron_matrix *mip_3dm_mag_soft_iron_matrix_write(
+    struct mip_3dm_mag_soft_iron_matrix *command, const float matrix[9]) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    memcpy(command->matrix, matrix, sizeof(command->matrix));
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_mag_soft_iron_matrix *
+mip_3dm_mag_soft_iron_matrix_read(struct mip_3dm_mag_soft_iron_matrix *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_mag_soft_iron_matrix *
+mip_3dm_mag_soft_iron_matrix_save(struct mip_3dm_mag_soft_iron_matrix *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_mag_soft_iron_matrix *
+mip_3dm_mag_soft_iron_matrix_load(struct mip_3dm_mag_soft_iron_matrix *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_mag_soft_iron_matrix *
+mip_3dm_mag_soft_iron_matrix_default(struct mip_3dm_mag_soft_iron_matrix *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
+/**
+ * Apply the new setting and send no acknowledge (5-series devices).
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_mag_soft_iron_matrix *mip_3dm_mag_soft_iron_matrix_apply(
+    struct mip_3dm_mag_soft_iron_matrix *command, const float matrix[9]) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_APPLY;
+    memcpy(command->matrix, matrix, sizeof(command->matrix));
+    return command;
+}
 /**
  * Magnetometer Soft Iron Matrix response: response (0x0C,0x9D).
  *
@@ -2564,15 +4920,53 @@ struct mip_3dm_mag_soft_iron_matrix_response {
     float matrix[9];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_MAG_SOFT_IRON_MATRIX_RESPONSE 0x0C9D
 #define MIP_3DM_MAG_SOFT_IRON_MATRIX_RESPONSE_DESCRIPTOR 0x9D
 #define MIP_3DM_MAG_SOFT_IRON_MATRIX_RESPONSE_NAME "3dm.mag_soft_iron_matrix_response"
 
-extern const struct mip_codec mip_3dm_mag_soft_iron_matrix_response_codec;
-mip_error mip_3dm_mag_soft_iron_matrix_response_decode(
-    struct mip_3dm_mag_soft_iron_matrix_response *value, const struct mip_field *field);
-mip_error mip_3dm_mag_soft_iron_matrix_response_encode(
-    const struct mip_3dm_mag_soft_iron_matrix_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_mag_soft_iron_matrix_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_mag_soft_iron_matrix_response_decode(
+    struct mip_3dm_mag_soft_iron_matrix_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_mag_soft_iron_matrix_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_mag_soft_iron_matrix_response_encode(
+    const struct mip_3dm_mag_soft_iron_matrix_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_mag_soft_iron_matrix_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_3dm_mag_soft_iron_matrix_response_decode_inline(
+    struct mip_3dm_mag_soft_iron_matrix_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0C, 0x9D, 36);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 9; i++) {
+        mip_get_float(&value->matrix[i], field->data + 4 * i);
+    }
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_3dm_mag_soft_iron_matrix_response_encode_inline(
+    const struct mip_3dm_mag_soft_iron_matrix_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x9D, 36, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 9; i++) {
+        mip_put_float(data + 4 * i, &value->matrix[i]);
+    }
+    return MIP_OK;
+}
 /**
  * Coning and Sculling Enable: command (0x0C,0x3E).
  *
@@ -2587,31 +4981,87 @@ mip_error mip_3dm_mag_soft_iron_matrix_response_encode(
 struct mip_3dm_coning_sculling_enable {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /** Whether the compensation is on. Default: true. Required for write. */
     mip_bool enable;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_CONING_SCULLING_ENABLE 0x0C3E
 #define MIP_3DM_CONING_SCULLING_ENABLE_DESCRIPTOR 0x3E
 #define MIP_3DM_CONING_SCULLING_ENABLE_NAME "3dm.coning_sculling_enable"
 
-extern const struct mip_codec mip_3dm_coning_sculling_enable_codec;
-mip_error mip_3dm_coning_sculling_enable_decode(struct mip_3dm_coning_sculling_enable *value,
-                                                const struct mip_field *field);
-mip_error mip_3dm_coning_sculling_enable_encode(const struct mip_3dm_coning_sculling_enable *value,
-                                                struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_3dm_coning_sculling_enable mip_3dm_coning_sculling_enable_write(mip_bool enable);
-/** Send the current setting back in a response. */
-struct mip_3dm_coning_sculling_enable mip_3dm_coning_sculling_enable_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_3dm_coning_sculling_enable mip_3dm_coning_sculling_enable_save(void);
-/** Load the saved setting. */
-struct mip_3dm_coning_sculling_enable mip_3dm_coning_sculling_enable_load(void);
-/** Load the factory default setting. */
-struct mip_3dm_coning_sculling_enable mip_3dm_coning_sculling_enable_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_coning_sculling_enable_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_coning_sculling_enable_decode(
+    struct mip_3dm_coning_sculling_enable *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_coning_sculling_enable_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_coning_sculling_enable_encode(
+    const struct mip_3dm_coning_sculling_enable *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_coning_sculling_enable_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_coning_sculling_enable *mip_3dm_coning_sculling_enable_write(
+    struct mip_3dm_coning_sculling_enable *command, mip_bool enable) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->enable = enable;
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_coning_sculling_enable *
+mip_3dm_coning_sculling_enable_read(struct mip_3dm_coning_sculling_enable *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_coning_sculling_enable *
+mip_3dm_coning_sculling_enable_save(struct mip_3dm_coning_sculling_enable *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_coning_sculling_enable *
+mip_3dm_coning_sculling_enable_load(struct mip_3dm_coning_sculling_enable *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_coning_sculling_enable *
+mip_3dm_coning_sculling_enable_default(struct mip_3dm_coning_sculling_enable *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * Coning and Sculling Enable response: response (0x0C,0x9E).
  *
@@ -2625,15 +5075,49 @@ struct mip_3dm_coning_sculling_enable_response {
     mip_bool enable;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_CONING_SCULLING_ENABLE_RESPONSE 0x0C9E
 #define MIP_3DM_CONING_SCULLING_ENABLE_RESPONSE_DESCRIPTOR 0x9E
 #define MIP_3DM_CONING_SCULLING_ENABLE_RESPONSE_NAME "3dm.coning_sculling_enable_response"
 
-extern const struct mip_codec mip_3dm_coning_sculling_enable_response_codec;
-mip_error mip_3dm_coning_sculling_enable_response_decode(
-    struct mip_3dm_coning_sculling_enable_response *value, const struct mip_field *field);
-mip_error mip_3dm_coning_sculling_enable_response_encode(
-    const struct mip_3dm_coning_sculling_enable_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_coning_sculling_enable_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_coning_sculling_enable_response_decode(
+    struct mip_3dm_coning_sculling_enable_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_coning_sculling_enable_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_coning_sculling_enable_response_encode(
+    const struct mip_3dm_coning_sculling_enable_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_coning_sculling_enable_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_3dm_coning_sculling_enable_response_decode_inline(
+    struct mip_3dm_coning_sculling_enable_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0C, 0x9E, 1);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->enable = mip_get_8(field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_3dm_coning_sculling_enable_response_encode_inline(
+    const struct mip_3dm_coning_sculling_enable_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x9E, 1, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->enable);
+    return MIP_OK;
+}
 /**
  * UART Baud Rate: command (0x0C,0x40).
  *
@@ -2656,33 +5140,89 @@ mip_error mip_3dm_coning_sculling_enable_response_encode(
 struct mip_3dm_uart_baud_rate {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /**
      * Baud rate. Unit: Bd. Required for write. On the 3DM-GX5-15 and 3DM-GX5-45: default 115200.
      */
     uint32_t baud;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_UART_BAUD_RATE 0x0C40
 #define MIP_3DM_UART_BAUD_RATE_DESCRIPTOR 0x40
 #define MIP_3DM_UART_BAUD_RATE_NAME "3dm.uart_baud_rate"
 
-extern const struct mip_codec mip_3dm_uart_baud_rate_codec;
-mip_error mip_3dm_uart_baud_rate_decode(struct mip_3dm_uart_baud_rate *value,
-                                        const struct mip_field *field);
-mip_error mip_3dm_uart_baud_rate_encode(const struct mip_3dm_uart_baud_rate *value,
-                                        struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_3dm_uart_baud_rate mip_3dm_uart_baud_rate_write(uint32_t baud);
-/** Send the current setting back in a response. */
-struct mip_3dm_uart_baud_rate mip_3dm_uart_baud_rate_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_3dm_uart_baud_rate mip_3dm_uart_baud_rate_save(void);
-/** Load the saved setting. */
-struct mip_3dm_uart_baud_rate mip_3dm_uart_baud_rate_load(void);
-/** Load the factory default setting. */
-struct mip_3dm_uart_baud_rate mip_3dm_uart_baud_rate_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_uart_baud_rate_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_uart_baud_rate_decode(struct mip_3dm_uart_baud_rate *value,
+                                                      const struct mip_field *field) {
+    return mip_decode(&mip_3dm_uart_baud_rate_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_uart_baud_rate_encode(const struct mip_3dm_uart_baud_rate *value,
+                                                      struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_uart_baud_rate_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_uart_baud_rate *
+mip_3dm_uart_baud_rate_write(struct mip_3dm_uart_baud_rate *command, uint32_t baud) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->baud = baud;
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_uart_baud_rate *
+mip_3dm_uart_baud_rate_read(struct mip_3dm_uart_baud_rate *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_uart_baud_rate *
+mip_3dm_uart_baud_rate_save(struct mip_3dm_uart_baud_rate *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_uart_baud_rate *
+mip_3dm_uart_baud_rate_load(struct mip_3dm_uart_baud_rate *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_uart_baud_rate *
+mip_3dm_uart_baud_rate_default(struct mip_3dm_uart_baud_rate *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * UART Baud Rate response: response (0x0C,0x87).
  *
@@ -2698,15 +5238,49 @@ struct mip_3dm_uart_baud_rate_response {
     uint32_t baud;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_UART_BAUD_RATE_RESPONSE 0x0C87
 #define MIP_3DM_UART_BAUD_RATE_RESPONSE_DESCRIPTOR 0x87
 #define MIP_3DM_UART_BAUD_RATE_RESPONSE_NAME "3dm.uart_baud_rate_response"
 
-extern const struct mip_codec mip_3dm_uart_baud_rate_response_codec;
-mip_error mip_3dm_uart_baud_rate_response_decode(struct mip_3dm_uart_baud_rate_response *value,
-                                                 const struct mip_field *field);
-mip_error mip_3dm_uart_baud_rate_response_encode(
-    const struct mip_3dm_uart_baud_rate_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_uart_baud_rate_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_uart_baud_rate_response_decode(
+    struct mip_3dm_uart_baud_rate_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_uart_baud_rate_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_uart_baud_rate_response_encode(
+    const struct mip_3dm_uart_baud_rate_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_uart_baud_rate_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_3dm_uart_baud_rate_response_decode_inline(
+    struct mip_3dm_uart_baud_rate_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0C, 0x87, 4);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->baud = mip_get_32(field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_3dm_uart_baud_rate_response_encode_inline(
+    const struct mip_3dm_uart_baud_rate_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x87, 4, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_32(data, value->baud);
+    return MIP_OK;
+}
 /**
  * GPIO Configuration: command (0x0C,0x41).
  *
@@ -2730,19 +5304,22 @@ mip_error mip_3dm_uart_baud_rate_response_encode(
 struct mip_3dm_gpio_config {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /** GPIO pin, counted from 1; 0 means all pins (save, load, default). */
     uint8_t pin;
-    /** Use of the pin. Default: MIP_GPIO_FEATURE_UNUSED. Required for write. */
-    mip_gpio_feature feature;
+    /**
+     * Use of the pin. A value of enum mip_gpio_feature. Default: MIP_GPIO_FEATURE_UNUSED. Required
+     * for write.
+     */
+    uint8_t feature;
     /**
      * Role of the pin within the feature; 0 where the feature names none. Required for write. If
-     * feature is MIP_GPIO_FEATURE_UNUSED: values of mip_gpio_unused_behavior. If feature is
-     * MIP_GPIO_FEATURE_GPIO: values of mip_gpio_behavior. If feature is MIP_GPIO_FEATURE_PPS:
-     * values of mip_gpio_pps_behavior. If feature is MIP_GPIO_FEATURE_ENCODER: values of
-     * mip_gpio_encoder_behavior. If feature is MIP_GPIO_FEATURE_TIMESTAMP: values of
-     * mip_gpio_timestamp_behavior. If feature is MIP_GPIO_FEATURE_UART: values of
+     * feature is MIP_GPIO_FEATURE_UNUSED: values of enum mip_gpio_unused_behavior. If feature is
+     * MIP_GPIO_FEATURE_GPIO: values of enum mip_gpio_behavior. If feature is MIP_GPIO_FEATURE_PPS:
+     * values of enum mip_gpio_pps_behavior. If feature is MIP_GPIO_FEATURE_ENCODER: values of enum
+     * mip_gpio_encoder_behavior. If feature is MIP_GPIO_FEATURE_TIMESTAMP: values of enum
+     * mip_gpio_timestamp_behavior. If feature is MIP_GPIO_FEATURE_UART: values of enum
      * mip_gpio_uart_behavior.
      */
     uint8_t behavior;
@@ -2750,26 +5327,89 @@ struct mip_3dm_gpio_config {
     mip_gpio_pin_mode pin_mode;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_GPIO_CONFIG 0x0C41
 #define MIP_3DM_GPIO_CONFIG_DESCRIPTOR 0x41
 #define MIP_3DM_GPIO_CONFIG_NAME "3dm.gpio_config"
 
-extern const struct mip_codec mip_3dm_gpio_config_codec;
-mip_error mip_3dm_gpio_config_decode(struct mip_3dm_gpio_config *value,
-                                     const struct mip_field *field);
-mip_error mip_3dm_gpio_config_encode(const struct mip_3dm_gpio_config *value,
-                                     struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_3dm_gpio_config mip_3dm_gpio_config_write(uint8_t pin, mip_gpio_feature feature,
-                                                     uint8_t behavior, mip_gpio_pin_mode pin_mode);
-/** Send the current setting back in a response. */
-struct mip_3dm_gpio_config mip_3dm_gpio_config_read(uint8_t pin);
-/** Save the current setting to non-volatile memory. */
-struct mip_3dm_gpio_config mip_3dm_gpio_config_save(uint8_t pin);
-/** Load the saved setting. */
-struct mip_3dm_gpio_config mip_3dm_gpio_config_load(uint8_t pin);
-/** Load the factory default setting. */
-struct mip_3dm_gpio_config mip_3dm_gpio_config_default(uint8_t pin);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_gpio_config_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_gpio_config_decode(struct mip_3dm_gpio_config *value,
+                                                   const struct mip_field *field) {
+    return mip_decode(&mip_3dm_gpio_config_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_gpio_config_encode(const struct mip_3dm_gpio_config *value,
+                                                   struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_gpio_config_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_gpio_config *mip_3dm_gpio_config_write(
+    struct mip_3dm_gpio_config *command, uint8_t pin, enum mip_gpio_feature feature,
+    uint8_t behavior, mip_gpio_pin_mode pin_mode) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->pin = pin;
+    command->feature = (uint8_t)feature;
+    command->behavior = behavior;
+    command->pin_mode = pin_mode;
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_gpio_config *
+mip_3dm_gpio_config_read(struct mip_3dm_gpio_config *command, uint8_t pin) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    command->pin = pin;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_gpio_config *
+mip_3dm_gpio_config_save(struct mip_3dm_gpio_config *command, uint8_t pin) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    command->pin = pin;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_gpio_config *
+mip_3dm_gpio_config_load(struct mip_3dm_gpio_config *command, uint8_t pin) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    command->pin = pin;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_gpio_config *
+mip_3dm_gpio_config_default(struct mip_3dm_gpio_config *command, uint8_t pin) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    command->pin = pin;
+    return command;
+}
 /**
  * GPIO Configuration response: response (0x0C,0xC1).
  *
@@ -2781,15 +5421,15 @@ struct mip_3dm_gpio_config mip_3dm_gpio_config_default(uint8_t pin);
 struct mip_3dm_gpio_config_response {
     /** GPIO pin, counted from 1; 0 means all pins (save, load, default). */
     uint8_t pin;
-    /** Use of the pin. Default: MIP_GPIO_FEATURE_UNUSED. */
-    mip_gpio_feature feature;
+    /** Use of the pin. A value of enum mip_gpio_feature. Default: MIP_GPIO_FEATURE_UNUSED. */
+    uint8_t feature;
     /**
      * Role of the pin within the feature; 0 where the feature names none. If feature is
-     * MIP_GPIO_FEATURE_UNUSED: values of mip_gpio_unused_behavior. If feature is
-     * MIP_GPIO_FEATURE_GPIO: values of mip_gpio_behavior. If feature is MIP_GPIO_FEATURE_PPS:
-     * values of mip_gpio_pps_behavior. If feature is MIP_GPIO_FEATURE_ENCODER: values of
-     * mip_gpio_encoder_behavior. If feature is MIP_GPIO_FEATURE_TIMESTAMP: values of
-     * mip_gpio_timestamp_behavior. If feature is MIP_GPIO_FEATURE_UART: values of
+     * MIP_GPIO_FEATURE_UNUSED: values of enum mip_gpio_unused_behavior. If feature is
+     * MIP_GPIO_FEATURE_GPIO: values of enum mip_gpio_behavior. If feature is MIP_GPIO_FEATURE_PPS:
+     * values of enum mip_gpio_pps_behavior. If feature is MIP_GPIO_FEATURE_ENCODER: values of enum
+     * mip_gpio_encoder_behavior. If feature is MIP_GPIO_FEATURE_TIMESTAMP: values of enum
+     * mip_gpio_timestamp_behavior. If feature is MIP_GPIO_FEATURE_UART: values of enum
      * mip_gpio_uart_behavior.
      */
     uint8_t behavior;
@@ -2797,15 +5437,55 @@ struct mip_3dm_gpio_config_response {
     mip_gpio_pin_mode pin_mode;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_GPIO_CONFIG_RESPONSE 0x0CC1
 #define MIP_3DM_GPIO_CONFIG_RESPONSE_DESCRIPTOR 0xC1
 #define MIP_3DM_GPIO_CONFIG_RESPONSE_NAME "3dm.gpio_config_response"
 
-extern const struct mip_codec mip_3dm_gpio_config_response_codec;
-mip_error mip_3dm_gpio_config_response_decode(struct mip_3dm_gpio_config_response *value,
-                                              const struct mip_field *field);
-mip_error mip_3dm_gpio_config_response_encode(const struct mip_3dm_gpio_config_response *value,
-                                              struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_gpio_config_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_gpio_config_response_decode(
+    struct mip_3dm_gpio_config_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_gpio_config_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_gpio_config_response_encode(
+    const struct mip_3dm_gpio_config_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_gpio_config_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_3dm_gpio_config_response_decode_inline(
+    struct mip_3dm_gpio_config_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0C, 0xC1, 4);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->pin = mip_get_8(field->data);
+    value->feature = mip_get_8(field->data + 1);
+    value->behavior = mip_get_8(field->data + 2);
+    value->pin_mode = mip_get_8(field->data + 3);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_3dm_gpio_config_response_encode_inline(
+    const struct mip_3dm_gpio_config_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0C, 0xC1, 4, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->pin);
+    mip_put_8(data + 1, value->feature);
+    mip_put_8(data + 2, value->behavior);
+    mip_put_8(data + 3, value->pin_mode);
+    return MIP_OK;
+}
 /**
  * GPIO State: command (0x0C,0x42).
  *
@@ -2829,27 +5509,58 @@ mip_error mip_3dm_gpio_config_response_encode(const struct mip_3dm_gpio_config_r
 struct mip_3dm_gpio_state {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /** GPIO pin, counted from 1. Range: at least 1. */
     uint8_t pin;
     /** True is high. Required for write. */
     mip_bool state;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_GPIO_STATE 0x0C42
 #define MIP_3DM_GPIO_STATE_DESCRIPTOR 0x42
 #define MIP_3DM_GPIO_STATE_NAME "3dm.gpio_state"
 
-extern const struct mip_codec mip_3dm_gpio_state_codec;
-mip_error mip_3dm_gpio_state_decode(struct mip_3dm_gpio_state *value,
-                                    const struct mip_field *field);
-mip_error mip_3dm_gpio_state_encode(const struct mip_3dm_gpio_state *value,
-                                    struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_3dm_gpio_state mip_3dm_gpio_state_write(uint8_t pin, mip_bool state);
-/** Send the current setting back in a response. */
-struct mip_3dm_gpio_state mip_3dm_gpio_state_read(uint8_t pin);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_gpio_state_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_gpio_state_decode(struct mip_3dm_gpio_state *value,
+                                                  const struct mip_field *field) {
+    return mip_decode(&mip_3dm_gpio_state_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_gpio_state_encode(const struct mip_3dm_gpio_state *value,
+                                                  struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_gpio_state_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_gpio_state *
+mip_3dm_gpio_state_write(struct mip_3dm_gpio_state *command, uint8_t pin, mip_bool state) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->pin = pin;
+    command->state = state;
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_gpio_state *mip_3dm_gpio_state_read(struct mip_3dm_gpio_state *command,
+                                                                 uint8_t pin) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    command->pin = pin;
+    return command;
+}
 /**
  * GPIO State response: response (0x0C,0xC2).
  *
@@ -2864,15 +5575,51 @@ struct mip_3dm_gpio_state_response {
     mip_bool state;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_GPIO_STATE_RESPONSE 0x0CC2
 #define MIP_3DM_GPIO_STATE_RESPONSE_DESCRIPTOR 0xC2
 #define MIP_3DM_GPIO_STATE_RESPONSE_NAME "3dm.gpio_state_response"
 
-extern const struct mip_codec mip_3dm_gpio_state_response_codec;
-mip_error mip_3dm_gpio_state_response_decode(struct mip_3dm_gpio_state_response *value,
-                                             const struct mip_field *field);
-mip_error mip_3dm_gpio_state_response_encode(const struct mip_3dm_gpio_state_response *value,
-                                             struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_gpio_state_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_gpio_state_response_decode(
+    struct mip_3dm_gpio_state_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_gpio_state_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_gpio_state_response_encode(
+    const struct mip_3dm_gpio_state_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_gpio_state_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_3dm_gpio_state_response_decode_inline(
+    struct mip_3dm_gpio_state_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0C, 0xC2, 2);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->pin = mip_get_8(field->data);
+    value->state = mip_get_8(field->data + 1);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_3dm_gpio_state_response_encode_inline(
+    const struct mip_3dm_gpio_state_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0C, 0xC2, 2, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->pin);
+    mip_put_8(data + 1, value->state);
+    return MIP_OK;
+}
 /**
  * Odometer Configuration: command (0x0C,0x43).
  *
@@ -2886,10 +5633,10 @@ mip_error mip_3dm_gpio_state_response_encode(const struct mip_3dm_gpio_state_res
 struct mip_3dm_odometer_config {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
-    /** How the input works. Required for write. */
-    mip_3dm_odometer_mode mode;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
+    /** How the input works. A value of enum mip_3dm_odometer_mode. Required for write. */
+    uint8_t mode;
     /**
      * Pulses over the distance travelled; negative if the encoder turns backwards. Unit: pulse/m.
      * Required for write.
@@ -2901,26 +5648,84 @@ struct mip_3dm_odometer_config {
     float uncertainty;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_ODOMETER_CONFIG 0x0C43
 #define MIP_3DM_ODOMETER_CONFIG_DESCRIPTOR 0x43
 #define MIP_3DM_ODOMETER_CONFIG_NAME "3dm.odometer_config"
 
-extern const struct mip_codec mip_3dm_odometer_config_codec;
-mip_error mip_3dm_odometer_config_decode(struct mip_3dm_odometer_config *value,
-                                         const struct mip_field *field);
-mip_error mip_3dm_odometer_config_encode(const struct mip_3dm_odometer_config *value,
-                                         struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_3dm_odometer_config mip_3dm_odometer_config_write(mip_3dm_odometer_mode mode,
-                                                             float scaling, float uncertainty);
-/** Send the current setting back in a response. */
-struct mip_3dm_odometer_config mip_3dm_odometer_config_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_3dm_odometer_config mip_3dm_odometer_config_save(void);
-/** Load the saved setting. */
-struct mip_3dm_odometer_config mip_3dm_odometer_config_load(void);
-/** Load the factory default setting. */
-struct mip_3dm_odometer_config mip_3dm_odometer_config_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_odometer_config_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_odometer_config_decode(struct mip_3dm_odometer_config *value,
+                                                       const struct mip_field *field) {
+    return mip_decode(&mip_3dm_odometer_config_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_odometer_config_encode(const struct mip_3dm_odometer_config *value,
+                                                       struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_odometer_config_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_odometer_config *
+mip_3dm_odometer_config_write(struct mip_3dm_odometer_config *command,
+                              enum mip_3dm_odometer_mode mode, float scaling, float uncertainty) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->mode = (uint8_t)mode;
+    command->scaling = scaling;
+    command->uncertainty = uncertainty;
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_odometer_config *
+mip_3dm_odometer_config_read(struct mip_3dm_odometer_config *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_odometer_config *
+mip_3dm_odometer_config_save(struct mip_3dm_odometer_config *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_odometer_config *
+mip_3dm_odometer_config_load(struct mip_3dm_odometer_config *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_odometer_config *
+mip_3dm_odometer_config_default(struct mip_3dm_odometer_config *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * Odometer Configuration response: response (0x0C,0xC3).
  *
@@ -2929,8 +5734,8 @@ struct mip_3dm_odometer_config mip_3dm_odometer_config_default(void);
  * - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
  */
 struct mip_3dm_odometer_config_response {
-    /** How the input works. */
-    mip_3dm_odometer_mode mode;
+    /** How the input works. A value of enum mip_3dm_odometer_mode. */
+    uint8_t mode;
     /**
      * Pulses over the distance travelled; negative if the encoder turns backwards. Unit: pulse/m.
      *
@@ -2941,15 +5746,53 @@ struct mip_3dm_odometer_config_response {
     float uncertainty;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_ODOMETER_CONFIG_RESPONSE 0x0CC3
 #define MIP_3DM_ODOMETER_CONFIG_RESPONSE_DESCRIPTOR 0xC3
 #define MIP_3DM_ODOMETER_CONFIG_RESPONSE_NAME "3dm.odometer_config_response"
 
-extern const struct mip_codec mip_3dm_odometer_config_response_codec;
-mip_error mip_3dm_odometer_config_response_decode(struct mip_3dm_odometer_config_response *value,
-                                                  const struct mip_field *field);
-mip_error mip_3dm_odometer_config_response_encode(
-    const struct mip_3dm_odometer_config_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_odometer_config_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_odometer_config_response_decode(
+    struct mip_3dm_odometer_config_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_odometer_config_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_odometer_config_response_encode(
+    const struct mip_3dm_odometer_config_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_odometer_config_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_3dm_odometer_config_response_decode_inline(
+    struct mip_3dm_odometer_config_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0C, 0xC3, 9);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->mode = mip_get_8(field->data);
+    mip_get_float(&value->scaling, field->data + 1);
+    mip_get_float(&value->uncertainty, field->data + 5);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_3dm_odometer_config_response_encode_inline(
+    const struct mip_3dm_odometer_config_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0C, 0xC3, 9, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->mode);
+    mip_put_float(data + 1, &value->scaling);
+    mip_put_float(data + 5, &value->uncertainty);
+    return MIP_OK;
+}
 /**
  * Advanced Low-Pass Filter Settings: command (0x0C,0x50).
  *
@@ -2972,8 +5815,8 @@ mip_error mip_3dm_odometer_config_response_encode(
 struct mip_3dm_imu_low_pass_filter {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /**
      * Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05,
      * magnetic field 0x06 or pressure 0x17. On the 3DM-CV7-GNSS/INS: Field descriptor in the sensor
@@ -2997,28 +5840,89 @@ struct mip_3dm_imu_low_pass_filter {
     uint8_t reserved;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_IMU_LOW_PASS_FILTER 0x0C50
 #define MIP_3DM_IMU_LOW_PASS_FILTER_DESCRIPTOR 0x50
 #define MIP_3DM_IMU_LOW_PASS_FILTER_NAME "3dm.imu_low_pass_filter"
 
-extern const struct mip_codec mip_3dm_imu_low_pass_filter_codec;
-mip_error mip_3dm_imu_low_pass_filter_decode(struct mip_3dm_imu_low_pass_filter *value,
-                                             const struct mip_field *field);
-mip_error mip_3dm_imu_low_pass_filter_encode(const struct mip_3dm_imu_low_pass_filter *value,
-                                             struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_3dm_imu_low_pass_filter mip_3dm_imu_low_pass_filter_write(uint8_t target_descriptor,
-                                                                     mip_bool enable,
-                                                                     mip_bool manual,
-                                                                     uint16_t frequency);
-/** Send the current setting back in a response. */
-struct mip_3dm_imu_low_pass_filter mip_3dm_imu_low_pass_filter_read(uint8_t target_descriptor);
-/** Save the current setting to non-volatile memory. */
-struct mip_3dm_imu_low_pass_filter mip_3dm_imu_low_pass_filter_save(uint8_t target_descriptor);
-/** Load the saved setting. */
-struct mip_3dm_imu_low_pass_filter mip_3dm_imu_low_pass_filter_load(uint8_t target_descriptor);
-/** Load the factory default setting. */
-struct mip_3dm_imu_low_pass_filter mip_3dm_imu_low_pass_filter_default(uint8_t target_descriptor);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_imu_low_pass_filter_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_imu_low_pass_filter_decode(
+    struct mip_3dm_imu_low_pass_filter *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_imu_low_pass_filter_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_imu_low_pass_filter_encode(
+    const struct mip_3dm_imu_low_pass_filter *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_imu_low_pass_filter_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_write(
+    struct mip_3dm_imu_low_pass_filter *command, uint8_t target_descriptor, mip_bool enable,
+    mip_bool manual, uint16_t frequency) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->target_descriptor = target_descriptor;
+    command->enable = enable;
+    command->manual = manual;
+    command->frequency = frequency;
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_read(
+    struct mip_3dm_imu_low_pass_filter *command, uint8_t target_descriptor) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    command->target_descriptor = target_descriptor;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_save(
+    struct mip_3dm_imu_low_pass_filter *command, uint8_t target_descriptor) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    command->target_descriptor = target_descriptor;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_load(
+    struct mip_3dm_imu_low_pass_filter *command, uint8_t target_descriptor) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    command->target_descriptor = target_descriptor;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_default(
+    struct mip_3dm_imu_low_pass_filter *command, uint8_t target_descriptor) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    command->target_descriptor = target_descriptor;
+    return command;
+}
 /**
  * Advanced Low-Pass Filter Settings response: response (0x0C,0x8B).
  *
@@ -3047,15 +5951,57 @@ struct mip_3dm_imu_low_pass_filter_response {
     uint8_t reserved;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_IMU_LOW_PASS_FILTER_RESPONSE 0x0C8B
 #define MIP_3DM_IMU_LOW_PASS_FILTER_RESPONSE_DESCRIPTOR 0x8B
 #define MIP_3DM_IMU_LOW_PASS_FILTER_RESPONSE_NAME "3dm.imu_low_pass_filter_response"
 
-extern const struct mip_codec mip_3dm_imu_low_pass_filter_response_codec;
-mip_error mip_3dm_imu_low_pass_filter_response_decode(
-    struct mip_3dm_imu_low_pass_filter_response *value, const struct mip_field *field);
-mip_error mip_3dm_imu_low_pass_filter_response_encode(
-    const struct mip_3dm_imu_low_pass_filter_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_imu_low_pass_filter_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_imu_low_pass_filter_response_decode(
+    struct mip_3dm_imu_low_pass_filter_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_imu_low_pass_filter_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_imu_low_pass_filter_response_encode(
+    const struct mip_3dm_imu_low_pass_filter_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_imu_low_pass_filter_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_3dm_imu_low_pass_filter_response_decode_inline(
+    struct mip_3dm_imu_low_pass_filter_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0C, 0x8B, 6);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->target_descriptor = mip_get_8(field->data);
+    value->enable = mip_get_8(field->data + 1);
+    value->manual = mip_get_8(field->data + 2);
+    value->frequency = mip_get_16(field->data + 3);
+    value->reserved = mip_get_8(field->data + 5);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_3dm_imu_low_pass_filter_response_encode_inline(
+    const struct mip_3dm_imu_low_pass_filter_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x8B, 6, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->target_descriptor);
+    mip_put_8(data + 1, value->enable);
+    mip_put_8(data + 2, value->manual);
+    mip_put_16(data + 3, value->frequency);
+    mip_put_8(data + 5, value->reserved);
+    return MIP_OK;
+}
 /**
  * Complementary Filter Configuration: command (0x0C,0x51).
  *
@@ -3080,8 +6026,8 @@ mip_error mip_3dm_imu_low_pass_filter_response_encode(
 struct mip_3dm_complementary_filter {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /**
      * Corrects pitch and roll (up, in terms of the 5-series). Required for write. On the
      * 3DM-GX5-15: default true.
@@ -3105,27 +6051,85 @@ struct mip_3dm_complementary_filter {
     float heading_time_constant;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_COMPLEMENTARY_FILTER 0x0C51
 #define MIP_3DM_COMPLEMENTARY_FILTER_DESCRIPTOR 0x51
 #define MIP_3DM_COMPLEMENTARY_FILTER_NAME "3dm.complementary_filter"
 
-extern const struct mip_codec mip_3dm_complementary_filter_codec;
-mip_error mip_3dm_complementary_filter_decode(struct mip_3dm_complementary_filter *value,
-                                              const struct mip_field *field);
-mip_error mip_3dm_complementary_filter_encode(const struct mip_3dm_complementary_filter *value,
-                                              struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_3dm_complementary_filter
-mip_3dm_complementary_filter_write(mip_bool pitch_roll_enable, mip_bool heading_enable,
-                                   float pitch_roll_time_constant, float heading_time_constant);
-/** Send the current setting back in a response. */
-struct mip_3dm_complementary_filter mip_3dm_complementary_filter_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_3dm_complementary_filter mip_3dm_complementary_filter_save(void);
-/** Load the saved setting. */
-struct mip_3dm_complementary_filter mip_3dm_complementary_filter_load(void);
-/** Load the factory default setting. */
-struct mip_3dm_complementary_filter mip_3dm_complementary_filter_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_complementary_filter_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_complementary_filter_decode(
+    struct mip_3dm_complementary_filter *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_complementary_filter_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_complementary_filter_encode(
+    const struct mip_3dm_complementary_filter *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_complementary_filter_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_complementary_filter *mip_3dm_complementary_filter_write(
+    struct mip_3dm_complementary_filter *command, mip_bool pitch_roll_enable,
+    mip_bool heading_enable, float pitch_roll_time_constant, float heading_time_constant) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->pitch_roll_enable = pitch_roll_enable;
+    command->heading_enable = heading_enable;
+    command->pitch_roll_time_constant = pitch_roll_time_constant;
+    command->heading_time_constant = heading_time_constant;
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_complementary_filter *
+mip_3dm_complementary_filter_read(struct mip_3dm_complementary_filter *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_complementary_filter *
+mip_3dm_complementary_filter_save(struct mip_3dm_complementary_filter *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_complementary_filter *
+mip_3dm_complementary_filter_load(struct mip_3dm_complementary_filter *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_complementary_filter *
+mip_3dm_complementary_filter_default(struct mip_3dm_complementary_filter *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * Complementary Filter Configuration response: response (0x0C,0x97).
  *
@@ -3149,15 +6153,55 @@ struct mip_3dm_complementary_filter_response {
     float heading_time_constant;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_COMPLEMENTARY_FILTER_RESPONSE 0x0C97
 #define MIP_3DM_COMPLEMENTARY_FILTER_RESPONSE_DESCRIPTOR 0x97
 #define MIP_3DM_COMPLEMENTARY_FILTER_RESPONSE_NAME "3dm.complementary_filter_response"
 
-extern const struct mip_codec mip_3dm_complementary_filter_response_codec;
-mip_error mip_3dm_complementary_filter_response_decode(
-    struct mip_3dm_complementary_filter_response *value, const struct mip_field *field);
-mip_error mip_3dm_complementary_filter_response_encode(
-    const struct mip_3dm_complementary_filter_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_complementary_filter_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_complementary_filter_response_decode(
+    struct mip_3dm_complementary_filter_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_complementary_filter_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_complementary_filter_response_encode(
+    const struct mip_3dm_complementary_filter_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_complementary_filter_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_3dm_complementary_filter_response_decode_inline(
+    struct mip_3dm_complementary_filter_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0C, 0x97, 10);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->pitch_roll_enable = mip_get_8(field->data);
+    value->heading_enable = mip_get_8(field->data + 1);
+    mip_get_float(&value->pitch_roll_time_constant, field->data + 2);
+    mip_get_float(&value->heading_time_constant, field->data + 6);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_3dm_complementary_filter_response_encode_inline(
+    const struct mip_3dm_complementary_filter_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x97, 10, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->pitch_roll_enable);
+    mip_put_8(data + 1, value->heading_enable);
+    mip_put_float(data + 2, &value->pitch_roll_time_constant);
+    mip_put_float(data + 6, &value->heading_time_constant);
+    return MIP_OK;
+}
 /**
  * Sensor Range: command (0x0C,0x52).
  *
@@ -3174,34 +6218,94 @@ mip_error mip_3dm_complementary_filter_response_encode(
 struct mip_3dm_sensor_range {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
-    /** The sensor. */
-    mip_3dm_sensor_range_type sensor;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
+    /** The sensor. A value of enum mip_3dm_sensor_range_type. */
+    uint8_t sensor;
     /** Number of the range. Required for write. */
     uint8_t setting;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_SENSOR_RANGE 0x0C52
 #define MIP_3DM_SENSOR_RANGE_DESCRIPTOR 0x52
 #define MIP_3DM_SENSOR_RANGE_NAME "3dm.sensor_range"
 
-extern const struct mip_codec mip_3dm_sensor_range_codec;
-mip_error mip_3dm_sensor_range_decode(struct mip_3dm_sensor_range *value,
-                                      const struct mip_field *field);
-mip_error mip_3dm_sensor_range_encode(const struct mip_3dm_sensor_range *value,
-                                      struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_3dm_sensor_range mip_3dm_sensor_range_write(mip_3dm_sensor_range_type sensor,
-                                                       uint8_t setting);
-/** Send the current setting back in a response. */
-struct mip_3dm_sensor_range mip_3dm_sensor_range_read(mip_3dm_sensor_range_type sensor);
-/** Save the current setting to non-volatile memory. */
-struct mip_3dm_sensor_range mip_3dm_sensor_range_save(mip_3dm_sensor_range_type sensor);
-/** Load the saved setting. */
-struct mip_3dm_sensor_range mip_3dm_sensor_range_load(mip_3dm_sensor_range_type sensor);
-/** Load the factory default setting. */
-struct mip_3dm_sensor_range mip_3dm_sensor_range_default(mip_3dm_sensor_range_type sensor);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_sensor_range_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_sensor_range_decode(struct mip_3dm_sensor_range *value,
+                                                    const struct mip_field *field) {
+    return mip_decode(&mip_3dm_sensor_range_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_sensor_range_encode(const struct mip_3dm_sensor_range *value,
+                                                    struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_sensor_range_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_write(
+    struct mip_3dm_sensor_range *command, enum mip_3dm_sensor_range_type sensor, uint8_t setting) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->sensor = (uint8_t)sensor;
+    command->setting = setting;
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_read(
+    struct mip_3dm_sensor_range *command, enum mip_3dm_sensor_range_type sensor) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    command->sensor = (uint8_t)sensor;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_save(
+    struct mip_3dm_sensor_range *command, enum mip_3dm_sensor_range_type sensor) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    command->sensor = (uint8_t)sensor;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_load(
+    struct mip_3dm_sensor_range *command, enum mip_3dm_sensor_range_type sensor) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    command->sensor = (uint8_t)sensor;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_default(
+    struct mip_3dm_sensor_range *command, enum mip_3dm_sensor_range_type sensor) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    command->sensor = (uint8_t)sensor;
+    return command;
+}
 /**
  * Sensor Range response: response (0x0C,0xD2).
  *
@@ -3210,21 +6314,57 @@ struct mip_3dm_sensor_range mip_3dm_sensor_range_default(mip_3dm_sensor_range_ty
  * - 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
  */
 struct mip_3dm_sensor_range_response {
-    /** The sensor. */
-    mip_3dm_sensor_range_type sensor;
+    /** The sensor. A value of enum mip_3dm_sensor_range_type. */
+    uint8_t sensor;
     /** Number of the range. */
     uint8_t setting;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_SENSOR_RANGE_RESPONSE 0x0CD2
 #define MIP_3DM_SENSOR_RANGE_RESPONSE_DESCRIPTOR 0xD2
 #define MIP_3DM_SENSOR_RANGE_RESPONSE_NAME "3dm.sensor_range_response"
 
-extern const struct mip_codec mip_3dm_sensor_range_response_codec;
-mip_error mip_3dm_sensor_range_response_decode(struct mip_3dm_sensor_range_response *value,
-                                               const struct mip_field *field);
-mip_error mip_3dm_sensor_range_response_encode(const struct mip_3dm_sensor_range_response *value,
-                                               struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_sensor_range_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_sensor_range_response_decode(
+    struct mip_3dm_sensor_range_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_sensor_range_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_sensor_range_response_encode(
+    const struct mip_3dm_sensor_range_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_sensor_range_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_3dm_sensor_range_response_decode_inline(
+    struct mip_3dm_sensor_range_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0C, 0xD2, 2);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->sensor = mip_get_8(field->data);
+    value->setting = mip_get_8(field->data + 1);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_3dm_sensor_range_response_encode_inline(
+    const struct mip_3dm_sensor_range_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0C, 0xD2, 2, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->sensor);
+    mip_put_8(data + 1, value->setting);
+    return MIP_OK;
+}
 /**
  * Get Calibrated Sensor Ranges: command (0x0C,0x53).
  *
@@ -3236,22 +6376,65 @@ mip_error mip_3dm_sensor_range_response_encode(const struct mip_3dm_sensor_range
  * - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
  */
 struct mip_3dm_get_calibrated_sensor_ranges {
-    /** The sensor; not all. */
-    mip_3dm_sensor_range_type sensor;
+    /** The sensor; not all. A value of enum mip_3dm_sensor_range_type. */
+    uint8_t sensor;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_GET_CALIBRATED_SENSOR_RANGES 0x0C53
 #define MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_DESCRIPTOR 0x53
 #define MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_NAME "3dm.get_calibrated_sensor_ranges"
 
-extern const struct mip_codec mip_3dm_get_calibrated_sensor_ranges_codec;
-mip_error mip_3dm_get_calibrated_sensor_ranges_decode(
-    struct mip_3dm_get_calibrated_sensor_ranges *value, const struct mip_field *field);
-mip_error mip_3dm_get_calibrated_sensor_ranges_encode(
-    const struct mip_3dm_get_calibrated_sensor_ranges *value, struct mip_builder *builder);
-/** Get Calibrated Sensor Ranges. */
-struct mip_3dm_get_calibrated_sensor_ranges
-mip_3dm_get_calibrated_sensor_ranges_make(mip_3dm_sensor_range_type sensor);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_get_calibrated_sensor_ranges_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_get_calibrated_sensor_ranges_decode(
+    struct mip_3dm_get_calibrated_sensor_ranges *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_get_calibrated_sensor_ranges_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_get_calibrated_sensor_ranges_encode(
+    const struct mip_3dm_get_calibrated_sensor_ranges *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_get_calibrated_sensor_ranges_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_3dm_get_calibrated_sensor_ranges_decode_inline(
+    struct mip_3dm_get_calibrated_sensor_ranges *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0C, 0x53, 1);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->sensor = mip_get_8(field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_3dm_get_calibrated_sensor_ranges_encode_inline(
+    const struct mip_3dm_get_calibrated_sensor_ranges *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x53, 1, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->sensor);
+    return MIP_OK;
+}
+/**
+ * Get Calibrated Sensor Ranges.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_get_calibrated_sensor_ranges *
+mip_3dm_get_calibrated_sensor_ranges_make(struct mip_3dm_get_calibrated_sensor_ranges *command,
+                                          enum mip_3dm_sensor_range_type sensor) {
+    memset(command, 0, sizeof(*command));
+    command->sensor = (uint8_t)sensor;
+    return command;
+}
 /**
  * Get Calibrated Sensor Ranges response: response (0x0C,0xD3).
  *
@@ -3261,8 +6444,8 @@ mip_3dm_get_calibrated_sensor_ranges_make(mip_3dm_sensor_range_type sensor);
  * - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
  */
 struct mip_3dm_get_calibrated_sensor_ranges_response {
-    /** Sensor of the command. */
-    mip_3dm_sensor_range_type sensor;
+    /** Sensor of the command. A value of enum mip_3dm_sensor_range_type. */
+    uint8_t sensor;
     /** Number of ranges. The number of elements of ranges. */
     uint8_t num_ranges;
     /**
@@ -3274,16 +6457,27 @@ struct mip_3dm_get_calibrated_sensor_ranges_response {
     struct mip_3dm_sensor_range_entry ranges[50];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_RESPONSE 0x0CD3
 #define MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_RESPONSE_DESCRIPTOR 0xD3
 #define MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_RESPONSE_NAME \
     "3dm.get_calibrated_sensor_ranges_response"
 
-extern const struct mip_codec mip_3dm_get_calibrated_sensor_ranges_response_codec;
-mip_error mip_3dm_get_calibrated_sensor_ranges_response_decode(
-    struct mip_3dm_get_calibrated_sensor_ranges_response *value, const struct mip_field *field);
-mip_error mip_3dm_get_calibrated_sensor_ranges_response_encode(
-    const struct mip_3dm_get_calibrated_sensor_ranges_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_get_calibrated_sensor_ranges_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_get_calibrated_sensor_ranges_response_decode(
+    struct mip_3dm_get_calibrated_sensor_ranges_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_get_calibrated_sensor_ranges_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_get_calibrated_sensor_ranges_response_encode(
+    const struct mip_3dm_get_calibrated_sensor_ranges_response *value,
+    struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_get_calibrated_sensor_ranges_response_codec, value, builder);
+}
 /**
  * Low-Pass Anti-Aliasing Filter: command (0x0C,0x54).
  *
@@ -3300,8 +6494,8 @@ mip_error mip_3dm_get_calibrated_sensor_ranges_response_encode(
 struct mip_3dm_low_pass_filter {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /** Descriptor set of the field. */
     uint8_t descriptor_set;
     /** Field descriptor; 0 if the set is 0. */
@@ -3320,32 +6514,94 @@ struct mip_3dm_low_pass_filter {
     float frequency;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_LOW_PASS_FILTER 0x0C54
 #define MIP_3DM_LOW_PASS_FILTER_DESCRIPTOR 0x54
 #define MIP_3DM_LOW_PASS_FILTER_NAME "3dm.low_pass_filter"
 
-extern const struct mip_codec mip_3dm_low_pass_filter_codec;
-mip_error mip_3dm_low_pass_filter_decode(struct mip_3dm_low_pass_filter *value,
-                                         const struct mip_field *field);
-mip_error mip_3dm_low_pass_filter_encode(const struct mip_3dm_low_pass_filter *value,
-                                         struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_3dm_low_pass_filter mip_3dm_low_pass_filter_write(uint8_t descriptor_set,
-                                                             uint8_t field_descriptor,
-                                                             mip_bool enable, mip_bool manual,
-                                                             float frequency);
-/** Send the current setting back in a response. */
-struct mip_3dm_low_pass_filter mip_3dm_low_pass_filter_read(uint8_t descriptor_set,
-                                                            uint8_t field_descriptor);
-/** Save the current setting to non-volatile memory. */
-struct mip_3dm_low_pass_filter mip_3dm_low_pass_filter_save(uint8_t descriptor_set,
-                                                            uint8_t field_descriptor);
-/** Load the saved setting. */
-struct mip_3dm_low_pass_filter mip_3dm_low_pass_filter_load(uint8_t descriptor_set,
-                                                            uint8_t field_descriptor);
-/** Load the factory default setting. */
-struct mip_3dm_low_pass_filter mip_3dm_low_pass_filter_default(uint8_t descriptor_set,
-                                                               uint8_t field_descriptor);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_low_pass_filter_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_low_pass_filter_decode(struct mip_3dm_low_pass_filter *value,
+                                                       const struct mip_field *field) {
+    return mip_decode(&mip_3dm_low_pass_filter_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_low_pass_filter_encode(const struct mip_3dm_low_pass_filter *value,
+                                                       struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_low_pass_filter_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_write(
+    struct mip_3dm_low_pass_filter *command, uint8_t descriptor_set, uint8_t field_descriptor,
+    mip_bool enable, mip_bool manual, float frequency) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->descriptor_set = descriptor_set;
+    command->field_descriptor = field_descriptor;
+    command->enable = enable;
+    command->manual = manual;
+    command->frequency = frequency;
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_read(
+    struct mip_3dm_low_pass_filter *command, uint8_t descriptor_set, uint8_t field_descriptor) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    command->descriptor_set = descriptor_set;
+    command->field_descriptor = field_descriptor;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_save(
+    struct mip_3dm_low_pass_filter *command, uint8_t descriptor_set, uint8_t field_descriptor) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    command->descriptor_set = descriptor_set;
+    command->field_descriptor = field_descriptor;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_load(
+    struct mip_3dm_low_pass_filter *command, uint8_t descriptor_set, uint8_t field_descriptor) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    command->descriptor_set = descriptor_set;
+    command->field_descriptor = field_descriptor;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_default(
+    struct mip_3dm_low_pass_filter *command, uint8_t descriptor_set, uint8_t field_descriptor) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    command->descriptor_set = descriptor_set;
+    command->field_descriptor = field_descriptor;
+    return command;
+}
 /**
  * Low-Pass Anti-Aliasing Filter response: response (0x0C,0xD4).
  *
@@ -3367,15 +6623,57 @@ struct mip_3dm_low_pass_filter_response {
     float frequency;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_LOW_PASS_FILTER_RESPONSE 0x0CD4
 #define MIP_3DM_LOW_PASS_FILTER_RESPONSE_DESCRIPTOR 0xD4
 #define MIP_3DM_LOW_PASS_FILTER_RESPONSE_NAME "3dm.low_pass_filter_response"
 
-extern const struct mip_codec mip_3dm_low_pass_filter_response_codec;
-mip_error mip_3dm_low_pass_filter_response_decode(struct mip_3dm_low_pass_filter_response *value,
-                                                  const struct mip_field *field);
-mip_error mip_3dm_low_pass_filter_response_encode(
-    const struct mip_3dm_low_pass_filter_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_low_pass_filter_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_low_pass_filter_response_decode(
+    struct mip_3dm_low_pass_filter_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_low_pass_filter_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_low_pass_filter_response_encode(
+    const struct mip_3dm_low_pass_filter_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_low_pass_filter_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_3dm_low_pass_filter_response_decode_inline(
+    struct mip_3dm_low_pass_filter_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0C, 0xD4, 8);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->descriptor_set = mip_get_8(field->data);
+    value->field_descriptor = mip_get_8(field->data + 1);
+    value->enable = mip_get_8(field->data + 2);
+    value->manual = mip_get_8(field->data + 3);
+    mip_get_float(&value->frequency, field->data + 4);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_3dm_low_pass_filter_response_encode_inline(
+    const struct mip_3dm_low_pass_filter_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0C, 0xD4, 8, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->descriptor_set);
+    mip_put_8(data + 1, value->field_descriptor);
+    mip_put_8(data + 2, value->enable);
+    mip_put_8(data + 3, value->manual);
+    mip_put_float(data + 4, &value->frequency);
+    return MIP_OK;
+}
 /**
  * Device Status: command (0x0C,0x64).
  *
@@ -3405,22 +6703,68 @@ struct mip_3dm_device_status {
      * always 6252. On the 3DM-GX5-45: always 6251.
      */
     uint16_t model_number;
-    /** How much the answer tells. */
-    mip_3dm_device_status_selector status_selector;
+    /** How much the answer tells. A value of enum mip_3dm_device_status_selector. */
+    uint8_t status_selector;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_DEVICE_STATUS 0x0C64
 #define MIP_3DM_DEVICE_STATUS_DESCRIPTOR 0x64
 #define MIP_3DM_DEVICE_STATUS_NAME "3dm.device_status"
 
-extern const struct mip_codec mip_3dm_device_status_codec;
-mip_error mip_3dm_device_status_decode(struct mip_3dm_device_status *value,
-                                       const struct mip_field *field);
-mip_error mip_3dm_device_status_encode(const struct mip_3dm_device_status *value,
-                                       struct mip_builder *builder);
-/** Device Status. */
-struct mip_3dm_device_status
-mip_3dm_device_status_make(uint16_t model_number, mip_3dm_device_status_selector status_selector);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_device_status_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_device_status_decode(struct mip_3dm_device_status *value,
+                                                     const struct mip_field *field) {
+    return mip_decode(&mip_3dm_device_status_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_device_status_encode(const struct mip_3dm_device_status *value,
+                                                     struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_device_status_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_3dm_device_status_decode_inline(struct mip_3dm_device_status *value,
+                                                            const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0C, 0x64, 3);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->model_number = mip_get_16(field->data);
+    value->status_selector = mip_get_8(field->data + 2);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_3dm_device_status_encode_inline(
+    const struct mip_3dm_device_status *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x64, 3, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_16(data, value->model_number);
+    mip_put_8(data + 2, value->status_selector);
+    return MIP_OK;
+}
+/**
+ * Device Status.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3dm_device_status *
+mip_3dm_device_status_make(struct mip_3dm_device_status *command, uint16_t model_number,
+                           enum mip_3dm_device_status_selector status_selector) {
+    memset(command, 0, sizeof(*command));
+    command->model_number = model_number;
+    command->status_selector = (uint8_t)status_selector;
+    return command;
+}
 /**
  * Basic Device Status: response (0x0C,0x90).
  *
@@ -3452,15 +6796,25 @@ struct mip_3dm_device_status_basic_response {
     uint32_t system_timer;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_DEVICE_STATUS_BASIC_RESPONSE 0x0C90
 #define MIP_3DM_DEVICE_STATUS_BASIC_RESPONSE_DESCRIPTOR 0x90
 #define MIP_3DM_DEVICE_STATUS_BASIC_RESPONSE_NAME "3dm.device_status_basic_response"
 
-extern const struct mip_codec mip_3dm_device_status_basic_response_codec;
-mip_error mip_3dm_device_status_basic_response_decode(
-    struct mip_3dm_device_status_basic_response *value, const struct mip_field *field);
-mip_error mip_3dm_device_status_basic_response_encode(
-    const struct mip_3dm_device_status_basic_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_device_status_basic_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_device_status_basic_response_decode(
+    struct mip_3dm_device_status_basic_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_device_status_basic_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_device_status_basic_response_encode(
+    const struct mip_3dm_device_status_basic_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_device_status_basic_response_codec, value, builder);
+}
 /**
  * Basic Device Status without a state: response (0x0C,0x90).
  *
@@ -3492,18 +6846,29 @@ struct mip_3dm_device_status_basic_without_state_response {
     uint32_t system_timer;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_DEVICE_STATUS_BASIC_WITHOUT_STATE_RESPONSE 0x0C90
 #define MIP_3DM_DEVICE_STATUS_BASIC_WITHOUT_STATE_RESPONSE_DESCRIPTOR 0x90
 #define MIP_3DM_DEVICE_STATUS_BASIC_WITHOUT_STATE_RESPONSE_NAME \
     "3dm.device_status_basic_without_state_response"
 
-extern const struct mip_codec mip_3dm_device_status_basic_without_state_response_codec;
-mip_error mip_3dm_device_status_basic_without_state_response_decode(
-    struct mip_3dm_device_status_basic_without_state_response *value,
-    const struct mip_field *field);
-mip_error mip_3dm_device_status_basic_without_state_response_encode(
-    const struct mip_3dm_device_status_basic_without_state_response *value,
-    struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_device_status_basic_without_state_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_device_status_basic_without_state_response_decode(
+    struct mip_3dm_device_status_basic_without_state_response *value,
+    const struct mip_field *field) {
+    return mip_decode(&mip_3dm_device_status_basic_without_state_response_codec, value, field,
+                      NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_device_status_basic_without_state_response_encode(
+    const struct mip_3dm_device_status_basic_without_state_response *value,
+    struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_device_status_basic_without_state_response_codec, value, builder);
+}
 /**
  * Diagnostic Device Status: response (0x0C,0x90).
  *
@@ -3559,15 +6924,25 @@ struct mip_3dm_device_status_diagnostic_response {
     uint32_t imu_last_message_time;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RESPONSE 0x0C90
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RESPONSE_DESCRIPTOR 0x90
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RESPONSE_NAME "3dm.device_status_diagnostic_response"
 
-extern const struct mip_codec mip_3dm_device_status_diagnostic_response_codec;
-mip_error mip_3dm_device_status_diagnostic_response_decode(
-    struct mip_3dm_device_status_diagnostic_response *value, const struct mip_field *field);
-mip_error mip_3dm_device_status_diagnostic_response_encode(
-    const struct mip_3dm_device_status_diagnostic_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_device_status_diagnostic_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_device_status_diagnostic_response_decode(
+    struct mip_3dm_device_status_diagnostic_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_device_status_diagnostic_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_device_status_diagnostic_response_encode(
+    const struct mip_3dm_device_status_diagnostic_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_device_status_diagnostic_response_codec, value, builder);
+}
 /**
  * Diagnostic Device Status with GNSS: response (0x0C,0x90).
  *
@@ -3642,17 +7017,27 @@ struct mip_3dm_device_status_diagnostic_gnss_response {
     uint32_t gnss_last_message_time;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GNSS_RESPONSE 0x0C90
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GNSS_RESPONSE_DESCRIPTOR 0x90
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GNSS_RESPONSE_NAME \
     "3dm.device_status_diagnostic_gnss_response"
 
-extern const struct mip_codec mip_3dm_device_status_diagnostic_gnss_response_codec;
-mip_error mip_3dm_device_status_diagnostic_gnss_response_decode(
-    struct mip_3dm_device_status_diagnostic_gnss_response *value, const struct mip_field *field);
-mip_error mip_3dm_device_status_diagnostic_gnss_response_encode(
-    const struct mip_3dm_device_status_diagnostic_gnss_response *value,
-    struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_device_status_diagnostic_gnss_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_device_status_diagnostic_gnss_response_decode(
+    struct mip_3dm_device_status_diagnostic_gnss_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_device_status_diagnostic_gnss_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_device_status_diagnostic_gnss_response_encode(
+    const struct mip_3dm_device_status_diagnostic_gnss_response *value,
+    struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_device_status_diagnostic_gnss_response_codec, value, builder);
+}
 /**
  * Diagnostic Device Status of the 3DM-GQ4-45: response (0x0C,0x90).
  *
@@ -3731,17 +7116,27 @@ struct mip_3dm_device_status_diagnostic_gq4_45_response {
     mip_bool receiver_init_failed;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GQ4_45_RESPONSE 0x0C90
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GQ4_45_RESPONSE_DESCRIPTOR 0x90
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GQ4_45_RESPONSE_NAME \
     "3dm.device_status_diagnostic_gq4_45_response"
 
-extern const struct mip_codec mip_3dm_device_status_diagnostic_gq4_45_response_codec;
-mip_error mip_3dm_device_status_diagnostic_gq4_45_response_decode(
-    struct mip_3dm_device_status_diagnostic_gq4_45_response *value, const struct mip_field *field);
-mip_error mip_3dm_device_status_diagnostic_gq4_45_response_encode(
-    const struct mip_3dm_device_status_diagnostic_gq4_45_response *value,
-    struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_device_status_diagnostic_gq4_45_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_device_status_diagnostic_gq4_45_response_decode(
+    struct mip_3dm_device_status_diagnostic_gq4_45_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_device_status_diagnostic_gq4_45_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_device_status_diagnostic_gq4_45_response_encode(
+    const struct mip_3dm_device_status_diagnostic_gq4_45_response *value,
+    struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_device_status_diagnostic_gq4_45_response_codec, value, builder);
+}
 /**
  * Diagnostic Device Status of the 3DM-RQ1-45: response (0x0C,0x90).
  *
@@ -3820,17 +7215,27 @@ struct mip_3dm_device_status_diagnostic_rq1_45_response {
     uint32_t gnss_last_message_time;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RQ1_45_RESPONSE 0x0C90
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RQ1_45_RESPONSE_DESCRIPTOR 0x90
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RQ1_45_RESPONSE_NAME \
     "3dm.device_status_diagnostic_rq1_45_response"
 
-extern const struct mip_codec mip_3dm_device_status_diagnostic_rq1_45_response_codec;
-mip_error mip_3dm_device_status_diagnostic_rq1_45_response_decode(
-    struct mip_3dm_device_status_diagnostic_rq1_45_response *value, const struct mip_field *field);
-mip_error mip_3dm_device_status_diagnostic_rq1_45_response_encode(
-    const struct mip_3dm_device_status_diagnostic_rq1_45_response *value,
-    struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_device_status_diagnostic_rq1_45_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_device_status_diagnostic_rq1_45_response_decode(
+    struct mip_3dm_device_status_diagnostic_rq1_45_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_device_status_diagnostic_rq1_45_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_device_status_diagnostic_rq1_45_response_encode(
+    const struct mip_3dm_device_status_diagnostic_rq1_45_response *value,
+    struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_device_status_diagnostic_rq1_45_response_codec, value, builder);
+}
 /**
  * Diagnostic Device Status of the 3DM-GX4-15 and 3DM-GX4-25: response (0x0C,0x90).
  *
@@ -3899,16 +7304,27 @@ struct mip_3dm_device_status_diagnostic_gx4_response {
     uint32_t imu_last_message_time;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX4_RESPONSE 0x0C90
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX4_RESPONSE_DESCRIPTOR 0x90
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX4_RESPONSE_NAME \
     "3dm.device_status_diagnostic_gx4_response"
 
-extern const struct mip_codec mip_3dm_device_status_diagnostic_gx4_response_codec;
-mip_error mip_3dm_device_status_diagnostic_gx4_response_decode(
-    struct mip_3dm_device_status_diagnostic_gx4_response *value, const struct mip_field *field);
-mip_error mip_3dm_device_status_diagnostic_gx4_response_encode(
-    const struct mip_3dm_device_status_diagnostic_gx4_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_device_status_diagnostic_gx4_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_device_status_diagnostic_gx4_response_decode(
+    struct mip_3dm_device_status_diagnostic_gx4_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_device_status_diagnostic_gx4_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_device_status_diagnostic_gx4_response_encode(
+    const struct mip_3dm_device_status_diagnostic_gx4_response *value,
+    struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_device_status_diagnostic_gx4_response_codec, value, builder);
+}
 /**
  * Diagnostic Device Status of an IMU: response (0x0C,0x90).
  *
@@ -3977,15 +7393,27 @@ struct mip_3dm_device_status_diagnostic_imu_response {
     uint32_t comm_port_read_overruns;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_IMU_RESPONSE 0x0C90
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_IMU_RESPONSE_DESCRIPTOR 0x90
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_IMU_RESPONSE_NAME \
     "3dm.device_status_diagnostic_imu_response"
 
-extern const struct mip_codec mip_3dm_device_status_diagnostic_imu_response_codec;
-mip_error mip_3dm_device_status_diagnostic_imu_response_decode(
-    struct mip_3dm_device_status_diagnostic_imu_response *value, const struct mip_field *field);
-mip_error mip_3dm_device_status_diagnostic_imu_response_encode(
-    const struct mip_3dm_device_status_diagnostic_imu_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3dm_device_status_diagnostic_imu_response_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3dm_device_status_diagnostic_imu_response_decode(
+    struct mip_3dm_device_status_diagnostic_imu_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_device_status_diagnostic_imu_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3dm_device_status_diagnostic_imu_response_encode(
+    const struct mip_3dm_device_status_diagnostic_imu_response *value,
+    struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_device_status_diagnostic_imu_response_codec, value, builder);
+}
 
 #ifdef __cplusplus
 }

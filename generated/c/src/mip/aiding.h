@@ -25,47 +25,52 @@ extern "C" {
  *
  * - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
  */
-typedef uint8_t mip_aiding_frame_format;
-/** Euler angles: roll, pitch, yaw. */
-#define MIP_AIDING_FRAME_FORMAT_EULER 1
-/** Quaternion: w, x, y, z. */
-#define MIP_AIDING_FRAME_FORMAT_QUATERNION 2
+enum mip_aiding_frame_format {
+    /** Euler angles: roll, pitch, yaw. */
+    MIP_AIDING_FRAME_FORMAT_EULER = 1,
+    /** Quaternion: w, x, y, z. */
+    MIP_AIDING_FRAME_FORMAT_QUATERNION = 2
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_aiding_frame_format_name(uint8_t value);
 /**
  * How the device answers aiding measurements.
  *
  * - 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F)
  */
-typedef uint8_t mip_aiding_echo_mode;
-/** No acknowledge. */
-#define MIP_AIDING_ECHO_MODE_SUPPRESS_ACK 0
-/** Acknowledge as for any command. */
-#define MIP_AIDING_ECHO_MODE_STANDARD 1
-/** The data come back in a response. */
-#define MIP_AIDING_ECHO_MODE_RESPONSE 2
+enum mip_aiding_echo_mode {
+    /** No acknowledge. */
+    MIP_AIDING_ECHO_MODE_SUPPRESS_ACK = 0,
+    /** Acknowledge as for any command. */
+    MIP_AIDING_ECHO_MODE_STANDARD = 1,
+    /** The data come back in a response. */
+    MIP_AIDING_ECHO_MODE_RESPONSE = 2
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_aiding_echo_mode_name(uint8_t value);
 /** Clock of the time of a measurement. */
-typedef uint8_t mip_aiding_timebase;
-/** Internal reference clock of the device. */
-#define MIP_AIDING_TIMEBASE_INTERNAL_REFERENCE 1
-/** External clock, with which the PPS synchronizes the device. */
-#define MIP_AIDING_TIMEBASE_EXTERNAL_TIME 2
-/** Latency relative to the arrival of the command. */
-#define MIP_AIDING_TIMEBASE_TIME_OF_ARRIVAL 3
+enum mip_aiding_timebase {
+    /** Internal reference clock of the device. */
+    MIP_AIDING_TIMEBASE_INTERNAL_REFERENCE = 1,
+    /** External clock, with which the PPS synchronizes the device. */
+    MIP_AIDING_TIMEBASE_EXTERNAL_TIME = 2,
+    /** Latency relative to the arrival of the command. */
+    MIP_AIDING_TIMEBASE_TIME_OF_ARRIVAL = 3
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_aiding_timebase_name(uint8_t value);
 /** When a measurement was taken. */
 struct mip_aiding_measurement_time {
-    /** Clock of the time. */
-    mip_aiding_timebase timebase;
+    /** Clock of the time. A value of enum mip_aiding_timebase. */
+    uint8_t timebase;
     /** Reserved: send 1. */
     uint8_t reserved;
     /** Time by that clock. Unit: ns. */
     uint64_t nanoseconds;
 };
-
-void mip_aiding_measurement_time_read(struct mip_reader *r, struct mip_aiding_measurement_time *v);
-void mip_aiding_measurement_time_write(struct mip_writer *w,
-                                       const struct mip_aiding_measurement_time *v);
 
 /** Which axes of a measurement are valid; the others are ignored. */
 typedef uint16_t mip_aiding_axis_flags;
@@ -75,7 +80,6 @@ typedef uint16_t mip_aiding_axis_flags;
 #define MIP_AIDING_AXIS_FLAGS_Y 0x0002U
 /** Bit 2. Third axis. */
 #define MIP_AIDING_AXIS_FLAGS_Z 0x0004U
-
 /** Which coordinates of a position are valid; the others are ignored. */
 typedef uint16_t mip_aiding_llh_axis_flags;
 /** Bit 0. Latitude and its uncertainty. */
@@ -84,7 +88,6 @@ typedef uint16_t mip_aiding_llh_axis_flags;
 #define MIP_AIDING_LLH_AXIS_FLAGS_LONGITUDE 0x0002U
 /** Bit 2. Height and its uncertainty. */
 #define MIP_AIDING_LLH_AXIS_FLAGS_HEIGHT 0x0004U
-
 /** The member of mip_aiding_frame_config that `format` selects. */
 union mip_aiding_frame_config_rotation {
     /**
@@ -121,12 +124,15 @@ union mip_aiding_frame_config_rotation {
 struct mip_aiding_frame_config {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /** Number of the frame. Range: 1 to 4. */
     uint8_t frame_id;
-    /** How the rotation is given. Required for write and read. */
-    mip_aiding_frame_format format;
+    /**
+     * How the rotation is given. A value of enum mip_aiding_frame_format. Required for write and
+     * read.
+     */
+    uint8_t format;
     /** Whether the filter estimates the errors of the frame. Required for write. */
     mip_bool tracking_enabled;
     /**
@@ -138,28 +144,95 @@ struct mip_aiding_frame_config {
     union mip_aiding_frame_config_rotation rotation;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_AIDING_FRAME_CONFIG 0x1301
 #define MIP_AIDING_FRAME_CONFIG_DESCRIPTOR 0x01
 #define MIP_AIDING_FRAME_CONFIG_NAME "aiding.frame_config"
 
-extern const struct mip_codec mip_aiding_frame_config_codec;
-mip_error mip_aiding_frame_config_decode(struct mip_aiding_frame_config *value,
-                                         const struct mip_field *field);
-mip_error mip_aiding_frame_config_encode(const struct mip_aiding_frame_config *value,
-                                         struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_aiding_frame_config mip_aiding_frame_config_write(
-    uint8_t frame_id, mip_aiding_frame_format format, mip_bool tracking_enabled,
-    const float translation[3], const union mip_aiding_frame_config_rotation *rotation);
-/** Send the current setting back in a response. */
-struct mip_aiding_frame_config mip_aiding_frame_config_read(uint8_t frame_id,
-                                                            mip_aiding_frame_format format);
-/** Save the current setting to non-volatile memory. */
-struct mip_aiding_frame_config mip_aiding_frame_config_save(uint8_t frame_id);
-/** Load the saved setting. */
-struct mip_aiding_frame_config mip_aiding_frame_config_load(uint8_t frame_id);
-/** Load the factory default setting. */
-struct mip_aiding_frame_config mip_aiding_frame_config_default(uint8_t frame_id);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_aiding_frame_config_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_aiding_frame_config_decode(struct mip_aiding_frame_config *value,
+                                                       const struct mip_field *field) {
+    return mip_decode(&mip_aiding_frame_config_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_aiding_frame_config_encode(const struct mip_aiding_frame_config *value,
+                                                       struct mip_builder *builder) {
+    return mip_encode(&mip_aiding_frame_config_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_aiding_frame_config *mip_aiding_frame_config_write(
+    struct mip_aiding_frame_config *command, uint8_t frame_id, enum mip_aiding_frame_format format,
+    mip_bool tracking_enabled, const float translation[3],
+    const union mip_aiding_frame_config_rotation *rotation) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->frame_id = frame_id;
+    command->format = (uint8_t)format;
+    command->tracking_enabled = tracking_enabled;
+    memcpy(command->translation, translation, sizeof(command->translation));
+    if (rotation != NULL) {
+        command->rotation = *rotation;
+    }
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_aiding_frame_config *
+mip_aiding_frame_config_read(struct mip_aiding_frame_config *command, uint8_t frame_id,
+                             enum mip_aiding_frame_format format) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    command->frame_id = frame_id;
+    command->format = (uint8_t)format;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_aiding_frame_config *
+mip_aiding_frame_config_save(struct mip_aiding_frame_config *command, uint8_t frame_id) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    command->frame_id = frame_id;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_aiding_frame_config *
+mip_aiding_frame_config_load(struct mip_aiding_frame_config *command, uint8_t frame_id) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    command->frame_id = frame_id;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_aiding_frame_config *
+mip_aiding_frame_config_default(struct mip_aiding_frame_config *command, uint8_t frame_id) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    command->frame_id = frame_id;
+    return command;
+}
 /** The member of mip_aiding_frame_config_response that `format` selects. */
 union mip_aiding_frame_config_response_rotation {
     /**
@@ -185,8 +258,8 @@ union mip_aiding_frame_config_response_rotation {
 struct mip_aiding_frame_config_response {
     /** Number of the frame. Range: 1 to 4. */
     uint8_t frame_id;
-    /** How the rotation is given. */
-    mip_aiding_frame_format format;
+    /** How the rotation is given. A value of enum mip_aiding_frame_format. */
+    uint8_t format;
     /** Whether the filter estimates the errors of the frame. */
     mip_bool tracking_enabled;
     /** Origin of the frame in the vehicle. Elements: x, y, z. Unit: m. Frame: vehicle. */
@@ -195,15 +268,25 @@ struct mip_aiding_frame_config_response {
     union mip_aiding_frame_config_response_rotation rotation;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_AIDING_FRAME_CONFIG_RESPONSE 0x1381
 #define MIP_AIDING_FRAME_CONFIG_RESPONSE_DESCRIPTOR 0x81
 #define MIP_AIDING_FRAME_CONFIG_RESPONSE_NAME "aiding.frame_config_response"
 
-extern const struct mip_codec mip_aiding_frame_config_response_codec;
-mip_error mip_aiding_frame_config_response_decode(struct mip_aiding_frame_config_response *value,
-                                                  const struct mip_field *field);
-mip_error mip_aiding_frame_config_response_encode(
-    const struct mip_aiding_frame_config_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_aiding_frame_config_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_aiding_frame_config_response_decode(
+    struct mip_aiding_frame_config_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_aiding_frame_config_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_aiding_frame_config_response_encode(
+    const struct mip_aiding_frame_config_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_aiding_frame_config_response_codec, value, builder);
+}
 /**
  * Echo control: command (0x13,0x1F).
  *
@@ -220,31 +303,87 @@ mip_error mip_aiding_frame_config_response_encode(
 struct mip_aiding_echo_control {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
-    /** How they are answered. Required for write. */
-    mip_aiding_echo_mode mode;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
+    /** How they are answered. A value of enum mip_aiding_echo_mode. Required for write. */
+    uint8_t mode;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_AIDING_ECHO_CONTROL 0x131F
 #define MIP_AIDING_ECHO_CONTROL_DESCRIPTOR 0x1F
 #define MIP_AIDING_ECHO_CONTROL_NAME "aiding.echo_control"
 
-extern const struct mip_codec mip_aiding_echo_control_codec;
-mip_error mip_aiding_echo_control_decode(struct mip_aiding_echo_control *value,
-                                         const struct mip_field *field);
-mip_error mip_aiding_echo_control_encode(const struct mip_aiding_echo_control *value,
-                                         struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_aiding_echo_control mip_aiding_echo_control_write(mip_aiding_echo_mode mode);
-/** Send the current setting back in a response. */
-struct mip_aiding_echo_control mip_aiding_echo_control_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_aiding_echo_control mip_aiding_echo_control_save(void);
-/** Load the saved setting. */
-struct mip_aiding_echo_control mip_aiding_echo_control_load(void);
-/** Load the factory default setting. */
-struct mip_aiding_echo_control mip_aiding_echo_control_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_aiding_echo_control_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_aiding_echo_control_decode(struct mip_aiding_echo_control *value,
+                                                       const struct mip_field *field) {
+    return mip_decode(&mip_aiding_echo_control_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_aiding_echo_control_encode(const struct mip_aiding_echo_control *value,
+                                                       struct mip_builder *builder) {
+    return mip_encode(&mip_aiding_echo_control_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_aiding_echo_control *mip_aiding_echo_control_write(
+    struct mip_aiding_echo_control *command, enum mip_aiding_echo_mode mode) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->mode = (uint8_t)mode;
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_aiding_echo_control *
+mip_aiding_echo_control_read(struct mip_aiding_echo_control *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_aiding_echo_control *
+mip_aiding_echo_control_save(struct mip_aiding_echo_control *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_aiding_echo_control *
+mip_aiding_echo_control_load(struct mip_aiding_echo_control *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_aiding_echo_control *
+mip_aiding_echo_control_default(struct mip_aiding_echo_control *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * Echo control response: response (0x13,0x9F).
  *
@@ -254,19 +393,53 @@ struct mip_aiding_echo_control mip_aiding_echo_control_default(void);
  * - 3dm-cv7-gnss-ins: Aiding Command Echo Control
  */
 struct mip_aiding_echo_control_response {
-    /** How they are answered. */
-    mip_aiding_echo_mode mode;
+    /** How they are answered. A value of enum mip_aiding_echo_mode. */
+    uint8_t mode;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_AIDING_ECHO_CONTROL_RESPONSE 0x139F
 #define MIP_AIDING_ECHO_CONTROL_RESPONSE_DESCRIPTOR 0x9F
 #define MIP_AIDING_ECHO_CONTROL_RESPONSE_NAME "aiding.echo_control_response"
 
-extern const struct mip_codec mip_aiding_echo_control_response_codec;
-mip_error mip_aiding_echo_control_response_decode(struct mip_aiding_echo_control_response *value,
-                                                  const struct mip_field *field);
-mip_error mip_aiding_echo_control_response_encode(
-    const struct mip_aiding_echo_control_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_aiding_echo_control_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_aiding_echo_control_response_decode(
+    struct mip_aiding_echo_control_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_aiding_echo_control_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_aiding_echo_control_response_encode(
+    const struct mip_aiding_echo_control_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_aiding_echo_control_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_aiding_echo_control_response_decode_inline(
+    struct mip_aiding_echo_control_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x13, 0x9F, 1);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->mode = mip_get_8(field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_aiding_echo_control_response_encode_inline(
+    const struct mip_aiding_echo_control_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x13, 0x9F, 1, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->mode);
+    return MIP_OK;
+}
 /**
  * ECEF position: command (0x13,0x21).
  *
@@ -304,19 +477,86 @@ struct mip_aiding_ecef_position {
     mip_aiding_axis_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_AIDING_ECEF_POSITION 0x1321
 #define MIP_AIDING_ECEF_POSITION_DESCRIPTOR 0x21
 #define MIP_AIDING_ECEF_POSITION_NAME "aiding.ecef_position"
 
-extern const struct mip_codec mip_aiding_ecef_position_codec;
-mip_error mip_aiding_ecef_position_decode(struct mip_aiding_ecef_position *value,
-                                          const struct mip_field *field);
-mip_error mip_aiding_ecef_position_encode(const struct mip_aiding_ecef_position *value,
-                                          struct mip_builder *builder);
-/** ECEF position. */
-struct mip_aiding_ecef_position mip_aiding_ecef_position_make(
-    const struct mip_aiding_measurement_time *time, uint8_t frame_id, const double position[3],
-    const float uncertainty[3], mip_aiding_axis_flags valid_flags);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_aiding_ecef_position_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_aiding_ecef_position_decode(struct mip_aiding_ecef_position *value,
+                                                        const struct mip_field *field) {
+    return mip_decode(&mip_aiding_ecef_position_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_aiding_ecef_position_encode(
+    const struct mip_aiding_ecef_position *value, struct mip_builder *builder) {
+    return mip_encode(&mip_aiding_ecef_position_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_aiding_ecef_position_decode_inline(
+    struct mip_aiding_ecef_position *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x13, 0x21, 49);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->time.timebase = mip_get_8(field->data);
+    value->time.reserved = mip_get_8(field->data + 1);
+    value->time.nanoseconds = mip_get_64(field->data + 2);
+    value->frame_id = mip_get_8(field->data + 10);
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_double(&value->position[i], field->data + 11 + 8 * i);
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->uncertainty[i], field->data + 35 + 4 * i);
+    }
+    value->valid_flags = mip_get_16(field->data + 47);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_aiding_ecef_position_encode_inline(
+    const struct mip_aiding_ecef_position *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x13, 0x21, 49, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->time.timebase);
+    mip_put_8(data + 1, value->time.reserved);
+    mip_put_64(data + 2, value->time.nanoseconds);
+    mip_put_8(data + 10, value->frame_id);
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_double(data + 11 + 8 * i, &value->position[i]);
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 35 + 4 * i, &value->uncertainty[i]);
+    }
+    mip_put_16(data + 47, value->valid_flags);
+    return MIP_OK;
+}
+/**
+ * ECEF position.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_aiding_ecef_position *mip_aiding_ecef_position_make(
+    struct mip_aiding_ecef_position *command, const struct mip_aiding_measurement_time *time,
+    uint8_t frame_id, const double position[3], const float uncertainty[3],
+    mip_aiding_axis_flags valid_flags) {
+    memset(command, 0, sizeof(*command));
+    command->time = *time;
+    command->frame_id = frame_id;
+    memcpy(command->position, position, sizeof(command->position));
+    memcpy(command->uncertainty, uncertainty, sizeof(command->uncertainty));
+    command->valid_flags = valid_flags;
+    return command;
+}
 /**
  * LLH position: command (0x13,0x22).
  *
@@ -364,20 +604,88 @@ struct mip_aiding_llh_position {
     mip_aiding_llh_axis_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_AIDING_LLH_POSITION 0x1322
 #define MIP_AIDING_LLH_POSITION_DESCRIPTOR 0x22
 #define MIP_AIDING_LLH_POSITION_NAME "aiding.llh_position"
 
-extern const struct mip_codec mip_aiding_llh_position_codec;
-mip_error mip_aiding_llh_position_decode(struct mip_aiding_llh_position *value,
-                                         const struct mip_field *field);
-mip_error mip_aiding_llh_position_encode(const struct mip_aiding_llh_position *value,
-                                         struct mip_builder *builder);
-/** LLH position. */
-struct mip_aiding_llh_position
-mip_aiding_llh_position_make(const struct mip_aiding_measurement_time *time, uint8_t frame_id,
-                             double latitude, double longitude, double height,
-                             const float uncertainty[3], mip_aiding_llh_axis_flags valid_flags);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_aiding_llh_position_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_aiding_llh_position_decode(struct mip_aiding_llh_position *value,
+                                                       const struct mip_field *field) {
+    return mip_decode(&mip_aiding_llh_position_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_aiding_llh_position_encode(const struct mip_aiding_llh_position *value,
+                                                       struct mip_builder *builder) {
+    return mip_encode(&mip_aiding_llh_position_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_aiding_llh_position_decode_inline(struct mip_aiding_llh_position *value,
+                                                              const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x13, 0x22, 49);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->time.timebase = mip_get_8(field->data);
+    value->time.reserved = mip_get_8(field->data + 1);
+    value->time.nanoseconds = mip_get_64(field->data + 2);
+    value->frame_id = mip_get_8(field->data + 10);
+    mip_get_double(&value->latitude, field->data + 11);
+    mip_get_double(&value->longitude, field->data + 19);
+    mip_get_double(&value->height, field->data + 27);
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->uncertainty[i], field->data + 35 + 4 * i);
+    }
+    value->valid_flags = mip_get_16(field->data + 47);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_aiding_llh_position_encode_inline(
+    const struct mip_aiding_llh_position *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x13, 0x22, 49, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->time.timebase);
+    mip_put_8(data + 1, value->time.reserved);
+    mip_put_64(data + 2, value->time.nanoseconds);
+    mip_put_8(data + 10, value->frame_id);
+    mip_put_double(data + 11, &value->latitude);
+    mip_put_double(data + 19, &value->longitude);
+    mip_put_double(data + 27, &value->height);
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 35 + 4 * i, &value->uncertainty[i]);
+    }
+    mip_put_16(data + 47, value->valid_flags);
+    return MIP_OK;
+}
+/**
+ * LLH position.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_aiding_llh_position *mip_aiding_llh_position_make(
+    struct mip_aiding_llh_position *command, const struct mip_aiding_measurement_time *time,
+    uint8_t frame_id, double latitude, double longitude, double height, const float uncertainty[3],
+    mip_aiding_llh_axis_flags valid_flags) {
+    memset(command, 0, sizeof(*command));
+    command->time = *time;
+    command->frame_id = frame_id;
+    command->latitude = latitude;
+    command->longitude = longitude;
+    command->height = height;
+    memcpy(command->uncertainty, uncertainty, sizeof(command->uncertainty));
+    command->valid_flags = valid_flags;
+    return command;
+}
 /**
  * Height above ellipsoid: command (0x13,0x23).
  *
@@ -404,19 +712,78 @@ struct mip_aiding_height_above_ellipsoid {
     uint16_t valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_AIDING_HEIGHT_ABOVE_ELLIPSOID 0x1323
 #define MIP_AIDING_HEIGHT_ABOVE_ELLIPSOID_DESCRIPTOR 0x23
 #define MIP_AIDING_HEIGHT_ABOVE_ELLIPSOID_NAME "aiding.height_above_ellipsoid"
 
-extern const struct mip_codec mip_aiding_height_above_ellipsoid_codec;
-mip_error mip_aiding_height_above_ellipsoid_decode(struct mip_aiding_height_above_ellipsoid *value,
-                                                   const struct mip_field *field);
-mip_error mip_aiding_height_above_ellipsoid_encode(
-    const struct mip_aiding_height_above_ellipsoid *value, struct mip_builder *builder);
-/** Height above ellipsoid. */
-struct mip_aiding_height_above_ellipsoid mip_aiding_height_above_ellipsoid_make(
-    const struct mip_aiding_measurement_time *time, uint8_t frame_id, float height,
-    float uncertainty, uint16_t valid_flags);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_aiding_height_above_ellipsoid_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_aiding_height_above_ellipsoid_decode(
+    struct mip_aiding_height_above_ellipsoid *value, const struct mip_field *field) {
+    return mip_decode(&mip_aiding_height_above_ellipsoid_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_aiding_height_above_ellipsoid_encode(
+    const struct mip_aiding_height_above_ellipsoid *value, struct mip_builder *builder) {
+    return mip_encode(&mip_aiding_height_above_ellipsoid_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_aiding_height_above_ellipsoid_decode_inline(
+    struct mip_aiding_height_above_ellipsoid *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x13, 0x23, 21);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->time.timebase = mip_get_8(field->data);
+    value->time.reserved = mip_get_8(field->data + 1);
+    value->time.nanoseconds = mip_get_64(field->data + 2);
+    value->frame_id = mip_get_8(field->data + 10);
+    mip_get_float(&value->height, field->data + 11);
+    mip_get_float(&value->uncertainty, field->data + 15);
+    value->valid_flags = mip_get_16(field->data + 19);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_aiding_height_above_ellipsoid_encode_inline(
+    const struct mip_aiding_height_above_ellipsoid *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x13, 0x23, 21, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->time.timebase);
+    mip_put_8(data + 1, value->time.reserved);
+    mip_put_64(data + 2, value->time.nanoseconds);
+    mip_put_8(data + 10, value->frame_id);
+    mip_put_float(data + 11, &value->height);
+    mip_put_float(data + 15, &value->uncertainty);
+    mip_put_16(data + 19, value->valid_flags);
+    return MIP_OK;
+}
+/**
+ * Height above ellipsoid.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_aiding_height_above_ellipsoid *mip_aiding_height_above_ellipsoid_make(
+    struct mip_aiding_height_above_ellipsoid *command,
+    const struct mip_aiding_measurement_time *time, uint8_t frame_id, float height,
+    float uncertainty, uint16_t valid_flags) {
+    memset(command, 0, sizeof(*command));
+    command->time = *time;
+    command->frame_id = frame_id;
+    command->height = height;
+    command->uncertainty = uncertainty;
+    command->valid_flags = valid_flags;
+    return command;
+}
 /**
  * ECEF velocity: command (0x13,0x28).
  *
@@ -456,19 +823,86 @@ struct mip_aiding_ecef_velocity {
     mip_aiding_axis_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_AIDING_ECEF_VELOCITY 0x1328
 #define MIP_AIDING_ECEF_VELOCITY_DESCRIPTOR 0x28
 #define MIP_AIDING_ECEF_VELOCITY_NAME "aiding.ecef_velocity"
 
-extern const struct mip_codec mip_aiding_ecef_velocity_codec;
-mip_error mip_aiding_ecef_velocity_decode(struct mip_aiding_ecef_velocity *value,
-                                          const struct mip_field *field);
-mip_error mip_aiding_ecef_velocity_encode(const struct mip_aiding_ecef_velocity *value,
-                                          struct mip_builder *builder);
-/** ECEF velocity. */
-struct mip_aiding_ecef_velocity mip_aiding_ecef_velocity_make(
-    const struct mip_aiding_measurement_time *time, uint8_t frame_id, const float velocity[3],
-    const float uncertainty[3], mip_aiding_axis_flags valid_flags);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_aiding_ecef_velocity_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_aiding_ecef_velocity_decode(struct mip_aiding_ecef_velocity *value,
+                                                        const struct mip_field *field) {
+    return mip_decode(&mip_aiding_ecef_velocity_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_aiding_ecef_velocity_encode(
+    const struct mip_aiding_ecef_velocity *value, struct mip_builder *builder) {
+    return mip_encode(&mip_aiding_ecef_velocity_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_aiding_ecef_velocity_decode_inline(
+    struct mip_aiding_ecef_velocity *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x13, 0x28, 37);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->time.timebase = mip_get_8(field->data);
+    value->time.reserved = mip_get_8(field->data + 1);
+    value->time.nanoseconds = mip_get_64(field->data + 2);
+    value->frame_id = mip_get_8(field->data + 10);
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->velocity[i], field->data + 11 + 4 * i);
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->uncertainty[i], field->data + 23 + 4 * i);
+    }
+    value->valid_flags = mip_get_16(field->data + 35);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_aiding_ecef_velocity_encode_inline(
+    const struct mip_aiding_ecef_velocity *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x13, 0x28, 37, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->time.timebase);
+    mip_put_8(data + 1, value->time.reserved);
+    mip_put_64(data + 2, value->time.nanoseconds);
+    mip_put_8(data + 10, value->frame_id);
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 11 + 4 * i, &value->velocity[i]);
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 23 + 4 * i, &value->uncertainty[i]);
+    }
+    mip_put_16(data + 35, value->valid_flags);
+    return MIP_OK;
+}
+/**
+ * ECEF velocity.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_aiding_ecef_velocity *mip_aiding_ecef_velocity_make(
+    struct mip_aiding_ecef_velocity *command, const struct mip_aiding_measurement_time *time,
+    uint8_t frame_id, const float velocity[3], const float uncertainty[3],
+    mip_aiding_axis_flags valid_flags) {
+    memset(command, 0, sizeof(*command));
+    command->time = *time;
+    command->frame_id = frame_id;
+    memcpy(command->velocity, velocity, sizeof(command->velocity));
+    memcpy(command->uncertainty, uncertainty, sizeof(command->uncertainty));
+    command->valid_flags = valid_flags;
+    return command;
+}
 /**
  * NED velocity: command (0x13,0x29).
  *
@@ -508,19 +942,86 @@ struct mip_aiding_ned_velocity {
     mip_aiding_axis_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_AIDING_NED_VELOCITY 0x1329
 #define MIP_AIDING_NED_VELOCITY_DESCRIPTOR 0x29
 #define MIP_AIDING_NED_VELOCITY_NAME "aiding.ned_velocity"
 
-extern const struct mip_codec mip_aiding_ned_velocity_codec;
-mip_error mip_aiding_ned_velocity_decode(struct mip_aiding_ned_velocity *value,
-                                         const struct mip_field *field);
-mip_error mip_aiding_ned_velocity_encode(const struct mip_aiding_ned_velocity *value,
-                                         struct mip_builder *builder);
-/** NED velocity. */
-struct mip_aiding_ned_velocity mip_aiding_ned_velocity_make(
-    const struct mip_aiding_measurement_time *time, uint8_t frame_id, const float velocity[3],
-    const float uncertainty[3], mip_aiding_axis_flags valid_flags);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_aiding_ned_velocity_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_aiding_ned_velocity_decode(struct mip_aiding_ned_velocity *value,
+                                                       const struct mip_field *field) {
+    return mip_decode(&mip_aiding_ned_velocity_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_aiding_ned_velocity_encode(const struct mip_aiding_ned_velocity *value,
+                                                       struct mip_builder *builder) {
+    return mip_encode(&mip_aiding_ned_velocity_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_aiding_ned_velocity_decode_inline(struct mip_aiding_ned_velocity *value,
+                                                              const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x13, 0x29, 37);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->time.timebase = mip_get_8(field->data);
+    value->time.reserved = mip_get_8(field->data + 1);
+    value->time.nanoseconds = mip_get_64(field->data + 2);
+    value->frame_id = mip_get_8(field->data + 10);
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->velocity[i], field->data + 11 + 4 * i);
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->uncertainty[i], field->data + 23 + 4 * i);
+    }
+    value->valid_flags = mip_get_16(field->data + 35);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_aiding_ned_velocity_encode_inline(
+    const struct mip_aiding_ned_velocity *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x13, 0x29, 37, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->time.timebase);
+    mip_put_8(data + 1, value->time.reserved);
+    mip_put_64(data + 2, value->time.nanoseconds);
+    mip_put_8(data + 10, value->frame_id);
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 11 + 4 * i, &value->velocity[i]);
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 23 + 4 * i, &value->uncertainty[i]);
+    }
+    mip_put_16(data + 35, value->valid_flags);
+    return MIP_OK;
+}
+/**
+ * NED velocity.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_aiding_ned_velocity *mip_aiding_ned_velocity_make(
+    struct mip_aiding_ned_velocity *command, const struct mip_aiding_measurement_time *time,
+    uint8_t frame_id, const float velocity[3], const float uncertainty[3],
+    mip_aiding_axis_flags valid_flags) {
+    memset(command, 0, sizeof(*command));
+    command->time = *time;
+    command->frame_id = frame_id;
+    memcpy(command->velocity, velocity, sizeof(command->velocity));
+    memcpy(command->uncertainty, uncertainty, sizeof(command->uncertainty));
+    command->valid_flags = valid_flags;
+    return command;
+}
 /**
  * Body frame velocity: command (0x13,0x2A).
  *
@@ -568,19 +1069,86 @@ struct mip_aiding_body_frame_velocity {
     mip_aiding_axis_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_AIDING_BODY_FRAME_VELOCITY 0x132A
 #define MIP_AIDING_BODY_FRAME_VELOCITY_DESCRIPTOR 0x2A
 #define MIP_AIDING_BODY_FRAME_VELOCITY_NAME "aiding.body_frame_velocity"
 
-extern const struct mip_codec mip_aiding_body_frame_velocity_codec;
-mip_error mip_aiding_body_frame_velocity_decode(struct mip_aiding_body_frame_velocity *value,
-                                                const struct mip_field *field);
-mip_error mip_aiding_body_frame_velocity_encode(const struct mip_aiding_body_frame_velocity *value,
-                                                struct mip_builder *builder);
-/** Body frame velocity. */
-struct mip_aiding_body_frame_velocity mip_aiding_body_frame_velocity_make(
-    const struct mip_aiding_measurement_time *time, uint8_t frame_id, const float velocity[3],
-    const float uncertainty[3], mip_aiding_axis_flags valid_flags);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_aiding_body_frame_velocity_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_aiding_body_frame_velocity_decode(
+    struct mip_aiding_body_frame_velocity *value, const struct mip_field *field) {
+    return mip_decode(&mip_aiding_body_frame_velocity_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_aiding_body_frame_velocity_encode(
+    const struct mip_aiding_body_frame_velocity *value, struct mip_builder *builder) {
+    return mip_encode(&mip_aiding_body_frame_velocity_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_aiding_body_frame_velocity_decode_inline(
+    struct mip_aiding_body_frame_velocity *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x13, 0x2A, 37);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->time.timebase = mip_get_8(field->data);
+    value->time.reserved = mip_get_8(field->data + 1);
+    value->time.nanoseconds = mip_get_64(field->data + 2);
+    value->frame_id = mip_get_8(field->data + 10);
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->velocity[i], field->data + 11 + 4 * i);
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->uncertainty[i], field->data + 23 + 4 * i);
+    }
+    value->valid_flags = mip_get_16(field->data + 35);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_aiding_body_frame_velocity_encode_inline(
+    const struct mip_aiding_body_frame_velocity *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x13, 0x2A, 37, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->time.timebase);
+    mip_put_8(data + 1, value->time.reserved);
+    mip_put_64(data + 2, value->time.nanoseconds);
+    mip_put_8(data + 10, value->frame_id);
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 11 + 4 * i, &value->velocity[i]);
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 23 + 4 * i, &value->uncertainty[i]);
+    }
+    mip_put_16(data + 35, value->valid_flags);
+    return MIP_OK;
+}
+/**
+ * Body frame velocity.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_aiding_body_frame_velocity *mip_aiding_body_frame_velocity_make(
+    struct mip_aiding_body_frame_velocity *command, const struct mip_aiding_measurement_time *time,
+    uint8_t frame_id, const float velocity[3], const float uncertainty[3],
+    mip_aiding_axis_flags valid_flags) {
+    memset(command, 0, sizeof(*command));
+    command->time = *time;
+    command->frame_id = frame_id;
+    memcpy(command->velocity, velocity, sizeof(command->velocity));
+    memcpy(command->uncertainty, uncertainty, sizeof(command->uncertainty));
+    command->valid_flags = valid_flags;
+    return command;
+}
 /**
  * True heading: command (0x13,0x31).
  *
@@ -608,19 +1176,77 @@ struct mip_aiding_true_heading {
     uint16_t valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_AIDING_TRUE_HEADING 0x1331
 #define MIP_AIDING_TRUE_HEADING_DESCRIPTOR 0x31
 #define MIP_AIDING_TRUE_HEADING_NAME "aiding.true_heading"
 
-extern const struct mip_codec mip_aiding_true_heading_codec;
-mip_error mip_aiding_true_heading_decode(struct mip_aiding_true_heading *value,
-                                         const struct mip_field *field);
-mip_error mip_aiding_true_heading_encode(const struct mip_aiding_true_heading *value,
-                                         struct mip_builder *builder);
-/** True heading. */
-struct mip_aiding_true_heading
-mip_aiding_true_heading_make(const struct mip_aiding_measurement_time *time, uint8_t frame_id,
-                             float heading, float uncertainty, uint16_t valid_flags);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_aiding_true_heading_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_aiding_true_heading_decode(struct mip_aiding_true_heading *value,
+                                                       const struct mip_field *field) {
+    return mip_decode(&mip_aiding_true_heading_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_aiding_true_heading_encode(const struct mip_aiding_true_heading *value,
+                                                       struct mip_builder *builder) {
+    return mip_encode(&mip_aiding_true_heading_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_aiding_true_heading_decode_inline(struct mip_aiding_true_heading *value,
+                                                              const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x13, 0x31, 21);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->time.timebase = mip_get_8(field->data);
+    value->time.reserved = mip_get_8(field->data + 1);
+    value->time.nanoseconds = mip_get_64(field->data + 2);
+    value->frame_id = mip_get_8(field->data + 10);
+    mip_get_float(&value->heading, field->data + 11);
+    mip_get_float(&value->uncertainty, field->data + 15);
+    value->valid_flags = mip_get_16(field->data + 19);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_aiding_true_heading_encode_inline(
+    const struct mip_aiding_true_heading *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x13, 0x31, 21, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->time.timebase);
+    mip_put_8(data + 1, value->time.reserved);
+    mip_put_64(data + 2, value->time.nanoseconds);
+    mip_put_8(data + 10, value->frame_id);
+    mip_put_float(data + 11, &value->heading);
+    mip_put_float(data + 15, &value->uncertainty);
+    mip_put_16(data + 19, value->valid_flags);
+    return MIP_OK;
+}
+/**
+ * True heading.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_aiding_true_heading *mip_aiding_true_heading_make(
+    struct mip_aiding_true_heading *command, const struct mip_aiding_measurement_time *time,
+    uint8_t frame_id, float heading, float uncertainty, uint16_t valid_flags) {
+    memset(command, 0, sizeof(*command));
+    command->time = *time;
+    command->frame_id = frame_id;
+    command->heading = heading;
+    command->uncertainty = uncertainty;
+    command->valid_flags = valid_flags;
+    return command;
+}
 /**
  * Magnetic field: command (0x13,0x32).
  *
@@ -659,19 +1285,86 @@ struct mip_aiding_magnetic_field {
     mip_aiding_axis_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_AIDING_MAGNETIC_FIELD 0x1332
 #define MIP_AIDING_MAGNETIC_FIELD_DESCRIPTOR 0x32
 #define MIP_AIDING_MAGNETIC_FIELD_NAME "aiding.magnetic_field"
 
-extern const struct mip_codec mip_aiding_magnetic_field_codec;
-mip_error mip_aiding_magnetic_field_decode(struct mip_aiding_magnetic_field *value,
-                                           const struct mip_field *field);
-mip_error mip_aiding_magnetic_field_encode(const struct mip_aiding_magnetic_field *value,
-                                           struct mip_builder *builder);
-/** Magnetic field. */
-struct mip_aiding_magnetic_field mip_aiding_magnetic_field_make(
-    const struct mip_aiding_measurement_time *time, uint8_t frame_id, const float magnetic_field[3],
-    const float uncertainty[3], mip_aiding_axis_flags valid_flags);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_aiding_magnetic_field_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_aiding_magnetic_field_decode(struct mip_aiding_magnetic_field *value,
+                                                         const struct mip_field *field) {
+    return mip_decode(&mip_aiding_magnetic_field_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_aiding_magnetic_field_encode(
+    const struct mip_aiding_magnetic_field *value, struct mip_builder *builder) {
+    return mip_encode(&mip_aiding_magnetic_field_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_aiding_magnetic_field_decode_inline(
+    struct mip_aiding_magnetic_field *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x13, 0x32, 37);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->time.timebase = mip_get_8(field->data);
+    value->time.reserved = mip_get_8(field->data + 1);
+    value->time.nanoseconds = mip_get_64(field->data + 2);
+    value->frame_id = mip_get_8(field->data + 10);
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->magnetic_field[i], field->data + 11 + 4 * i);
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->uncertainty[i], field->data + 23 + 4 * i);
+    }
+    value->valid_flags = mip_get_16(field->data + 35);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_aiding_magnetic_field_encode_inline(
+    const struct mip_aiding_magnetic_field *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x13, 0x32, 37, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->time.timebase);
+    mip_put_8(data + 1, value->time.reserved);
+    mip_put_64(data + 2, value->time.nanoseconds);
+    mip_put_8(data + 10, value->frame_id);
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 11 + 4 * i, &value->magnetic_field[i]);
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 23 + 4 * i, &value->uncertainty[i]);
+    }
+    mip_put_16(data + 35, value->valid_flags);
+    return MIP_OK;
+}
+/**
+ * Magnetic field.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_aiding_magnetic_field *mip_aiding_magnetic_field_make(
+    struct mip_aiding_magnetic_field *command, const struct mip_aiding_measurement_time *time,
+    uint8_t frame_id, const float magnetic_field[3], const float uncertainty[3],
+    mip_aiding_axis_flags valid_flags) {
+    memset(command, 0, sizeof(*command));
+    command->time = *time;
+    command->frame_id = frame_id;
+    memcpy(command->magnetic_field, magnetic_field, sizeof(command->magnetic_field));
+    memcpy(command->uncertainty, uncertainty, sizeof(command->uncertainty));
+    command->valid_flags = valid_flags;
+    return command;
+}
 /**
  * Pressure: command (0x13,0x33).
  *
@@ -699,18 +1392,77 @@ struct mip_aiding_pressure {
     uint16_t valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_AIDING_PRESSURE 0x1333
 #define MIP_AIDING_PRESSURE_DESCRIPTOR 0x33
 #define MIP_AIDING_PRESSURE_NAME "aiding.pressure"
 
-extern const struct mip_codec mip_aiding_pressure_codec;
-mip_error mip_aiding_pressure_decode(struct mip_aiding_pressure *value,
-                                     const struct mip_field *field);
-mip_error mip_aiding_pressure_encode(const struct mip_aiding_pressure *value,
-                                     struct mip_builder *builder);
-/** Pressure. */
-struct mip_aiding_pressure mip_aiding_pressure_make(const struct mip_aiding_measurement_time *time,
-                                                    uint8_t frame_id, float pressure,
-                                                    float uncertainty, uint16_t valid_flags);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_aiding_pressure_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_aiding_pressure_decode(struct mip_aiding_pressure *value,
+                                                   const struct mip_field *field) {
+    return mip_decode(&mip_aiding_pressure_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_aiding_pressure_encode(const struct mip_aiding_pressure *value,
+                                                   struct mip_builder *builder) {
+    return mip_encode(&mip_aiding_pressure_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_aiding_pressure_decode_inline(struct mip_aiding_pressure *value,
+                                                          const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x13, 0x33, 21);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->time.timebase = mip_get_8(field->data);
+    value->time.reserved = mip_get_8(field->data + 1);
+    value->time.nanoseconds = mip_get_64(field->data + 2);
+    value->frame_id = mip_get_8(field->data + 10);
+    mip_get_float(&value->pressure, field->data + 11);
+    mip_get_float(&value->uncertainty, field->data + 15);
+    value->valid_flags = mip_get_16(field->data + 19);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_aiding_pressure_encode_inline(const struct mip_aiding_pressure *value,
+                                                          struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x13, 0x33, 21, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->time.timebase);
+    mip_put_8(data + 1, value->time.reserved);
+    mip_put_64(data + 2, value->time.nanoseconds);
+    mip_put_8(data + 10, value->frame_id);
+    mip_put_float(data + 11, &value->pressure);
+    mip_put_float(data + 15, &value->uncertainty);
+    mip_put_16(data + 19, value->valid_flags);
+    return MIP_OK;
+}
+/**
+ * Pressure.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_aiding_pressure *mip_aiding_pressure_make(
+    struct mip_aiding_pressure *command, const struct mip_aiding_measurement_time *time,
+    uint8_t frame_id, float pressure, float uncertainty, uint16_t valid_flags) {
+    memset(command, 0, sizeof(*command));
+    command->time = *time;
+    command->frame_id = frame_id;
+    command->pressure = pressure;
+    command->uncertainty = uncertainty;
+    command->valid_flags = valid_flags;
+    return command;
+}
 
 #ifdef __cplusplus
 }

@@ -41,16 +41,16 @@ struct mip_base_device_info {
     char device_options[17];
 };
 
-void mip_base_device_info_read(struct mip_reader *r, struct mip_base_device_info *v);
-void mip_base_device_info_write(struct mip_writer *w, const struct mip_base_device_info *v);
-
 /** The part of the GPS time that a value holds. */
-typedef uint8_t mip_base_gps_time_field;
-/** Week number. */
-#define MIP_BASE_GPS_TIME_FIELD_WEEK_NUMBER 1
-/** Time of week in whole seconds. */
-#define MIP_BASE_GPS_TIME_FIELD_TOW 2
+enum mip_base_gps_time_field {
+    /** Week number. */
+    MIP_BASE_GPS_TIME_FIELD_WEEK_NUMBER = 1,
+    /** Time of week in whole seconds. */
+    MIP_BASE_GPS_TIME_FIELD_TOW = 2
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_base_gps_time_field_name(uint8_t value);
 /**
  * Ping: command (0x01,0x01).
  *
@@ -73,13 +73,25 @@ struct mip_base_ping {
     uint8_t empty;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_BASE_PING 0x0101
 #define MIP_BASE_PING_DESCRIPTOR 0x01
 #define MIP_BASE_PING_NAME "base.ping"
 
-extern const struct mip_codec mip_base_ping_codec;
-mip_error mip_base_ping_decode(struct mip_base_ping *value, const struct mip_field *field);
-mip_error mip_base_ping_encode(const struct mip_base_ping *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_base_ping_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_base_ping_decode(struct mip_base_ping *value,
+                                             const struct mip_field *field) {
+    return mip_decode(&mip_base_ping_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_base_ping_encode(const struct mip_base_ping *value,
+                                             struct mip_builder *builder) {
+    return mip_encode(&mip_base_ping_codec, value, builder);
+}
 /**
  * Set to idle: command (0x01,0x02).
  *
@@ -104,14 +116,25 @@ struct mip_base_set_idle {
     uint8_t empty;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_BASE_SET_IDLE 0x0102
 #define MIP_BASE_SET_IDLE_DESCRIPTOR 0x02
 #define MIP_BASE_SET_IDLE_NAME "base.set_idle"
 
-extern const struct mip_codec mip_base_set_idle_codec;
-mip_error mip_base_set_idle_decode(struct mip_base_set_idle *value, const struct mip_field *field);
-mip_error mip_base_set_idle_encode(const struct mip_base_set_idle *value,
-                                   struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_base_set_idle_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_base_set_idle_decode(struct mip_base_set_idle *value,
+                                                 const struct mip_field *field) {
+    return mip_decode(&mip_base_set_idle_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_base_set_idle_encode(const struct mip_base_set_idle *value,
+                                                 struct mip_builder *builder) {
+    return mip_encode(&mip_base_set_idle_codec, value, builder);
+}
 /**
  * Get device information: command (0x01,0x03).
  *
@@ -132,15 +155,25 @@ struct mip_base_get_device_info {
     uint8_t empty;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_BASE_GET_DEVICE_INFO 0x0103
 #define MIP_BASE_GET_DEVICE_INFO_DESCRIPTOR 0x03
 #define MIP_BASE_GET_DEVICE_INFO_NAME "base.get_device_info"
 
-extern const struct mip_codec mip_base_get_device_info_codec;
-mip_error mip_base_get_device_info_decode(struct mip_base_get_device_info *value,
-                                          const struct mip_field *field);
-mip_error mip_base_get_device_info_encode(const struct mip_base_get_device_info *value,
-                                          struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_base_get_device_info_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_base_get_device_info_decode(struct mip_base_get_device_info *value,
+                                                        const struct mip_field *field) {
+    return mip_decode(&mip_base_get_device_info_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_base_get_device_info_encode(
+    const struct mip_base_get_device_info *value, struct mip_builder *builder) {
+    return mip_encode(&mip_base_get_device_info_codec, value, builder);
+}
 /**
  * Get device information response: response (0x01,0x81).
  *
@@ -159,15 +192,64 @@ struct mip_base_get_device_info_response {
     struct mip_base_device_info device_info;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_BASE_GET_DEVICE_INFO_RESPONSE 0x0181
 #define MIP_BASE_GET_DEVICE_INFO_RESPONSE_DESCRIPTOR 0x81
 #define MIP_BASE_GET_DEVICE_INFO_RESPONSE_NAME "base.get_device_info_response"
 
-extern const struct mip_codec mip_base_get_device_info_response_codec;
-mip_error mip_base_get_device_info_response_decode(struct mip_base_get_device_info_response *value,
-                                                   const struct mip_field *field);
-mip_error mip_base_get_device_info_response_encode(
-    const struct mip_base_get_device_info_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_base_get_device_info_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_base_get_device_info_response_decode(
+    struct mip_base_get_device_info_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_base_get_device_info_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_base_get_device_info_response_encode(
+    const struct mip_base_get_device_info_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_base_get_device_info_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_base_get_device_info_response_decode_inline(
+    struct mip_base_get_device_info_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x01, 0x81, 82);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->device_info.firmware_version = mip_get_16(field->data);
+    memcpy(value->device_info.model_name, field->data + 2, 16);
+    value->device_info.model_name[16] = '\0';
+    memcpy(value->device_info.model_number, field->data + 18, 16);
+    value->device_info.model_number[16] = '\0';
+    memcpy(value->device_info.serial_number, field->data + 34, 16);
+    value->device_info.serial_number[16] = '\0';
+    memcpy(value->device_info.lot_number, field->data + 50, 16);
+    value->device_info.lot_number[16] = '\0';
+    memcpy(value->device_info.device_options, field->data + 66, 16);
+    value->device_info.device_options[16] = '\0';
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_base_get_device_info_response_encode_inline(
+    const struct mip_base_get_device_info_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x01, 0x81, 82, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_16(data, value->device_info.firmware_version);
+    memcpy(data + 2, value->device_info.model_name, 16);
+    memcpy(data + 18, value->device_info.model_number, 16);
+    memcpy(data + 34, value->device_info.serial_number, 16);
+    memcpy(data + 50, value->device_info.lot_number, 16);
+    memcpy(data + 66, value->device_info.device_options, 16);
+    return MIP_OK;
+}
 /**
  * Get device descriptors: command (0x01,0x04).
  *
@@ -192,15 +274,25 @@ struct mip_base_get_device_descriptors {
     uint8_t empty;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_BASE_GET_DEVICE_DESCRIPTORS 0x0104
 #define MIP_BASE_GET_DEVICE_DESCRIPTORS_DESCRIPTOR 0x04
 #define MIP_BASE_GET_DEVICE_DESCRIPTORS_NAME "base.get_device_descriptors"
 
-extern const struct mip_codec mip_base_get_device_descriptors_codec;
-mip_error mip_base_get_device_descriptors_decode(struct mip_base_get_device_descriptors *value,
-                                                 const struct mip_field *field);
-mip_error mip_base_get_device_descriptors_encode(
-    const struct mip_base_get_device_descriptors *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_base_get_device_descriptors_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_base_get_device_descriptors_decode(
+    struct mip_base_get_device_descriptors *value, const struct mip_field *field) {
+    return mip_decode(&mip_base_get_device_descriptors_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_base_get_device_descriptors_encode(
+    const struct mip_base_get_device_descriptors *value, struct mip_builder *builder) {
+    return mip_encode(&mip_base_get_device_descriptors_codec, value, builder);
+}
 /**
  * Get device descriptors response: response (0x01,0x82).
  *
@@ -224,15 +316,25 @@ struct mip_base_get_device_descriptors_response {
     uint16_t descriptors[126];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_BASE_GET_DEVICE_DESCRIPTORS_RESPONSE 0x0182
 #define MIP_BASE_GET_DEVICE_DESCRIPTORS_RESPONSE_DESCRIPTOR 0x82
 #define MIP_BASE_GET_DEVICE_DESCRIPTORS_RESPONSE_NAME "base.get_device_descriptors_response"
 
-extern const struct mip_codec mip_base_get_device_descriptors_response_codec;
-mip_error mip_base_get_device_descriptors_response_decode(
-    struct mip_base_get_device_descriptors_response *value, const struct mip_field *field);
-mip_error mip_base_get_device_descriptors_response_encode(
-    const struct mip_base_get_device_descriptors_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_base_get_device_descriptors_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_base_get_device_descriptors_response_decode(
+    struct mip_base_get_device_descriptors_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_base_get_device_descriptors_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_base_get_device_descriptors_response_encode(
+    const struct mip_base_get_device_descriptors_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_base_get_device_descriptors_response_codec, value, builder);
+}
 /**
  * Built-in test: command (0x01,0x05).
  *
@@ -258,15 +360,25 @@ struct mip_base_built_in_test {
     uint8_t empty;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_BASE_BUILT_IN_TEST 0x0105
 #define MIP_BASE_BUILT_IN_TEST_DESCRIPTOR 0x05
 #define MIP_BASE_BUILT_IN_TEST_NAME "base.built_in_test"
 
-extern const struct mip_codec mip_base_built_in_test_codec;
-mip_error mip_base_built_in_test_decode(struct mip_base_built_in_test *value,
-                                        const struct mip_field *field);
-mip_error mip_base_built_in_test_encode(const struct mip_base_built_in_test *value,
-                                        struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_base_built_in_test_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_base_built_in_test_decode(struct mip_base_built_in_test *value,
+                                                      const struct mip_field *field) {
+    return mip_decode(&mip_base_built_in_test_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_base_built_in_test_encode(const struct mip_base_built_in_test *value,
+                                                      struct mip_builder *builder) {
+    return mip_encode(&mip_base_built_in_test_codec, value, builder);
+}
 /**
  * Built-in test response: response (0x01,0x83).
  *
@@ -287,15 +399,49 @@ struct mip_base_built_in_test_response {
     uint32_t result;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_BASE_BUILT_IN_TEST_RESPONSE 0x0183
 #define MIP_BASE_BUILT_IN_TEST_RESPONSE_DESCRIPTOR 0x83
 #define MIP_BASE_BUILT_IN_TEST_RESPONSE_NAME "base.built_in_test_response"
 
-extern const struct mip_codec mip_base_built_in_test_response_codec;
-mip_error mip_base_built_in_test_response_decode(struct mip_base_built_in_test_response *value,
-                                                 const struct mip_field *field);
-mip_error mip_base_built_in_test_response_encode(
-    const struct mip_base_built_in_test_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_base_built_in_test_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_base_built_in_test_response_decode(
+    struct mip_base_built_in_test_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_base_built_in_test_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_base_built_in_test_response_encode(
+    const struct mip_base_built_in_test_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_base_built_in_test_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_base_built_in_test_response_decode_inline(
+    struct mip_base_built_in_test_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x01, 0x83, 4);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->result = mip_get_32(field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_base_built_in_test_response_encode_inline(
+    const struct mip_base_built_in_test_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x01, 0x83, 4, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_32(data, value->result);
+    return MIP_OK;
+}
 /**
  * Resume: command (0x01,0x06).
  *
@@ -318,13 +464,25 @@ struct mip_base_resume {
     uint8_t empty;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_BASE_RESUME 0x0106
 #define MIP_BASE_RESUME_DESCRIPTOR 0x06
 #define MIP_BASE_RESUME_NAME "base.resume"
 
-extern const struct mip_codec mip_base_resume_codec;
-mip_error mip_base_resume_decode(struct mip_base_resume *value, const struct mip_field *field);
-mip_error mip_base_resume_encode(const struct mip_base_resume *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_base_resume_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_base_resume_decode(struct mip_base_resume *value,
+                                               const struct mip_field *field) {
+    return mip_decode(&mip_base_resume_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_base_resume_encode(const struct mip_base_resume *value,
+                                               struct mip_builder *builder) {
+    return mip_encode(&mip_base_resume_codec, value, builder);
+}
 /**
  * Get device descriptors (extended): command (0x01,0x07).
  *
@@ -343,15 +501,25 @@ struct mip_base_get_extended_descriptors {
     uint8_t empty;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_BASE_GET_EXTENDED_DESCRIPTORS 0x0107
 #define MIP_BASE_GET_EXTENDED_DESCRIPTORS_DESCRIPTOR 0x07
 #define MIP_BASE_GET_EXTENDED_DESCRIPTORS_NAME "base.get_extended_descriptors"
 
-extern const struct mip_codec mip_base_get_extended_descriptors_codec;
-mip_error mip_base_get_extended_descriptors_decode(struct mip_base_get_extended_descriptors *value,
-                                                   const struct mip_field *field);
-mip_error mip_base_get_extended_descriptors_encode(
-    const struct mip_base_get_extended_descriptors *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_base_get_extended_descriptors_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_base_get_extended_descriptors_decode(
+    struct mip_base_get_extended_descriptors *value, const struct mip_field *field) {
+    return mip_decode(&mip_base_get_extended_descriptors_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_base_get_extended_descriptors_encode(
+    const struct mip_base_get_extended_descriptors *value, struct mip_builder *builder) {
+    return mip_encode(&mip_base_get_extended_descriptors_codec, value, builder);
+}
 /**
  * Get device descriptors (extended) response: response (0x01,0x86).
  *
@@ -371,15 +539,25 @@ struct mip_base_get_extended_descriptors_response {
     uint16_t descriptors[126];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_BASE_GET_EXTENDED_DESCRIPTORS_RESPONSE 0x0186
 #define MIP_BASE_GET_EXTENDED_DESCRIPTORS_RESPONSE_DESCRIPTOR 0x86
 #define MIP_BASE_GET_EXTENDED_DESCRIPTORS_RESPONSE_NAME "base.get_extended_descriptors_response"
 
-extern const struct mip_codec mip_base_get_extended_descriptors_response_codec;
-mip_error mip_base_get_extended_descriptors_response_decode(
-    struct mip_base_get_extended_descriptors_response *value, const struct mip_field *field);
-mip_error mip_base_get_extended_descriptors_response_encode(
-    const struct mip_base_get_extended_descriptors_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_base_get_extended_descriptors_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_base_get_extended_descriptors_response_decode(
+    struct mip_base_get_extended_descriptors_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_base_get_extended_descriptors_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_base_get_extended_descriptors_response_encode(
+    const struct mip_base_get_extended_descriptors_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_base_get_extended_descriptors_response_codec, value, builder);
+}
 /**
  * Continuous built-in test: command (0x01,0x08).
  *
@@ -402,15 +580,25 @@ struct mip_base_continuous_built_in_test {
     uint8_t empty;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_BASE_CONTINUOUS_BUILT_IN_TEST 0x0108
 #define MIP_BASE_CONTINUOUS_BUILT_IN_TEST_DESCRIPTOR 0x08
 #define MIP_BASE_CONTINUOUS_BUILT_IN_TEST_NAME "base.continuous_built_in_test"
 
-extern const struct mip_codec mip_base_continuous_built_in_test_codec;
-mip_error mip_base_continuous_built_in_test_decode(struct mip_base_continuous_built_in_test *value,
-                                                   const struct mip_field *field);
-mip_error mip_base_continuous_built_in_test_encode(
-    const struct mip_base_continuous_built_in_test *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_base_continuous_built_in_test_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_base_continuous_built_in_test_decode(
+    struct mip_base_continuous_built_in_test *value, const struct mip_field *field) {
+    return mip_decode(&mip_base_continuous_built_in_test_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_base_continuous_built_in_test_encode(
+    const struct mip_base_continuous_built_in_test *value, struct mip_builder *builder) {
+    return mip_encode(&mip_base_continuous_built_in_test_codec, value, builder);
+}
 /**
  * Continuous built-in test response: response (0x01,0x88).
  *
@@ -427,15 +615,49 @@ struct mip_base_continuous_built_in_test_response {
     uint8_t result[16];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_BASE_CONTINUOUS_BUILT_IN_TEST_RESPONSE 0x0188
 #define MIP_BASE_CONTINUOUS_BUILT_IN_TEST_RESPONSE_DESCRIPTOR 0x88
 #define MIP_BASE_CONTINUOUS_BUILT_IN_TEST_RESPONSE_NAME "base.continuous_built_in_test_response"
 
-extern const struct mip_codec mip_base_continuous_built_in_test_response_codec;
-mip_error mip_base_continuous_built_in_test_response_decode(
-    struct mip_base_continuous_built_in_test_response *value, const struct mip_field *field);
-mip_error mip_base_continuous_built_in_test_response_encode(
-    const struct mip_base_continuous_built_in_test_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_base_continuous_built_in_test_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_base_continuous_built_in_test_response_decode(
+    struct mip_base_continuous_built_in_test_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_base_continuous_built_in_test_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_base_continuous_built_in_test_response_encode(
+    const struct mip_base_continuous_built_in_test_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_base_continuous_built_in_test_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_base_continuous_built_in_test_response_decode_inline(
+    struct mip_base_continuous_built_in_test_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x01, 0x88, 16);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    memcpy(value->result, field->data, 16);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_base_continuous_built_in_test_response_encode_inline(
+    const struct mip_base_continuous_built_in_test_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x01, 0x88, 16, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    memcpy(data, value->result, 16);
+    return MIP_OK;
+}
 /**
  * Comm port speed: command (0x01,0x09).
  *
@@ -455,33 +677,94 @@ mip_error mip_base_continuous_built_in_test_response_encode(
 struct mip_base_comm_speed {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /** Port id of the device; 0 means all ports, and is for save, load and default only. */
     uint8_t port;
     /** Baud rate; one that the port supports. Unit: Bd. Required for write. */
     uint32_t baud;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_BASE_COMM_SPEED 0x0109
 #define MIP_BASE_COMM_SPEED_DESCRIPTOR 0x09
 #define MIP_BASE_COMM_SPEED_NAME "base.comm_speed"
 
-extern const struct mip_codec mip_base_comm_speed_codec;
-mip_error mip_base_comm_speed_decode(struct mip_base_comm_speed *value,
-                                     const struct mip_field *field);
-mip_error mip_base_comm_speed_encode(const struct mip_base_comm_speed *value,
-                                     struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_base_comm_speed mip_base_comm_speed_write(uint8_t port, uint32_t baud);
-/** Send the current setting back in a response. */
-struct mip_base_comm_speed mip_base_comm_speed_read(uint8_t port);
-/** Save the current setting to non-volatile memory. */
-struct mip_base_comm_speed mip_base_comm_speed_save(uint8_t port);
-/** Load the saved setting. */
-struct mip_base_comm_speed mip_base_comm_speed_load(uint8_t port);
-/** Load the factory default setting. */
-struct mip_base_comm_speed mip_base_comm_speed_default(uint8_t port);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_base_comm_speed_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_base_comm_speed_decode(struct mip_base_comm_speed *value,
+                                                   const struct mip_field *field) {
+    return mip_decode(&mip_base_comm_speed_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_base_comm_speed_encode(const struct mip_base_comm_speed *value,
+                                                   struct mip_builder *builder) {
+    return mip_encode(&mip_base_comm_speed_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_base_comm_speed *
+mip_base_comm_speed_write(struct mip_base_comm_speed *command, uint8_t port, uint32_t baud) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->port = port;
+    command->baud = baud;
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_base_comm_speed *
+mip_base_comm_speed_read(struct mip_base_comm_speed *command, uint8_t port) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    command->port = port;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_base_comm_speed *
+mip_base_comm_speed_save(struct mip_base_comm_speed *command, uint8_t port) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    command->port = port;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_base_comm_speed *
+mip_base_comm_speed_load(struct mip_base_comm_speed *command, uint8_t port) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    command->port = port;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_base_comm_speed *
+mip_base_comm_speed_default(struct mip_base_comm_speed *command, uint8_t port) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    command->port = port;
+    return command;
+}
 /**
  * Comm port speed response: response (0x01,0x89).
  *
@@ -496,15 +779,51 @@ struct mip_base_comm_speed_response {
     uint32_t baud;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_BASE_COMM_SPEED_RESPONSE 0x0189
 #define MIP_BASE_COMM_SPEED_RESPONSE_DESCRIPTOR 0x89
 #define MIP_BASE_COMM_SPEED_RESPONSE_NAME "base.comm_speed_response"
 
-extern const struct mip_codec mip_base_comm_speed_response_codec;
-mip_error mip_base_comm_speed_response_decode(struct mip_base_comm_speed_response *value,
-                                              const struct mip_field *field);
-mip_error mip_base_comm_speed_response_encode(const struct mip_base_comm_speed_response *value,
-                                              struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_base_comm_speed_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_base_comm_speed_response_decode(
+    struct mip_base_comm_speed_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_base_comm_speed_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_base_comm_speed_response_encode(
+    const struct mip_base_comm_speed_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_base_comm_speed_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_base_comm_speed_response_decode_inline(
+    struct mip_base_comm_speed_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x01, 0x89, 5);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->port = mip_get_8(field->data);
+    value->baud = mip_get_32(field->data + 1);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_base_comm_speed_response_encode_inline(
+    const struct mip_base_comm_speed_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x01, 0x89, 5, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->port);
+    mip_put_32(data + 1, value->baud);
+    return MIP_OK;
+}
 /**
  * GPS time update: command (0x01,0x72).
  *
@@ -531,10 +850,10 @@ mip_error mip_base_comm_speed_response_encode(const struct mip_base_comm_speed_r
 struct mip_base_gps_time_update {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
-    /** What the value is. */
-    mip_base_gps_time_field field_id;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
+    /** What the value is. A value of enum mip_base_gps_time_field. */
+    uint8_t field_id;
     /**
      * What `field_id` says. Required for write and apply. If field_id is
      * MIP_BASE_GPS_TIME_FIELD_WEEK_NUMBER: unit week. GPS week number since 6 January 1980. If
@@ -543,23 +862,65 @@ struct mip_base_gps_time_update {
     uint32_t value;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_BASE_GPS_TIME_UPDATE 0x0172
 #define MIP_BASE_GPS_TIME_UPDATE_DESCRIPTOR 0x72
 #define MIP_BASE_GPS_TIME_UPDATE_NAME "base.gps_time_update"
 
-extern const struct mip_codec mip_base_gps_time_update_codec;
-mip_error mip_base_gps_time_update_decode(struct mip_base_gps_time_update *value,
-                                          const struct mip_field *field);
-mip_error mip_base_gps_time_update_encode(const struct mip_base_gps_time_update *value,
-                                          struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_base_gps_time_update mip_base_gps_time_update_write(mip_base_gps_time_field field_id,
-                                                               uint32_t value);
-/** Send the current setting back in a response. */
-struct mip_base_gps_time_update mip_base_gps_time_update_read(mip_base_gps_time_field field_id);
-/** Apply the new setting and send no acknowledge (5-series devices). */
-struct mip_base_gps_time_update mip_base_gps_time_update_apply(mip_base_gps_time_field field_id,
-                                                               uint32_t value);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_base_gps_time_update_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_base_gps_time_update_decode(struct mip_base_gps_time_update *value,
+                                                        const struct mip_field *field) {
+    return mip_decode(&mip_base_gps_time_update_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_base_gps_time_update_encode(
+    const struct mip_base_gps_time_update *value, struct mip_builder *builder) {
+    return mip_encode(&mip_base_gps_time_update_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_base_gps_time_update *
+mip_base_gps_time_update_write(struct mip_base_gps_time_update *command,
+                               enum mip_base_gps_time_field field_id, uint32_t value) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->field_id = (uint8_t)field_id;
+    command->value = value;
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_base_gps_time_update *mip_base_gps_time_update_read(
+    struct mip_base_gps_time_update *command, enum mip_base_gps_time_field field_id) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    command->field_id = (uint8_t)field_id;
+    return command;
+}
+/**
+ * Apply the new setting and send no acknowledge (5-series devices).
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_base_gps_time_update *
+mip_base_gps_time_update_apply(struct mip_base_gps_time_update *command,
+                               enum mip_base_gps_time_field field_id, uint32_t value) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_APPLY;
+    command->field_id = (uint8_t)field_id;
+    command->value = value;
+    return command;
+}
 /**
  * GPS time update, week number: response (0x01,0x84).
  *
@@ -576,16 +937,52 @@ struct mip_base_gps_time_update_week_number_response {
     uint32_t week_number;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_BASE_GPS_TIME_UPDATE_WEEK_NUMBER_RESPONSE 0x0184
 #define MIP_BASE_GPS_TIME_UPDATE_WEEK_NUMBER_RESPONSE_DESCRIPTOR 0x84
 #define MIP_BASE_GPS_TIME_UPDATE_WEEK_NUMBER_RESPONSE_NAME \
     "base.gps_time_update_week_number_response"
 
-extern const struct mip_codec mip_base_gps_time_update_week_number_response_codec;
-mip_error mip_base_gps_time_update_week_number_response_decode(
-    struct mip_base_gps_time_update_week_number_response *value, const struct mip_field *field);
-mip_error mip_base_gps_time_update_week_number_response_encode(
-    const struct mip_base_gps_time_update_week_number_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_base_gps_time_update_week_number_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_base_gps_time_update_week_number_response_decode(
+    struct mip_base_gps_time_update_week_number_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_base_gps_time_update_week_number_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_base_gps_time_update_week_number_response_encode(
+    const struct mip_base_gps_time_update_week_number_response *value,
+    struct mip_builder *builder) {
+    return mip_encode(&mip_base_gps_time_update_week_number_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_base_gps_time_update_week_number_response_decode_inline(
+    struct mip_base_gps_time_update_week_number_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x01, 0x84, 4);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->week_number = mip_get_32(field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_base_gps_time_update_week_number_response_encode_inline(
+    const struct mip_base_gps_time_update_week_number_response *value,
+    struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x01, 0x84, 4, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_32(data, value->week_number);
+    return MIP_OK;
+}
 /**
  * GPS time update, time of week: response (0x01,0x85).
  *
@@ -602,15 +999,49 @@ struct mip_base_gps_time_update_tow_response {
     uint32_t tow;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_BASE_GPS_TIME_UPDATE_TOW_RESPONSE 0x0185
 #define MIP_BASE_GPS_TIME_UPDATE_TOW_RESPONSE_DESCRIPTOR 0x85
 #define MIP_BASE_GPS_TIME_UPDATE_TOW_RESPONSE_NAME "base.gps_time_update_tow_response"
 
-extern const struct mip_codec mip_base_gps_time_update_tow_response_codec;
-mip_error mip_base_gps_time_update_tow_response_decode(
-    struct mip_base_gps_time_update_tow_response *value, const struct mip_field *field);
-mip_error mip_base_gps_time_update_tow_response_encode(
-    const struct mip_base_gps_time_update_tow_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_base_gps_time_update_tow_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_base_gps_time_update_tow_response_decode(
+    struct mip_base_gps_time_update_tow_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_base_gps_time_update_tow_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_base_gps_time_update_tow_response_encode(
+    const struct mip_base_gps_time_update_tow_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_base_gps_time_update_tow_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_base_gps_time_update_tow_response_decode_inline(
+    struct mip_base_gps_time_update_tow_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x01, 0x85, 4);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->tow = mip_get_32(field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_base_gps_time_update_tow_response_encode_inline(
+    const struct mip_base_gps_time_update_tow_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x01, 0x85, 4, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_32(data, value->tow);
+    return MIP_OK;
+}
 /**
  * Reset device: command (0x01,0x7E).
  *
@@ -627,14 +1058,25 @@ struct mip_base_soft_reset {
     uint8_t empty;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_BASE_SOFT_RESET 0x017E
 #define MIP_BASE_SOFT_RESET_DESCRIPTOR 0x7E
 #define MIP_BASE_SOFT_RESET_NAME "base.soft_reset"
 
-extern const struct mip_codec mip_base_soft_reset_codec;
-mip_error mip_base_soft_reset_decode(struct mip_base_soft_reset *value,
-                                     const struct mip_field *field);
-mip_error mip_base_soft_reset_encode(const struct mip_base_soft_reset *value,
-                                     struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_base_soft_reset_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_base_soft_reset_decode(struct mip_base_soft_reset *value,
+                                                   const struct mip_field *field) {
+    return mip_decode(&mip_base_soft_reset_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_base_soft_reset_encode(const struct mip_base_soft_reset *value,
+                                                   struct mip_builder *builder) {
+    return mip_encode(&mip_base_soft_reset_codec, value, builder);
+}
 
 #ifdef __cplusplus
 }

@@ -6,7 +6,7 @@
  * caller also owns the requests: each must stay in place until it is no longer waiting.
  *
  *     mip_builder_start(&builder, buffer, sizeof(buffer), MIP_..._SET);
- *     mip_client_add(&client, &request, &builder, &mip_..._codec, &command, now);
+ *     mip_client_add(&client, &request, &builder, &mip_..._command, &command, now);
  *     mip_client_expect(&request, &mip_..._response_codec, &response);
  *     ... send mip_builder_finish(&builder) ...
  *     while (request.state == MIP_REQUEST_WAITING) {
@@ -27,6 +27,24 @@ extern "C" {
 
 /** How long a device may take to answer, in milliseconds, unless the command says otherwise. */
 #define MIP_DEFAULT_TIMEOUT 1000
+
+/** A response of a command. */
+struct mip_response {
+    const struct mip_codec *codec;
+    /** Does a command with these values ask for it? NULL if it always does. */
+    bool (*asked)(const void *command);
+};
+
+/** What is known of a command beside its wire format. */
+struct mip_command {
+    const struct mip_codec *codec;
+    /** Does the device leave this command unanswered? NULL if it always answers. */
+    bool (*silent)(const void *command);
+    /** Its responses, up to an entry without a codec; NULL if it has none. */
+    const struct mip_response *responses;
+    /** Milliseconds that a device may take to answer; 0: no longer than usual. */
+    uint16_t timeout;
+};
 
 /** No answer yet. */
 #define MIP_REQUEST_WAITING 0
@@ -49,8 +67,8 @@ extern "C" {
 struct mip_request {
     /** A MIP_REQUEST_... value. */
     uint8_t state;
-    /** The acknowledge code of the answer, if there is one. */
-    mip_ack_code code;
+    /** The acknowledge code of the answer, if there is one: a value of enum mip_ack_code. */
+    uint8_t code;
     /** Has the response been stored? */
     bool responded;
     /** A mip_error: what is wrong with the response; its structure is then zeroed. */
@@ -58,7 +76,7 @@ struct mip_request {
     /** The command, and the response that it asks for; NULL if it asks for none. Where devices
      * answer in different layouts, it is the first one or the expected one, and in the end the one
      * that came. */
-    const struct mip_codec *command;
+    const struct mip_command *command;
     const struct mip_codec *codec;
     /** The responses of the command, from the one that it asks for on. */
     const struct mip_response *asked;
@@ -78,16 +96,16 @@ struct mip_client {
 };
 
 /** Initializes a client: no request is waiting, and the time-out is MIP_DEFAULT_TIMEOUT. */
-void mip_client_init(struct mip_client *client);
+MIP_API void mip_client_init(struct mip_client *client);
 
 /**
  * Adds a command to a packet and waits for its answer. `now` is the time in milliseconds, which may
- * wrap around. On an error the packet is unchanged and the request is cancelled. `command` may be
- * NULL if the command has no parameters.
+ * wrap around. On an error the packet is unchanged and the request is cancelled. `value` is the
+ * structure of the command, or NULL if it has no parameters.
  */
-mip_error mip_client_add(struct mip_client *client, struct mip_request *request,
-                         struct mip_builder *packet, const struct mip_codec *codec,
-                         const void *command, uint32_t now);
+MIP_API mip_error mip_client_add(struct mip_client *client, struct mip_request *request,
+                                 struct mip_builder *packet, const struct mip_command *command,
+                                 const void *value, uint32_t now);
 
 /**
  * Says where the response goes. To be called right after mip_client_add. False, and nothing is
@@ -97,13 +115,24 @@ mip_error mip_client_add(struct mip_client *client, struct mip_request *request,
  * the request is undecodable with MIP_ERROR_LAYOUT. Who does not know takes the field from
  * mip_client_next and decodes it by the `codec` of the request.
  */
-bool mip_client_expect(struct mip_request *request, const struct mip_codec *codec, void *response);
+MIP_API bool mip_client_expect(struct mip_request *request, const struct mip_codec *codec,
+                               void *response);
+
+/**
+ * Both in one: adds a command, and says where its response goes. The structure of the response is
+ * zeroed first, and stays so if the command with these values does not ask for it; `response` may
+ * be NULL. The generated functions mip_send_... call this with the types of each command.
+ */
+MIP_API mip_error mip_client_send(struct mip_client *client, struct mip_request *request,
+                                  struct mip_builder *packet, const struct mip_command *command,
+                                  const void *value, const struct mip_codec *codec, void *response,
+                                  uint32_t now);
 
 /**
  * Processes a received packet. True if it answered any request; data and late answers have no
  * effect. The answered requests are no longer waiting.
  */
-bool mip_client_receive(struct mip_client *client, const struct mip_packet *packet);
+MIP_API bool mip_client_receive(struct mip_client *client, const struct mip_packet *packet);
 
 /**
  * The same step by step, for callers who also use the other fields of the packet: continues a walk,
@@ -114,8 +143,8 @@ bool mip_client_receive(struct mip_client *client, const struct mip_packet *pack
  *     struct mip_walk walk = mip_walk_packet(&packet);
  *     while (mip_client_next(&client, &walk, &answered, &field)) { ... }
  */
-bool mip_client_next(struct mip_client *client, struct mip_walk *walk,
-                     struct mip_request **answered, struct mip_field *field);
+MIP_API bool mip_client_next(struct mip_client *client, struct mip_walk *walk,
+                             struct mip_request **answered, struct mip_field *field);
 
 /**
  * Updates the time. Call it until it returns false; then the overdue requests have timed out.
@@ -124,11 +153,11 @@ bool mip_client_next(struct mip_client *client, struct mip_walk *walk,
  * caller handles like any other. A packet of which a part has come is kept. `parser` is the parser
  * of the packets, or NULL.
  */
-bool mip_client_poll(struct mip_client *client, struct mip_parser *parser, uint32_t now,
-                     struct mip_packet *packet);
+MIP_API bool mip_client_poll(struct mip_client *client, struct mip_parser *parser, uint32_t now,
+                             struct mip_packet *packet);
 
 /** Cancels a request, so that its memory may be reused. */
-void mip_client_cancel(struct mip_client *client, struct mip_request *request);
+MIP_API void mip_client_cancel(struct mip_client *client, struct mip_request *request);
 
 #ifdef __cplusplus
 }

@@ -23,6 +23,8 @@ const char *mip_error_name(mip_error error) {
         return "missing";
     case MIP_ERROR_SET:
         return "set";
+    case MIP_ERROR_DESCRIPTOR:
+        return "descriptor";
     case MIP_ERROR_LAYOUT:
         return "layout";
     }

@@ -26,16 +26,19 @@ extern "C" {
  *
  * - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
  */
-typedef uint8_t mip_filter_dynamics_mode;
-/** Carried by hand. */
-#define MIP_FILTER_DYNAMICS_MODE_PORTABLE 1
-/** Ground vehicle. */
-#define MIP_FILTER_DYNAMICS_MODE_AUTOMOTIVE 2
-/** Aircraft. */
-#define MIP_FILTER_DYNAMICS_MODE_AIRBORNE 3
-/** Aircraft under high acceleration. */
-#define MIP_FILTER_DYNAMICS_MODE_AIRBORNE_HIGH_G 4
+enum mip_filter_dynamics_mode {
+    /** Carried by hand. */
+    MIP_FILTER_DYNAMICS_MODE_PORTABLE = 1,
+    /** Ground vehicle. */
+    MIP_FILTER_DYNAMICS_MODE_AUTOMOTIVE = 2,
+    /** Aircraft. */
+    MIP_FILTER_DYNAMICS_MODE_AIRBORNE = 3,
+    /** Aircraft under high acceleration. */
+    MIP_FILTER_DYNAMICS_MODE_AIRBORNE_HIGH_G = 4
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_filter_dynamics_mode_name(uint8_t value);
 /**
  * States that the filter estimates.
  *
@@ -57,25 +60,30 @@ typedef uint16_t mip_filter_estimated_states;
 #define MIP_FILTER_ESTIMATED_STATES_AUTO_HARD_IRON 0x0020U
 /** Bit 6. Estimate the soft iron matrix of the magnetometer. */
 #define MIP_FILTER_ESTIMATED_STATES_AUTO_SOFT_IRON 0x0040U
-
 /** Where the filter takes GNSS data from. */
-typedef uint8_t mip_filter_gnss_aiding_source;
-/** All internal receivers. */
-#define MIP_FILTER_GNSS_AIDING_SOURCE_ALL_INTERNAL 1
-/** GNSS measurements that the user sends. */
-#define MIP_FILTER_GNSS_AIDING_SOURCE_EXTERNAL 2
-/** Internal receiver 1 only. */
-#define MIP_FILTER_GNSS_AIDING_SOURCE_INTERNAL_1 3
-/** Internal receiver 2 only. */
-#define MIP_FILTER_GNSS_AIDING_SOURCE_INTERNAL_2 4
+enum mip_filter_gnss_aiding_source {
+    /** All internal receivers. */
+    MIP_FILTER_GNSS_AIDING_SOURCE_ALL_INTERNAL = 1,
+    /** GNSS measurements that the user sends. */
+    MIP_FILTER_GNSS_AIDING_SOURCE_EXTERNAL = 2,
+    /** Internal receiver 1 only. */
+    MIP_FILTER_GNSS_AIDING_SOURCE_INTERNAL_1 = 3,
+    /** Internal receiver 2 only. */
+    MIP_FILTER_GNSS_AIDING_SOURCE_INTERNAL_2 = 4
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_filter_gnss_aiding_source_name(uint8_t value);
 /** The north that a heading refers to. */
-typedef uint8_t mip_filter_heading_type;
-/** True north. */
-#define MIP_FILTER_HEADING_TYPE_TRUE_HEADING 1
-/** Magnetic north. */
-#define MIP_FILTER_HEADING_TYPE_MAGNETIC_HEADING 2
+enum mip_filter_heading_type {
+    /** True north. */
+    MIP_FILTER_HEADING_TYPE_TRUE_HEADING = 1,
+    /** Magnetic north. */
+    MIP_FILTER_HEADING_TYPE_MAGNETIC_HEADING = 2
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_filter_heading_type_name(uint8_t value);
 /**
  * Where the filter takes heading updates from.
  *
@@ -83,24 +91,27 @@ typedef uint8_t mip_filter_heading_type;
  * - 3dm-gx5-45: (0x0D, 0x18)
  * - mip-sdk-4: Heading Source (0x0D,0x18)
  */
-typedef uint8_t mip_filter_heading_update_source;
-/** No heading updates. */
-#define MIP_FILTER_HEADING_UPDATE_SOURCE_NONE 0
-/** The magnetometer. */
-#define MIP_FILTER_HEADING_UPDATE_SOURCE_MAG 1
-/** The velocity that the GNSS receiver measures. */
-#define MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY 2
-/** The heading messages that the user sends. */
-#define MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL 3
-/** GNSS velocity and magnetometer. */
-#define MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY_AND_MAG 4
-/** GNSS velocity and the messages of the user. */
-#define MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY_AND_EXTERNAL 5
-/** Magnetometer and the messages of the user. */
-#define MIP_FILTER_HEADING_UPDATE_SOURCE_MAG_AND_EXTERNAL 6
-/** All three. */
-#define MIP_FILTER_HEADING_UPDATE_SOURCE_ALL 7
+enum mip_filter_heading_update_source {
+    /** No heading updates. */
+    MIP_FILTER_HEADING_UPDATE_SOURCE_NONE = 0,
+    /** The magnetometer. */
+    MIP_FILTER_HEADING_UPDATE_SOURCE_MAG = 1,
+    /** The velocity that the GNSS receiver measures. */
+    MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY = 2,
+    /** The heading messages that the user sends. */
+    MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL = 3,
+    /** GNSS velocity and magnetometer. */
+    MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY_AND_MAG = 4,
+    /** GNSS velocity and the messages of the user. */
+    MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY_AND_EXTERNAL = 5,
+    /** Magnetometer and the messages of the user. */
+    MIP_FILTER_HEADING_UPDATE_SOURCE_MAG_AND_EXTERNAL = 6,
+    /** All three. */
+    MIP_FILTER_HEADING_UPDATE_SOURCE_ALL = 7
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_filter_heading_update_source_name(uint8_t value);
 /** Axes to tare; 0 resets all axes. */
 typedef uint8_t mip_filter_tare_axes;
 /** Bit 0. Tare roll. */
@@ -109,119 +120,144 @@ typedef uint8_t mip_filter_tare_axes;
 #define MIP_FILTER_TARE_AXES_PITCH 0x02U
 /** Bit 2. Tare yaw. */
 #define MIP_FILTER_TARE_AXES_YAW 0x04U
-
 /** Measurements that the filter uses. */
 typedef uint16_t mip_filter_measurement_flags;
 /** Bit 0. Accelerometer measurements. */
 #define MIP_FILTER_MEASUREMENT_FLAGS_ACCEL 0x0001U
 /** Bit 1. Magnetometer measurements, on models that have a magnetometer. */
 #define MIP_FILTER_MEASUREMENT_FLAGS_MAG 0x0002U
-
 /** Where the declination, the inclination or the magnitude of the magnetic field comes from. */
-typedef uint8_t mip_filter_mag_parameter_source;
-/** No source. Uncertain: What the device does without a source. */
-#define MIP_FILTER_MAG_PARAMETER_SOURCE_NONE 1
-/** The World Magnetic Model, at the estimated position. */
-#define MIP_FILTER_MAG_PARAMETER_SOURCE_WMM 2
-/** The value that the command gives. */
-#define MIP_FILTER_MAG_PARAMETER_SOURCE_MANUAL 3
+enum mip_filter_mag_parameter_source {
+    /** No source. Uncertain: What the device does without a source. */
+    MIP_FILTER_MAG_PARAMETER_SOURCE_NONE = 1,
+    /** The World Magnetic Model, at the estimated position. */
+    MIP_FILTER_MAG_PARAMETER_SOURCE_WMM = 2,
+    /** The value that the command gives. */
+    MIP_FILTER_MAG_PARAMETER_SOURCE_MANUAL = 3
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_filter_mag_parameter_source_name(uint8_t value);
 /** How measurements are weighted whose magnitude is not as expected. */
-typedef uint8_t mip_filter_adaptive_measurement_selector;
-/** No adaptation. */
-#define MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_DISABLED 0
-/** Adapted by the limits that the command gives. */
-#define MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_FIXED 1
-/** Adapted by the filter itself; the limits are ignored. 3DM-GX5 and later. */
-#define MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_AUTO 2
+enum mip_filter_adaptive_measurement_selector {
+    /** No adaptation. */
+    MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_DISABLED = 0,
+    /** Adapted by the limits that the command gives. */
+    MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_FIXED = 1,
+    /** Adapted by the filter itself; the limits are ignored. 3DM-GX5 and later. */
+    MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_AUTO = 2
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_filter_adaptive_measurement_selector_name(uint8_t value);
 /**
  * What aids the altitude.
  *
  * - mip-sdk-4: Altitude Aiding (0x0D,0x47)
  */
-typedef uint8_t mip_filter_altitude_aiding_source;
-/** No aiding. */
-#define MIP_FILTER_ALTITUDE_AIDING_SOURCE_NONE 0
-/** The pressure sensor. */
-#define MIP_FILTER_ALTITUDE_AIDING_SOURCE_PRESSURE 1
+enum mip_filter_altitude_aiding_source {
+    /** No aiding. */
+    MIP_FILTER_ALTITUDE_AIDING_SOURCE_NONE = 0,
+    /** The pressure sensor. */
+    MIP_FILTER_ALTITUDE_AIDING_SOURCE_PRESSURE = 1
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_filter_altitude_aiding_source_name(uint8_t value);
 /** What aids pitch and roll. */
-typedef uint8_t mip_filter_pitch_roll_aiding_source;
-/** No aiding. */
-#define MIP_FILTER_PITCH_ROLL_AIDING_SOURCE_NONE 0
-/** The measured gravity vector. */
-#define MIP_FILTER_PITCH_ROLL_AIDING_SOURCE_GRAVITY_VECTOR 1
+enum mip_filter_pitch_roll_aiding_source {
+    /** No aiding. */
+    MIP_FILTER_PITCH_ROLL_AIDING_SOURCE_NONE = 0,
+    /** The measured gravity vector. */
+    MIP_FILTER_PITCH_ROLL_AIDING_SOURCE_GRAVITY_VECTOR = 1
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_filter_pitch_roll_aiding_source_name(uint8_t value);
 /** A source of aiding measurements. */
-typedef uint16_t mip_filter_aiding_source;
-/** GNSS position and velocity. */
-#define MIP_FILTER_AIDING_SOURCE_GNSS_POSITION_VELOCITY 0
-/** GNSS heading of two antennas. */
-#define MIP_FILTER_AIDING_SOURCE_GNSS_HEADING 1
-/** Built-in pressure altimeter. */
-#define MIP_FILTER_AIDING_SOURCE_ALTIMETER 2
-/** Speed sensor or odometer. */
-#define MIP_FILTER_AIDING_SOURCE_SPEED 3
-/** Built-in magnetometer. */
-#define MIP_FILTER_AIDING_SOURCE_MAG 4
-/** Heading that the user sends. */
-#define MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING 5
-/** Pressure altitude that the user sends. */
-#define MIP_FILTER_AIDING_SOURCE_EXTERNAL_ALTIMETER 6
-/** Magnetic field that the user sends. */
-#define MIP_FILTER_AIDING_SOURCE_EXTERNAL_MAG 7
-/** Velocity in the vehicle that the user sends. */
-#define MIP_FILTER_AIDING_SOURCE_BODY_FRAME_VELOCITY 8
-/** All sources, for save, load and default. */
-#define MIP_FILTER_AIDING_SOURCE_ALL 0xFFFF
+enum mip_filter_aiding_source {
+    /** GNSS position and velocity. */
+    MIP_FILTER_AIDING_SOURCE_GNSS_POSITION_VELOCITY = 0,
+    /** GNSS heading of two antennas. */
+    MIP_FILTER_AIDING_SOURCE_GNSS_HEADING = 1,
+    /** Built-in pressure altimeter. */
+    MIP_FILTER_AIDING_SOURCE_ALTIMETER = 2,
+    /** Speed sensor or odometer. */
+    MIP_FILTER_AIDING_SOURCE_SPEED = 3,
+    /** Built-in magnetometer. */
+    MIP_FILTER_AIDING_SOURCE_MAG = 4,
+    /** Heading that the user sends. */
+    MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING = 5,
+    /** Pressure altitude that the user sends. */
+    MIP_FILTER_AIDING_SOURCE_EXTERNAL_ALTIMETER = 6,
+    /** Magnetic field that the user sends. */
+    MIP_FILTER_AIDING_SOURCE_EXTERNAL_MAG = 7,
+    /** Velocity in the vehicle that the user sends. */
+    MIP_FILTER_AIDING_SOURCE_BODY_FRAME_VELOCITY = 8,
+    /** All sources, for save, load and default. */
+    MIP_FILTER_AIDING_SOURCE_ALL = 65535
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_filter_aiding_source_name(uint16_t value);
 /**
  * What the filter assumes about the acceleration.
  *
  * - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
  */
-typedef uint8_t mip_filter_accel_constraint;
-/** Nothing. */
-#define MIP_FILTER_ACCEL_CONSTRAINT_NONE 0
-/** It is zero. */
-#define MIP_FILTER_ACCEL_CONSTRAINT_ZERO_ACCEL 1
+enum mip_filter_accel_constraint {
+    /** Nothing. */
+    MIP_FILTER_ACCEL_CONSTRAINT_NONE = 0,
+    /** It is zero. */
+    MIP_FILTER_ACCEL_CONSTRAINT_ZERO_ACCEL = 1
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_filter_accel_constraint_name(uint8_t value);
 /**
  * What the filter assumes about the velocity.
  *
  * - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
  */
-typedef uint8_t mip_filter_velocity_constraint;
-/** Nothing. */
-#define MIP_FILTER_VELOCITY_CONSTRAINT_NONE 0
-/** It is zero. */
-#define MIP_FILTER_VELOCITY_CONSTRAINT_ZERO_VELOCITY 1
-/** It is that of a wheeled vehicle. */
-#define MIP_FILTER_VELOCITY_CONSTRAINT_WHEELED_VEHICLE 2
+enum mip_filter_velocity_constraint {
+    /** Nothing. */
+    MIP_FILTER_VELOCITY_CONSTRAINT_NONE = 0,
+    /** It is zero. */
+    MIP_FILTER_VELOCITY_CONSTRAINT_ZERO_VELOCITY = 1,
+    /** It is that of a wheeled vehicle. */
+    MIP_FILTER_VELOCITY_CONSTRAINT_WHEELED_VEHICLE = 2
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_filter_velocity_constraint_name(uint8_t value);
 /**
  * What the filter assumes about the angular rate.
  *
  * - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
  */
-typedef uint8_t mip_filter_angular_constraint;
-/** Nothing. */
-#define MIP_FILTER_ANGULAR_CONSTRAINT_NONE 0
-/** It is zero. */
-#define MIP_FILTER_ANGULAR_CONSTRAINT_ZERO_ANGULAR_RATE 1
+enum mip_filter_angular_constraint {
+    /** Nothing. */
+    MIP_FILTER_ANGULAR_CONSTRAINT_NONE = 0,
+    /** It is zero. */
+    MIP_FILTER_ANGULAR_CONSTRAINT_ZERO_ANGULAR_RATE = 1
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_filter_angular_constraint_name(uint8_t value);
 /** Which initial conditions the device finds itself and which the user gives. */
-typedef uint8_t mip_filter_initial_condition_source;
-/** Position, velocity and attitude are found. */
-#define MIP_FILTER_INITIAL_CONDITION_SOURCE_AUTO_POSITION_VELOCITY_ATTITUDE 0
-/** Position, velocity, pitch and roll are found; the heading is given. */
-#define MIP_FILTER_INITIAL_CONDITION_SOURCE_AUTO_POSITION_VELOCITY_PITCH_ROLL 1
-/** Position and velocity are found; the attitude is given. */
-#define MIP_FILTER_INITIAL_CONDITION_SOURCE_AUTO_POSITION_VELOCITY 2
-/** Position, velocity and attitude are given. */
-#define MIP_FILTER_INITIAL_CONDITION_SOURCE_MANUAL 3
+enum mip_filter_initial_condition_source {
+    /** Position, velocity and attitude are found. */
+    MIP_FILTER_INITIAL_CONDITION_SOURCE_AUTO_POSITION_VELOCITY_ATTITUDE = 0,
+    /** Position, velocity, pitch and roll are found; the heading is given. */
+    MIP_FILTER_INITIAL_CONDITION_SOURCE_AUTO_POSITION_VELOCITY_PITCH_ROLL = 1,
+    /** Position and velocity are found; the attitude is given. */
+    MIP_FILTER_INITIAL_CONDITION_SOURCE_AUTO_POSITION_VELOCITY = 2,
+    /** Position, velocity and attitude are given. */
+    MIP_FILTER_INITIAL_CONDITION_SOURCE_MANUAL = 3
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_filter_initial_condition_source_name(uint8_t value);
 /** Ways in which the device may find its initial heading. */
 typedef uint8_t mip_filter_heading_alignment;
 /** Bit 0. From the baseline between two GNSS antennas. */
@@ -232,37 +268,48 @@ typedef uint8_t mip_filter_heading_alignment;
 #define MIP_FILTER_HEADING_ALIGNMENT_MAG 0x04U
 /** Bit 3. From the heading that the user sends. */
 #define MIP_FILTER_HEADING_ALIGNMENT_EXTERNAL 0x08U
-
 /** Frame in which a position is given. */
-typedef uint8_t mip_filter_reference_frame;
-/** Earth-centred, Earth-fixed coordinates (WGS84). */
-#define MIP_FILTER_REFERENCE_FRAME_ECEF 1
-/** Latitude, longitude and height above the ellipsoid (WGS84). */
-#define MIP_FILTER_REFERENCE_FRAME_LLH 2
+enum mip_filter_reference_frame {
+    /** Earth-centred, Earth-fixed coordinates (WGS84). */
+    MIP_FILTER_REFERENCE_FRAME_ECEF = 1,
+    /** Latitude, longitude and height above the ellipsoid (WGS84). */
+    MIP_FILTER_REFERENCE_FRAME_LLH = 2
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_filter_reference_frame_name(uint8_t value);
 /** How strongly the filter adapts to measurements that do not fit. */
-typedef uint8_t mip_filter_adaptive_level;
-/** No adaptation. */
-#define MIP_FILTER_ADAPTIVE_LEVEL_OFF 0
-/** Little adaptation. */
-#define MIP_FILTER_ADAPTIVE_LEVEL_CONSERVATIVE 1
-/** Moderate adaptation. */
-#define MIP_FILTER_ADAPTIVE_LEVEL_MODERATE 2
-/** Strong adaptation. */
-#define MIP_FILTER_ADAPTIVE_LEVEL_AGGRESSIVE 3
+enum mip_filter_adaptive_level {
+    /** No adaptation. */
+    MIP_FILTER_ADAPTIVE_LEVEL_OFF = 0,
+    /** Little adaptation. */
+    MIP_FILTER_ADAPTIVE_LEVEL_CONSERVATIVE = 1,
+    /** Moderate adaptation. */
+    MIP_FILTER_ADAPTIVE_LEVEL_MODERATE = 2,
+    /** Strong adaptation. */
+    MIP_FILTER_ADAPTIVE_LEVEL_AGGRESSIVE = 3
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_filter_adaptive_level_name(uint8_t value);
 /** Where the reference of relative positions comes from. */
-typedef uint8_t mip_filter_relative_position_source;
-/** The base station of the RTK corrections. */
-#define MIP_FILTER_RELATIVE_POSITION_SOURCE_AUTO 0
-/** The coordinates that the command gives. */
-#define MIP_FILTER_RELATIVE_POSITION_SOURCE_MANUAL 1
+enum mip_filter_relative_position_source {
+    /** The base station of the RTK corrections. */
+    MIP_FILTER_RELATIVE_POSITION_SOURCE_AUTO = 0,
+    /** The coordinates that the command gives. */
+    MIP_FILTER_RELATIVE_POSITION_SOURCE_MANUAL = 1
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_filter_relative_position_source_name(uint8_t value);
 /** A point of reference. */
-typedef uint8_t mip_filter_reference_point;
-/** The origin of the vehicle. */
-#define MIP_FILTER_REFERENCE_POINT_VEHICLE 1
+enum mip_filter_reference_point {
+    /** The origin of the vehicle. */
+    MIP_FILTER_REFERENCE_POINT_VEHICLE = 1
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_filter_reference_point_name(uint8_t value);
 /**
  * Reset navigation filter: command (0x0D,0x01).
  *
@@ -284,14 +331,25 @@ struct mip_filter_reset {
     uint8_t empty;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_RESET 0x0D01
 #define MIP_FILTER_RESET_DESCRIPTOR 0x01
 #define MIP_FILTER_RESET_NAME "filter.reset"
 
-extern const struct mip_codec mip_filter_reset_codec;
-mip_error mip_filter_reset_decode(struct mip_filter_reset *value, const struct mip_field *field);
-mip_error mip_filter_reset_encode(const struct mip_filter_reset *value,
-                                  struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_reset_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_reset_decode(struct mip_filter_reset *value,
+                                                const struct mip_field *field) {
+    return mip_decode(&mip_filter_reset_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_reset_encode(const struct mip_filter_reset *value,
+                                                struct mip_builder *builder) {
+    return mip_encode(&mip_filter_reset_codec, value, builder);
+}
 /**
  * Set initial attitude: command (0x0D,0x02).
  *
@@ -314,18 +372,66 @@ struct mip_filter_set_initial_attitude {
     float heading;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_SET_INITIAL_ATTITUDE 0x0D02
 #define MIP_FILTER_SET_INITIAL_ATTITUDE_DESCRIPTOR 0x02
 #define MIP_FILTER_SET_INITIAL_ATTITUDE_NAME "filter.set_initial_attitude"
 
-extern const struct mip_codec mip_filter_set_initial_attitude_codec;
-mip_error mip_filter_set_initial_attitude_decode(struct mip_filter_set_initial_attitude *value,
-                                                 const struct mip_field *field);
-mip_error mip_filter_set_initial_attitude_encode(
-    const struct mip_filter_set_initial_attitude *value, struct mip_builder *builder);
-/** Set initial attitude. */
-struct mip_filter_set_initial_attitude mip_filter_set_initial_attitude_make(float roll, float pitch,
-                                                                            float heading);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_set_initial_attitude_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_set_initial_attitude_decode(
+    struct mip_filter_set_initial_attitude *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_set_initial_attitude_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_set_initial_attitude_encode(
+    const struct mip_filter_set_initial_attitude *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_set_initial_attitude_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_set_initial_attitude_decode_inline(
+    struct mip_filter_set_initial_attitude *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0D, 0x02, 12);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_float(&value->roll, field->data);
+    mip_get_float(&value->pitch, field->data + 4);
+    mip_get_float(&value->heading, field->data + 8);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_set_initial_attitude_encode_inline(
+    const struct mip_filter_set_initial_attitude *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x02, 12, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_float(data, &value->roll);
+    mip_put_float(data + 4, &value->pitch);
+    mip_put_float(data + 8, &value->heading);
+    return MIP_OK;
+}
+/**
+ * Set initial attitude.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_set_initial_attitude *mip_filter_set_initial_attitude_make(
+    struct mip_filter_set_initial_attitude *command, float roll, float pitch, float heading) {
+    memset(command, 0, sizeof(*command));
+    command->roll = roll;
+    command->pitch = pitch;
+    command->heading = heading;
+    return command;
+}
 /**
  * Set initial heading: command (0x0D,0x03).
  *
@@ -347,17 +453,60 @@ struct mip_filter_set_initial_heading {
     float heading;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_SET_INITIAL_HEADING 0x0D03
 #define MIP_FILTER_SET_INITIAL_HEADING_DESCRIPTOR 0x03
 #define MIP_FILTER_SET_INITIAL_HEADING_NAME "filter.set_initial_heading"
 
-extern const struct mip_codec mip_filter_set_initial_heading_codec;
-mip_error mip_filter_set_initial_heading_decode(struct mip_filter_set_initial_heading *value,
-                                                const struct mip_field *field);
-mip_error mip_filter_set_initial_heading_encode(const struct mip_filter_set_initial_heading *value,
-                                                struct mip_builder *builder);
-/** Set initial heading. */
-struct mip_filter_set_initial_heading mip_filter_set_initial_heading_make(float heading);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_set_initial_heading_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_set_initial_heading_decode(
+    struct mip_filter_set_initial_heading *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_set_initial_heading_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_set_initial_heading_encode(
+    const struct mip_filter_set_initial_heading *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_set_initial_heading_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_set_initial_heading_decode_inline(
+    struct mip_filter_set_initial_heading *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0D, 0x03, 4);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_float(&value->heading, field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_set_initial_heading_encode_inline(
+    const struct mip_filter_set_initial_heading *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x03, 4, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_float(data, &value->heading);
+    return MIP_OK;
+}
+/**
+ * Set initial heading.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_set_initial_heading *
+mip_filter_set_initial_heading_make(struct mip_filter_set_initial_heading *command, float heading) {
+    memset(command, 0, sizeof(*command));
+    command->heading = heading;
+    return command;
+}
 /**
  * Run navigation filter: command (0x0D,0x05).
  *
@@ -375,13 +524,25 @@ struct mip_filter_run {
     uint8_t empty;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_RUN 0x0D05
 #define MIP_FILTER_RUN_DESCRIPTOR 0x05
 #define MIP_FILTER_RUN_NAME "filter.run"
 
-extern const struct mip_codec mip_filter_run_codec;
-mip_error mip_filter_run_decode(struct mip_filter_run *value, const struct mip_field *field);
-mip_error mip_filter_run_encode(const struct mip_filter_run *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_run_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_run_decode(struct mip_filter_run *value,
+                                              const struct mip_field *field) {
+    return mip_decode(&mip_filter_run_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_run_encode(const struct mip_filter_run *value,
+                                              struct mip_builder *builder) {
+    return mip_encode(&mip_filter_run_codec, value, builder);
+}
 /**
  * Vehicle dynamics mode: command (0x0D,0x10).
  *
@@ -396,36 +557,91 @@ mip_error mip_filter_run_encode(const struct mip_filter_run *value, struct mip_b
 struct mip_filter_vehicle_dynamics_mode {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /**
-     * Kind of vehicle. Required for write. On the 3DM-GX3-45: only
-     * MIP_FILTER_DYNAMICS_MODE_PORTABLE, MIP_FILTER_DYNAMICS_MODE_AUTOMOTIVE and
+     * Kind of vehicle. A value of enum mip_filter_dynamics_mode. Required for write. On the
+     * 3DM-GX3-45: only MIP_FILTER_DYNAMICS_MODE_PORTABLE, MIP_FILTER_DYNAMICS_MODE_AUTOMOTIVE and
      * MIP_FILTER_DYNAMICS_MODE_AIRBORNE.
      */
-    mip_filter_dynamics_mode mode;
+    uint8_t mode;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_VEHICLE_DYNAMICS_MODE 0x0D10
 #define MIP_FILTER_VEHICLE_DYNAMICS_MODE_DESCRIPTOR 0x10
 #define MIP_FILTER_VEHICLE_DYNAMICS_MODE_NAME "filter.vehicle_dynamics_mode"
 
-extern const struct mip_codec mip_filter_vehicle_dynamics_mode_codec;
-mip_error mip_filter_vehicle_dynamics_mode_decode(struct mip_filter_vehicle_dynamics_mode *value,
-                                                  const struct mip_field *field);
-mip_error mip_filter_vehicle_dynamics_mode_encode(
-    const struct mip_filter_vehicle_dynamics_mode *value, struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_filter_vehicle_dynamics_mode
-mip_filter_vehicle_dynamics_mode_write(mip_filter_dynamics_mode mode);
-/** Send the current setting back in a response. */
-struct mip_filter_vehicle_dynamics_mode mip_filter_vehicle_dynamics_mode_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_filter_vehicle_dynamics_mode mip_filter_vehicle_dynamics_mode_save(void);
-/** Load the saved setting. */
-struct mip_filter_vehicle_dynamics_mode mip_filter_vehicle_dynamics_mode_load(void);
-/** Load the factory default setting. */
-struct mip_filter_vehicle_dynamics_mode mip_filter_vehicle_dynamics_mode_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_vehicle_dynamics_mode_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_vehicle_dynamics_mode_decode(
+    struct mip_filter_vehicle_dynamics_mode *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_vehicle_dynamics_mode_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_vehicle_dynamics_mode_encode(
+    const struct mip_filter_vehicle_dynamics_mode *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_vehicle_dynamics_mode_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_vehicle_dynamics_mode *mip_filter_vehicle_dynamics_mode_write(
+    struct mip_filter_vehicle_dynamics_mode *command, enum mip_filter_dynamics_mode mode) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->mode = (uint8_t)mode;
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_vehicle_dynamics_mode *
+mip_filter_vehicle_dynamics_mode_read(struct mip_filter_vehicle_dynamics_mode *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_vehicle_dynamics_mode *
+mip_filter_vehicle_dynamics_mode_save(struct mip_filter_vehicle_dynamics_mode *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_vehicle_dynamics_mode *
+mip_filter_vehicle_dynamics_mode_load(struct mip_filter_vehicle_dynamics_mode *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_vehicle_dynamics_mode *
+mip_filter_vehicle_dynamics_mode_default(struct mip_filter_vehicle_dynamics_mode *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * Vehicle dynamics mode response: response (0x0D,0x80).
  *
@@ -435,19 +651,53 @@ struct mip_filter_vehicle_dynamics_mode mip_filter_vehicle_dynamics_mode_default
  * - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
  */
 struct mip_filter_vehicle_dynamics_mode_response {
-    /** Kind of vehicle. */
-    mip_filter_dynamics_mode mode;
+    /** Kind of vehicle. A value of enum mip_filter_dynamics_mode. */
+    uint8_t mode;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_VEHICLE_DYNAMICS_MODE_RESPONSE 0x0D80
 #define MIP_FILTER_VEHICLE_DYNAMICS_MODE_RESPONSE_DESCRIPTOR 0x80
 #define MIP_FILTER_VEHICLE_DYNAMICS_MODE_RESPONSE_NAME "filter.vehicle_dynamics_mode_response"
 
-extern const struct mip_codec mip_filter_vehicle_dynamics_mode_response_codec;
-mip_error mip_filter_vehicle_dynamics_mode_response_decode(
-    struct mip_filter_vehicle_dynamics_mode_response *value, const struct mip_field *field);
-mip_error mip_filter_vehicle_dynamics_mode_response_encode(
-    const struct mip_filter_vehicle_dynamics_mode_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_vehicle_dynamics_mode_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_vehicle_dynamics_mode_response_decode(
+    struct mip_filter_vehicle_dynamics_mode_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_vehicle_dynamics_mode_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_vehicle_dynamics_mode_response_encode(
+    const struct mip_filter_vehicle_dynamics_mode_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_vehicle_dynamics_mode_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_vehicle_dynamics_mode_response_decode_inline(
+    struct mip_filter_vehicle_dynamics_mode_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0D, 0x80, 1);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->mode = mip_get_8(field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_vehicle_dynamics_mode_response_encode_inline(
+    const struct mip_filter_vehicle_dynamics_mode_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x80, 1, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->mode);
+    return MIP_OK;
+}
 /**
  * Sensor to vehicle frame transformation: command (0x0D,0x11).
  *
@@ -467,8 +717,8 @@ mip_error mip_filter_vehicle_dynamics_mode_response_encode(
 struct mip_filter_sensor_to_vehicle_rotation_euler {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /** Roll angle. Unit: rad. Required for write. */
     float roll;
     /** Pitch angle. Unit: rad. Required for write. */
@@ -477,30 +727,89 @@ struct mip_filter_sensor_to_vehicle_rotation_euler {
     float yaw;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER 0x0D11
 #define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER_DESCRIPTOR 0x11
 #define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER_NAME "filter.sensor_to_vehicle_rotation_euler"
 
-extern const struct mip_codec mip_filter_sensor_to_vehicle_rotation_euler_codec;
-mip_error mip_filter_sensor_to_vehicle_rotation_euler_decode(
-    struct mip_filter_sensor_to_vehicle_rotation_euler *value, const struct mip_field *field);
-mip_error mip_filter_sensor_to_vehicle_rotation_euler_encode(
-    const struct mip_filter_sensor_to_vehicle_rotation_euler *value, struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_filter_sensor_to_vehicle_rotation_euler
-mip_filter_sensor_to_vehicle_rotation_euler_write(float roll, float pitch, float yaw);
-/** Send the current setting back in a response. */
-struct mip_filter_sensor_to_vehicle_rotation_euler
-mip_filter_sensor_to_vehicle_rotation_euler_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_filter_sensor_to_vehicle_rotation_euler
-mip_filter_sensor_to_vehicle_rotation_euler_save(void);
-/** Load the saved setting. */
-struct mip_filter_sensor_to_vehicle_rotation_euler
-mip_filter_sensor_to_vehicle_rotation_euler_load(void);
-/** Load the factory default setting. */
-struct mip_filter_sensor_to_vehicle_rotation_euler
-mip_filter_sensor_to_vehicle_rotation_euler_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_rotation_euler_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_sensor_to_vehicle_rotation_euler_decode(
+    struct mip_filter_sensor_to_vehicle_rotation_euler *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_sensor_to_vehicle_rotation_euler_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_sensor_to_vehicle_rotation_euler_encode(
+    const struct mip_filter_sensor_to_vehicle_rotation_euler *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_sensor_to_vehicle_rotation_euler_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_sensor_to_vehicle_rotation_euler *
+mip_filter_sensor_to_vehicle_rotation_euler_write(
+    struct mip_filter_sensor_to_vehicle_rotation_euler *command, float roll, float pitch,
+    float yaw) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->roll = roll;
+    command->pitch = pitch;
+    command->yaw = yaw;
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_sensor_to_vehicle_rotation_euler *
+mip_filter_sensor_to_vehicle_rotation_euler_read(
+    struct mip_filter_sensor_to_vehicle_rotation_euler *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_sensor_to_vehicle_rotation_euler *
+mip_filter_sensor_to_vehicle_rotation_euler_save(
+    struct mip_filter_sensor_to_vehicle_rotation_euler *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_sensor_to_vehicle_rotation_euler *
+mip_filter_sensor_to_vehicle_rotation_euler_load(
+    struct mip_filter_sensor_to_vehicle_rotation_euler *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_sensor_to_vehicle_rotation_euler *
+mip_filter_sensor_to_vehicle_rotation_euler_default(
+    struct mip_filter_sensor_to_vehicle_rotation_euler *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * Sensor to vehicle frame transformation response: response (0x0D,0x81).
  *
@@ -517,18 +826,59 @@ struct mip_filter_sensor_to_vehicle_rotation_euler_response {
     float yaw;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER_RESPONSE 0x0D81
 #define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER_RESPONSE_DESCRIPTOR 0x81
 #define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER_RESPONSE_NAME \
     "filter.sensor_to_vehicle_rotation_euler_response"
 
-extern const struct mip_codec mip_filter_sensor_to_vehicle_rotation_euler_response_codec;
-mip_error mip_filter_sensor_to_vehicle_rotation_euler_response_decode(
-    struct mip_filter_sensor_to_vehicle_rotation_euler_response *value,
-    const struct mip_field *field);
-mip_error mip_filter_sensor_to_vehicle_rotation_euler_response_encode(
-    const struct mip_filter_sensor_to_vehicle_rotation_euler_response *value,
-    struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_rotation_euler_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_sensor_to_vehicle_rotation_euler_response_decode(
+    struct mip_filter_sensor_to_vehicle_rotation_euler_response *value,
+    const struct mip_field *field) {
+    return mip_decode(&mip_filter_sensor_to_vehicle_rotation_euler_response_codec, value, field,
+                      NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_sensor_to_vehicle_rotation_euler_response_encode(
+    const struct mip_filter_sensor_to_vehicle_rotation_euler_response *value,
+    struct mip_builder *builder) {
+    return mip_encode(&mip_filter_sensor_to_vehicle_rotation_euler_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_sensor_to_vehicle_rotation_euler_response_decode_inline(
+    struct mip_filter_sensor_to_vehicle_rotation_euler_response *value,
+    const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0D, 0x81, 12);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_float(&value->roll, field->data);
+    mip_get_float(&value->pitch, field->data + 4);
+    mip_get_float(&value->yaw, field->data + 8);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_sensor_to_vehicle_rotation_euler_response_encode_inline(
+    const struct mip_filter_sensor_to_vehicle_rotation_euler_response *value,
+    struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x81, 12, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_float(data, &value->roll);
+    mip_put_float(data + 4, &value->pitch);
+    mip_put_float(data + 8, &value->yaw);
+    return MIP_OK;
+}
 /**
  * Sensor to vehicle offset: command (0x0D,0x12).
  *
@@ -548,8 +898,8 @@ mip_error mip_filter_sensor_to_vehicle_rotation_euler_response_encode(
 struct mip_filter_sensor_to_vehicle_offset {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /**
      * From the sensor to the origin of the vehicle frame. Elements: x, y, z. Unit: m. Frame:
      * sensor. Range: magnitude at most 10. Required for write.
@@ -557,26 +907,81 @@ struct mip_filter_sensor_to_vehicle_offset {
     float offset[3];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET 0x0D12
 #define MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET_DESCRIPTOR 0x12
 #define MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET_NAME "filter.sensor_to_vehicle_offset"
 
-extern const struct mip_codec mip_filter_sensor_to_vehicle_offset_codec;
-mip_error mip_filter_sensor_to_vehicle_offset_decode(
-    struct mip_filter_sensor_to_vehicle_offset *value, const struct mip_field *field);
-mip_error mip_filter_sensor_to_vehicle_offset_encode(
-    const struct mip_filter_sensor_to_vehicle_offset *value, struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_filter_sensor_to_vehicle_offset
-mip_filter_sensor_to_vehicle_offset_write(const float offset[3]);
-/** Send the current setting back in a response. */
-struct mip_filter_sensor_to_vehicle_offset mip_filter_sensor_to_vehicle_offset_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_filter_sensor_to_vehicle_offset mip_filter_sensor_to_vehicle_offset_save(void);
-/** Load the saved setting. */
-struct mip_filter_sensor_to_vehicle_offset mip_filter_sensor_to_vehicle_offset_load(void);
-/** Load the factory default setting. */
-struct mip_filter_sensor_to_vehicle_offset mip_filter_sensor_to_vehicle_offset_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_offset_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_sensor_to_vehicle_offset_decode(
+    struct mip_filter_sensor_to_vehicle_offset *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_sensor_to_vehicle_offset_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_sensor_to_vehicle_offset_encode(
+    const struct mip_filter_sensor_to_vehicle_offset *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_sensor_to_vehicle_offset_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_sensor_to_vehicle_offset *mip_filter_sensor_to_vehicle_offset_write(
+    struct mip_filter_sensor_to_vehicle_offset *command, const float offset[3]) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    memcpy(command->offset, offset, sizeof(command->offset));
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_sensor_to_vehicle_offset *
+mip_filter_sensor_to_vehicle_offset_read(struct mip_filter_sensor_to_vehicle_offset *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_sensor_to_vehicle_offset *
+mip_filter_sensor_to_vehicle_offset_save(struct mip_filter_sensor_to_vehicle_offset *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_sensor_to_vehicle_offset *
+mip_filter_sensor_to_vehicle_offset_load(struct mip_filter_sensor_to_vehicle_offset *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_sensor_to_vehicle_offset *
+mip_filter_sensor_to_vehicle_offset_default(struct mip_filter_sensor_to_vehicle_offset *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * Sensor to vehicle offset response: response (0x0D,0x82).
  *
@@ -593,15 +998,53 @@ struct mip_filter_sensor_to_vehicle_offset_response {
     float offset[3];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET_RESPONSE 0x0D82
 #define MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET_RESPONSE_DESCRIPTOR 0x82
 #define MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET_RESPONSE_NAME "filter.sensor_to_vehicle_offset_response"
 
-extern const struct mip_codec mip_filter_sensor_to_vehicle_offset_response_codec;
-mip_error mip_filter_sensor_to_vehicle_offset_response_decode(
-    struct mip_filter_sensor_to_vehicle_offset_response *value, const struct mip_field *field);
-mip_error mip_filter_sensor_to_vehicle_offset_response_encode(
-    const struct mip_filter_sensor_to_vehicle_offset_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_offset_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_sensor_to_vehicle_offset_response_decode(
+    struct mip_filter_sensor_to_vehicle_offset_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_sensor_to_vehicle_offset_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_sensor_to_vehicle_offset_response_encode(
+    const struct mip_filter_sensor_to_vehicle_offset_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_sensor_to_vehicle_offset_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_sensor_to_vehicle_offset_response_decode_inline(
+    struct mip_filter_sensor_to_vehicle_offset_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0D, 0x82, 12);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->offset[i], field->data + 4 * i);
+    }
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_sensor_to_vehicle_offset_response_encode_inline(
+    const struct mip_filter_sensor_to_vehicle_offset_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x82, 12, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 4 * i, &value->offset[i]);
+    }
+    return MIP_OK;
+}
 /**
  * GNSS antenna offset: command (0x0D,0x13).
  *
@@ -620,8 +1063,8 @@ mip_error mip_filter_sensor_to_vehicle_offset_response_encode(
 struct mip_filter_antenna_offset {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /**
      * From the sensor origin to the centre of the antenna. Elements: x, y, z. Unit: m. Frame:
      * vehicle. Range: magnitude at most 10. Required for write.
@@ -629,25 +1072,81 @@ struct mip_filter_antenna_offset {
     float offset[3];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_ANTENNA_OFFSET 0x0D13
 #define MIP_FILTER_ANTENNA_OFFSET_DESCRIPTOR 0x13
 #define MIP_FILTER_ANTENNA_OFFSET_NAME "filter.antenna_offset"
 
-extern const struct mip_codec mip_filter_antenna_offset_codec;
-mip_error mip_filter_antenna_offset_decode(struct mip_filter_antenna_offset *value,
-                                           const struct mip_field *field);
-mip_error mip_filter_antenna_offset_encode(const struct mip_filter_antenna_offset *value,
-                                           struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_filter_antenna_offset mip_filter_antenna_offset_write(const float offset[3]);
-/** Send the current setting back in a response. */
-struct mip_filter_antenna_offset mip_filter_antenna_offset_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_filter_antenna_offset mip_filter_antenna_offset_save(void);
-/** Load the saved setting. */
-struct mip_filter_antenna_offset mip_filter_antenna_offset_load(void);
-/** Load the factory default setting. */
-struct mip_filter_antenna_offset mip_filter_antenna_offset_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_antenna_offset_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_antenna_offset_decode(struct mip_filter_antenna_offset *value,
+                                                         const struct mip_field *field) {
+    return mip_decode(&mip_filter_antenna_offset_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_antenna_offset_encode(
+    const struct mip_filter_antenna_offset *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_antenna_offset_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_antenna_offset *
+mip_filter_antenna_offset_write(struct mip_filter_antenna_offset *command, const float offset[3]) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    memcpy(command->offset, offset, sizeof(command->offset));
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_antenna_offset *
+mip_filter_antenna_offset_read(struct mip_filter_antenna_offset *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_antenna_offset *
+mip_filter_antenna_offset_save(struct mip_filter_antenna_offset *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_antenna_offset *
+mip_filter_antenna_offset_load(struct mip_filter_antenna_offset *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_antenna_offset *
+mip_filter_antenna_offset_default(struct mip_filter_antenna_offset *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * GNSS antenna offset response: response (0x0D,0x83).
  *
@@ -663,15 +1162,53 @@ struct mip_filter_antenna_offset_response {
     float offset[3];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_ANTENNA_OFFSET_RESPONSE 0x0D83
 #define MIP_FILTER_ANTENNA_OFFSET_RESPONSE_DESCRIPTOR 0x83
 #define MIP_FILTER_ANTENNA_OFFSET_RESPONSE_NAME "filter.antenna_offset_response"
 
-extern const struct mip_codec mip_filter_antenna_offset_response_codec;
-mip_error mip_filter_antenna_offset_response_decode(
-    struct mip_filter_antenna_offset_response *value, const struct mip_field *field);
-mip_error mip_filter_antenna_offset_response_encode(
-    const struct mip_filter_antenna_offset_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_antenna_offset_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_antenna_offset_response_decode(
+    struct mip_filter_antenna_offset_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_antenna_offset_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_antenna_offset_response_encode(
+    const struct mip_filter_antenna_offset_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_antenna_offset_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_antenna_offset_response_decode_inline(
+    struct mip_filter_antenna_offset_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0D, 0x83, 12);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->offset[i], field->data + 4 * i);
+    }
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_antenna_offset_response_encode_inline(
+    const struct mip_filter_antenna_offset_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x83, 12, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 4 * i, &value->offset[i]);
+    }
+    return MIP_OK;
+}
 /**
  * Estimation control flags: command (0x0D,0x14).
  *
@@ -687,8 +1224,8 @@ mip_error mip_filter_antenna_offset_response_encode(
 struct mip_filter_estimation_control {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /**
      * States to estimate. Required for write. On the 3DM-CL5-15, 3DM-CV5-15, 3DM-GX3-45,
      * 3DM-GX4-15, 3DM-GX4-25 and 3DM-GX5-15: only MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS. On the
@@ -702,26 +1239,81 @@ struct mip_filter_estimation_control {
     mip_filter_estimated_states flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_ESTIMATION_CONTROL 0x0D14
 #define MIP_FILTER_ESTIMATION_CONTROL_DESCRIPTOR 0x14
 #define MIP_FILTER_ESTIMATION_CONTROL_NAME "filter.estimation_control"
 
-extern const struct mip_codec mip_filter_estimation_control_codec;
-mip_error mip_filter_estimation_control_decode(struct mip_filter_estimation_control *value,
-                                               const struct mip_field *field);
-mip_error mip_filter_estimation_control_encode(const struct mip_filter_estimation_control *value,
-                                               struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_filter_estimation_control
-mip_filter_estimation_control_write(mip_filter_estimated_states flags);
-/** Send the current setting back in a response. */
-struct mip_filter_estimation_control mip_filter_estimation_control_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_filter_estimation_control mip_filter_estimation_control_save(void);
-/** Load the saved setting. */
-struct mip_filter_estimation_control mip_filter_estimation_control_load(void);
-/** Load the factory default setting. */
-struct mip_filter_estimation_control mip_filter_estimation_control_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_estimation_control_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_estimation_control_decode(
+    struct mip_filter_estimation_control *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_estimation_control_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_estimation_control_encode(
+    const struct mip_filter_estimation_control *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_estimation_control_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_estimation_control *mip_filter_estimation_control_write(
+    struct mip_filter_estimation_control *command, mip_filter_estimated_states flags) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->flags = flags;
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_estimation_control *
+mip_filter_estimation_control_read(struct mip_filter_estimation_control *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_estimation_control *
+mip_filter_estimation_control_save(struct mip_filter_estimation_control *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_estimation_control *
+mip_filter_estimation_control_load(struct mip_filter_estimation_control *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_estimation_control *
+mip_filter_estimation_control_default(struct mip_filter_estimation_control *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * Estimation control flags response: response (0x0D,0x84).
  *
@@ -736,15 +1328,49 @@ struct mip_filter_estimation_control_response {
     mip_filter_estimated_states flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_ESTIMATION_CONTROL_RESPONSE 0x0D84
 #define MIP_FILTER_ESTIMATION_CONTROL_RESPONSE_DESCRIPTOR 0x84
 #define MIP_FILTER_ESTIMATION_CONTROL_RESPONSE_NAME "filter.estimation_control_response"
 
-extern const struct mip_codec mip_filter_estimation_control_response_codec;
-mip_error mip_filter_estimation_control_response_decode(
-    struct mip_filter_estimation_control_response *value, const struct mip_field *field);
-mip_error mip_filter_estimation_control_response_encode(
-    const struct mip_filter_estimation_control_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_estimation_control_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_estimation_control_response_decode(
+    struct mip_filter_estimation_control_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_estimation_control_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_estimation_control_response_encode(
+    const struct mip_filter_estimation_control_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_estimation_control_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_estimation_control_response_decode_inline(
+    struct mip_filter_estimation_control_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0D, 0x84, 2);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->flags = mip_get_16(field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_estimation_control_response_encode_inline(
+    const struct mip_filter_estimation_control_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x84, 2, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_16(data, value->flags);
+    return MIP_OK;
+}
 /**
  * GNSS aiding source: command (0x0D,0x15).
  *
@@ -761,31 +1387,89 @@ mip_error mip_filter_estimation_control_response_encode(
 struct mip_filter_gnss_source {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
-    /** Source of the GNSS data. Required for write. */
-    mip_filter_gnss_aiding_source source;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
+    /**
+     * Source of the GNSS data. A value of enum mip_filter_gnss_aiding_source. Required for write.
+     */
+    uint8_t source;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_GNSS_SOURCE 0x0D15
 #define MIP_FILTER_GNSS_SOURCE_DESCRIPTOR 0x15
 #define MIP_FILTER_GNSS_SOURCE_NAME "filter.gnss_source"
 
-extern const struct mip_codec mip_filter_gnss_source_codec;
-mip_error mip_filter_gnss_source_decode(struct mip_filter_gnss_source *value,
-                                        const struct mip_field *field);
-mip_error mip_filter_gnss_source_encode(const struct mip_filter_gnss_source *value,
-                                        struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_filter_gnss_source mip_filter_gnss_source_write(mip_filter_gnss_aiding_source source);
-/** Send the current setting back in a response. */
-struct mip_filter_gnss_source mip_filter_gnss_source_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_filter_gnss_source mip_filter_gnss_source_save(void);
-/** Load the saved setting. */
-struct mip_filter_gnss_source mip_filter_gnss_source_load(void);
-/** Load the factory default setting. */
-struct mip_filter_gnss_source mip_filter_gnss_source_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_gnss_source_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_gnss_source_decode(struct mip_filter_gnss_source *value,
+                                                      const struct mip_field *field) {
+    return mip_decode(&mip_filter_gnss_source_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_gnss_source_encode(const struct mip_filter_gnss_source *value,
+                                                      struct mip_builder *builder) {
+    return mip_encode(&mip_filter_gnss_source_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_gnss_source *mip_filter_gnss_source_write(
+    struct mip_filter_gnss_source *command, enum mip_filter_gnss_aiding_source source) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->source = (uint8_t)source;
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_gnss_source *
+mip_filter_gnss_source_read(struct mip_filter_gnss_source *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_gnss_source *
+mip_filter_gnss_source_save(struct mip_filter_gnss_source *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_gnss_source *
+mip_filter_gnss_source_load(struct mip_filter_gnss_source *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_gnss_source *
+mip_filter_gnss_source_default(struct mip_filter_gnss_source *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * GNSS aiding source response: response (0x0D,0x86).
  *
@@ -794,19 +1478,53 @@ struct mip_filter_gnss_source mip_filter_gnss_source_default(void);
  * - 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
  */
 struct mip_filter_gnss_source_response {
-    /** Source of the GNSS data. */
-    mip_filter_gnss_aiding_source source;
+    /** Source of the GNSS data. A value of enum mip_filter_gnss_aiding_source. */
+    uint8_t source;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_GNSS_SOURCE_RESPONSE 0x0D86
 #define MIP_FILTER_GNSS_SOURCE_RESPONSE_DESCRIPTOR 0x86
 #define MIP_FILTER_GNSS_SOURCE_RESPONSE_NAME "filter.gnss_source_response"
 
-extern const struct mip_codec mip_filter_gnss_source_response_codec;
-mip_error mip_filter_gnss_source_response_decode(struct mip_filter_gnss_source_response *value,
-                                                 const struct mip_field *field);
-mip_error mip_filter_gnss_source_response_encode(
-    const struct mip_filter_gnss_source_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_gnss_source_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_gnss_source_response_decode(
+    struct mip_filter_gnss_source_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_gnss_source_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_gnss_source_response_encode(
+    const struct mip_filter_gnss_source_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_gnss_source_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_gnss_source_response_decode_inline(
+    struct mip_filter_gnss_source_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0D, 0x86, 1);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->source = mip_get_8(field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_gnss_source_response_encode_inline(
+    const struct mip_filter_gnss_source_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x86, 1, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->source);
+    return MIP_OK;
+}
 /**
  * External GNSS update: command (0x0D,0x16).
  *
@@ -839,20 +1557,97 @@ struct mip_filter_external_gnss_update {
     float velocity_uncertainty[3];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_EXTERNAL_GNSS_UPDATE 0x0D16
 #define MIP_FILTER_EXTERNAL_GNSS_UPDATE_DESCRIPTOR 0x16
 #define MIP_FILTER_EXTERNAL_GNSS_UPDATE_NAME "filter.external_gnss_update"
 
-extern const struct mip_codec mip_filter_external_gnss_update_codec;
-mip_error mip_filter_external_gnss_update_decode(struct mip_filter_external_gnss_update *value,
-                                                 const struct mip_field *field);
-mip_error mip_filter_external_gnss_update_encode(
-    const struct mip_filter_external_gnss_update *value, struct mip_builder *builder);
-/** External GNSS update. */
-struct mip_filter_external_gnss_update mip_filter_external_gnss_update_make(
-    double tow, uint16_t week_number, double latitude, double longitude, double height,
-    const float velocity[3], const float position_uncertainty[3],
-    const float velocity_uncertainty[3]);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_external_gnss_update_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_external_gnss_update_decode(
+    struct mip_filter_external_gnss_update *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_external_gnss_update_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_external_gnss_update_encode(
+    const struct mip_filter_external_gnss_update *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_external_gnss_update_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_external_gnss_update_decode_inline(
+    struct mip_filter_external_gnss_update *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0D, 0x16, 70);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_double(&value->tow, field->data);
+    value->week_number = mip_get_16(field->data + 8);
+    mip_get_double(&value->latitude, field->data + 10);
+    mip_get_double(&value->longitude, field->data + 18);
+    mip_get_double(&value->height, field->data + 26);
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->velocity[i], field->data + 34 + 4 * i);
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->position_uncertainty[i], field->data + 46 + 4 * i);
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->velocity_uncertainty[i], field->data + 58 + 4 * i);
+    }
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_external_gnss_update_encode_inline(
+    const struct mip_filter_external_gnss_update *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x16, 70, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_double(data, &value->tow);
+    mip_put_16(data + 8, value->week_number);
+    mip_put_double(data + 10, &value->latitude);
+    mip_put_double(data + 18, &value->longitude);
+    mip_put_double(data + 26, &value->height);
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 34 + 4 * i, &value->velocity[i]);
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 46 + 4 * i, &value->position_uncertainty[i]);
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 58 + 4 * i, &value->velocity_uncertainty[i]);
+    }
+    return MIP_OK;
+}
+/**
+ * External GNSS update.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_external_gnss_update *mip_filter_external_gnss_update_make(
+    struct mip_filter_external_gnss_update *command, double tow, uint16_t week_number,
+    double latitude, double longitude, double height, const float velocity[3],
+    const float position_uncertainty[3], const float velocity_uncertainty[3]) {
+    memset(command, 0, sizeof(*command));
+    command->tow = tow;
+    command->week_number = week_number;
+    command->latitude = latitude;
+    command->longitude = longitude;
+    command->height = height;
+    memcpy(command->velocity, velocity, sizeof(command->velocity));
+    memcpy(command->position_uncertainty, position_uncertainty,
+           sizeof(command->position_uncertainty));
+    memcpy(command->velocity_uncertainty, velocity_uncertainty,
+           sizeof(command->velocity_uncertainty));
+    return command;
+}
 /**
  * External heading update: command (0x0D,0x17).
  *
@@ -882,22 +1677,71 @@ struct mip_filter_external_heading_update {
      * 0.
      */
     float heading_uncertainty;
-    /** North that the heading refers to. */
-    mip_filter_heading_type type;
+    /** North that the heading refers to. A value of enum mip_filter_heading_type. */
+    uint8_t type;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_EXTERNAL_HEADING_UPDATE 0x0D17
 #define MIP_FILTER_EXTERNAL_HEADING_UPDATE_DESCRIPTOR 0x17
 #define MIP_FILTER_EXTERNAL_HEADING_UPDATE_NAME "filter.external_heading_update"
 
-extern const struct mip_codec mip_filter_external_heading_update_codec;
-mip_error mip_filter_external_heading_update_decode(
-    struct mip_filter_external_heading_update *value, const struct mip_field *field);
-mip_error mip_filter_external_heading_update_encode(
-    const struct mip_filter_external_heading_update *value, struct mip_builder *builder);
-/** External heading update. */
-struct mip_filter_external_heading_update mip_filter_external_heading_update_make(
-    float heading, float heading_uncertainty, mip_filter_heading_type type);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_external_heading_update_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_external_heading_update_decode(
+    struct mip_filter_external_heading_update *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_external_heading_update_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_external_heading_update_encode(
+    const struct mip_filter_external_heading_update *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_external_heading_update_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_external_heading_update_decode_inline(
+    struct mip_filter_external_heading_update *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0D, 0x17, 9);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_float(&value->heading, field->data);
+    mip_get_float(&value->heading_uncertainty, field->data + 4);
+    value->type = mip_get_8(field->data + 8);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_external_heading_update_encode_inline(
+    const struct mip_filter_external_heading_update *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x17, 9, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_float(data, &value->heading);
+    mip_put_float(data + 4, &value->heading_uncertainty);
+    mip_put_8(data + 8, value->type);
+    return MIP_OK;
+}
+/**
+ * External heading update.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_external_heading_update *mip_filter_external_heading_update_make(
+    struct mip_filter_external_heading_update *command, float heading, float heading_uncertainty,
+    enum mip_filter_heading_type type) {
+    memset(command, 0, sizeof(*command));
+    command->heading = heading;
+    command->heading_uncertainty = heading_uncertainty;
+    command->type = (uint8_t)type;
+    return command;
+}
 /**
  * Heading update control: command (0x0D,0x18).
  *
@@ -913,42 +1757,97 @@ struct mip_filter_external_heading_update mip_filter_external_heading_update_mak
 struct mip_filter_heading_source {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /**
-     * Source of the heading. Required for write. On the 3DM-CL5-15, 3DM-CV5-15 and 3DM-GX5-15: only
-     * MIP_FILTER_HEADING_UPDATE_SOURCE_NONE and MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL. On the
-     * 3DM-CL5-25, 3DM-CV5-25, 3DM-GX4-25 and 3DM-GX5-25: only
-     * MIP_FILTER_HEADING_UPDATE_SOURCE_NONE, MIP_FILTER_HEADING_UPDATE_SOURCE_MAG and
-     * MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL. On the 3DM-GQ4-45, 3DM-GX3-45 and 3DM-GX4-45: only
-     * MIP_FILTER_HEADING_UPDATE_SOURCE_NONE, MIP_FILTER_HEADING_UPDATE_SOURCE_MAG,
+     * Source of the heading. A value of enum mip_filter_heading_update_source. Required for write.
+     * On the 3DM-CL5-15, 3DM-CV5-15 and 3DM-GX5-15: only MIP_FILTER_HEADING_UPDATE_SOURCE_NONE and
+     * MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL. On the 3DM-CL5-25, 3DM-CV5-25, 3DM-GX4-25 and
+     * 3DM-GX5-25: only MIP_FILTER_HEADING_UPDATE_SOURCE_NONE, MIP_FILTER_HEADING_UPDATE_SOURCE_MAG
+     * and MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL. On the 3DM-GQ4-45, 3DM-GX3-45 and 3DM-GX4-45:
+     * only MIP_FILTER_HEADING_UPDATE_SOURCE_NONE, MIP_FILTER_HEADING_UPDATE_SOURCE_MAG,
      * MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY and MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL.
      * On the 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only MIP_FILTER_HEADING_UPDATE_SOURCE_NONE,
      * MIP_FILTER_HEADING_UPDATE_SOURCE_GNSS_VELOCITY and MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL.
      */
-    mip_filter_heading_update_source source;
+    uint8_t source;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_HEADING_SOURCE 0x0D18
 #define MIP_FILTER_HEADING_SOURCE_DESCRIPTOR 0x18
 #define MIP_FILTER_HEADING_SOURCE_NAME "filter.heading_source"
 
-extern const struct mip_codec mip_filter_heading_source_codec;
-mip_error mip_filter_heading_source_decode(struct mip_filter_heading_source *value,
-                                           const struct mip_field *field);
-mip_error mip_filter_heading_source_encode(const struct mip_filter_heading_source *value,
-                                           struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_filter_heading_source
-mip_filter_heading_source_write(mip_filter_heading_update_source source);
-/** Send the current setting back in a response. */
-struct mip_filter_heading_source mip_filter_heading_source_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_filter_heading_source mip_filter_heading_source_save(void);
-/** Load the saved setting. */
-struct mip_filter_heading_source mip_filter_heading_source_load(void);
-/** Load the factory default setting. */
-struct mip_filter_heading_source mip_filter_heading_source_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_heading_source_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_heading_source_decode(struct mip_filter_heading_source *value,
+                                                         const struct mip_field *field) {
+    return mip_decode(&mip_filter_heading_source_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_heading_source_encode(
+    const struct mip_filter_heading_source *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_heading_source_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_heading_source *mip_filter_heading_source_write(
+    struct mip_filter_heading_source *command, enum mip_filter_heading_update_source source) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->source = (uint8_t)source;
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_heading_source *
+mip_filter_heading_source_read(struct mip_filter_heading_source *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_heading_source *
+mip_filter_heading_source_save(struct mip_filter_heading_source *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_heading_source *
+mip_filter_heading_source_load(struct mip_filter_heading_source *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_heading_source *
+mip_filter_heading_source_default(struct mip_filter_heading_source *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * Heading update control response: response (0x0D,0x87).
  *
@@ -959,19 +1858,53 @@ struct mip_filter_heading_source mip_filter_heading_source_default(void);
  * - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
  */
 struct mip_filter_heading_source_response {
-    /** Source of the heading. */
-    mip_filter_heading_update_source source;
+    /** Source of the heading. A value of enum mip_filter_heading_update_source. */
+    uint8_t source;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_HEADING_SOURCE_RESPONSE 0x0D87
 #define MIP_FILTER_HEADING_SOURCE_RESPONSE_DESCRIPTOR 0x87
 #define MIP_FILTER_HEADING_SOURCE_RESPONSE_NAME "filter.heading_source_response"
 
-extern const struct mip_codec mip_filter_heading_source_response_codec;
-mip_error mip_filter_heading_source_response_decode(
-    struct mip_filter_heading_source_response *value, const struct mip_field *field);
-mip_error mip_filter_heading_source_response_encode(
-    const struct mip_filter_heading_source_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_heading_source_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_heading_source_response_decode(
+    struct mip_filter_heading_source_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_heading_source_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_heading_source_response_encode(
+    const struct mip_filter_heading_source_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_heading_source_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_heading_source_response_decode_inline(
+    struct mip_filter_heading_source_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0D, 0x87, 1);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->source = mip_get_8(field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_heading_source_response_encode_inline(
+    const struct mip_filter_heading_source_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x87, 1, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->source);
+    return MIP_OK;
+}
 /**
  * Automatic initialization: command (0x0D,0x19).
  *
@@ -987,32 +1920,92 @@ mip_error mip_filter_heading_source_response_encode(
 struct mip_filter_auto_initialization_control {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /** 0 disables, 1 enables. Range: 0 to 1. Required for write. */
     uint8_t enable;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_AUTO_INITIALIZATION_CONTROL 0x0D19
 #define MIP_FILTER_AUTO_INITIALIZATION_CONTROL_DESCRIPTOR 0x19
 #define MIP_FILTER_AUTO_INITIALIZATION_CONTROL_NAME "filter.auto_initialization_control"
 
-extern const struct mip_codec mip_filter_auto_initialization_control_codec;
-mip_error mip_filter_auto_initialization_control_decode(
-    struct mip_filter_auto_initialization_control *value, const struct mip_field *field);
-mip_error mip_filter_auto_initialization_control_encode(
-    const struct mip_filter_auto_initialization_control *value, struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_filter_auto_initialization_control
-mip_filter_auto_initialization_control_write(uint8_t enable);
-/** Send the current setting back in a response. */
-struct mip_filter_auto_initialization_control mip_filter_auto_initialization_control_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_filter_auto_initialization_control mip_filter_auto_initialization_control_save(void);
-/** Load the saved setting. */
-struct mip_filter_auto_initialization_control mip_filter_auto_initialization_control_load(void);
-/** Load the factory default setting. */
-struct mip_filter_auto_initialization_control mip_filter_auto_initialization_control_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_auto_initialization_control_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_auto_initialization_control_decode(
+    struct mip_filter_auto_initialization_control *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_auto_initialization_control_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_auto_initialization_control_encode(
+    const struct mip_filter_auto_initialization_control *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_auto_initialization_control_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_auto_initialization_control *
+mip_filter_auto_initialization_control_write(struct mip_filter_auto_initialization_control *command,
+                                             uint8_t enable) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->enable = enable;
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_auto_initialization_control *
+mip_filter_auto_initialization_control_read(
+    struct mip_filter_auto_initialization_control *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_auto_initialization_control *
+mip_filter_auto_initialization_control_save(
+    struct mip_filter_auto_initialization_control *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_auto_initialization_control *
+mip_filter_auto_initialization_control_load(
+    struct mip_filter_auto_initialization_control *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_auto_initialization_control *
+mip_filter_auto_initialization_control_default(
+    struct mip_filter_auto_initialization_control *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * Automatic initialization response: response (0x0D,0x88).
  *
@@ -1026,17 +2019,52 @@ struct mip_filter_auto_initialization_control_response {
     uint8_t enable;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_AUTO_INITIALIZATION_CONTROL_RESPONSE 0x0D88
 #define MIP_FILTER_AUTO_INITIALIZATION_CONTROL_RESPONSE_DESCRIPTOR 0x88
 #define MIP_FILTER_AUTO_INITIALIZATION_CONTROL_RESPONSE_NAME \
     "filter.auto_initialization_control_response"
 
-extern const struct mip_codec mip_filter_auto_initialization_control_response_codec;
-mip_error mip_filter_auto_initialization_control_response_decode(
-    struct mip_filter_auto_initialization_control_response *value, const struct mip_field *field);
-mip_error mip_filter_auto_initialization_control_response_encode(
-    const struct mip_filter_auto_initialization_control_response *value,
-    struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_auto_initialization_control_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_auto_initialization_control_response_decode(
+    struct mip_filter_auto_initialization_control_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_auto_initialization_control_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_auto_initialization_control_response_encode(
+    const struct mip_filter_auto_initialization_control_response *value,
+    struct mip_builder *builder) {
+    return mip_encode(&mip_filter_auto_initialization_control_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_auto_initialization_control_response_decode_inline(
+    struct mip_filter_auto_initialization_control_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0D, 0x88, 1);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->enable = mip_get_8(field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_auto_initialization_control_response_encode_inline(
+    const struct mip_filter_auto_initialization_control_response *value,
+    struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x88, 1, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->enable);
+    return MIP_OK;
+}
 /**
  * Accelerometer noise: command (0x0D,0x1A).
  *
@@ -1053,8 +2081,8 @@ mip_error mip_filter_auto_initialization_control_response_encode(
 struct mip_filter_accel_noise {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /**
      * Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. Range: greater than 0. Required
      * for write.
@@ -1062,25 +2090,81 @@ struct mip_filter_accel_noise {
     float noise[3];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_ACCEL_NOISE 0x0D1A
 #define MIP_FILTER_ACCEL_NOISE_DESCRIPTOR 0x1A
 #define MIP_FILTER_ACCEL_NOISE_NAME "filter.accel_noise"
 
-extern const struct mip_codec mip_filter_accel_noise_codec;
-mip_error mip_filter_accel_noise_decode(struct mip_filter_accel_noise *value,
-                                        const struct mip_field *field);
-mip_error mip_filter_accel_noise_encode(const struct mip_filter_accel_noise *value,
-                                        struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_filter_accel_noise mip_filter_accel_noise_write(const float noise[3]);
-/** Send the current setting back in a response. */
-struct mip_filter_accel_noise mip_filter_accel_noise_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_filter_accel_noise mip_filter_accel_noise_save(void);
-/** Load the saved setting. */
-struct mip_filter_accel_noise mip_filter_accel_noise_load(void);
-/** Load the factory default setting. */
-struct mip_filter_accel_noise mip_filter_accel_noise_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_accel_noise_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_accel_noise_decode(struct mip_filter_accel_noise *value,
+                                                      const struct mip_field *field) {
+    return mip_decode(&mip_filter_accel_noise_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_accel_noise_encode(const struct mip_filter_accel_noise *value,
+                                                      struct mip_builder *builder) {
+    return mip_encode(&mip_filter_accel_noise_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_accel_noise *
+mip_filter_accel_noise_write(struct mip_filter_accel_noise *command, const float noise[3]) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    memcpy(command->noise, noise, sizeof(command->noise));
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_accel_noise *
+mip_filter_accel_noise_read(struct mip_filter_accel_noise *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_accel_noise *
+mip_filter_accel_noise_save(struct mip_filter_accel_noise *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_accel_noise *
+mip_filter_accel_noise_load(struct mip_filter_accel_noise *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_accel_noise *
+mip_filter_accel_noise_default(struct mip_filter_accel_noise *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * Accelerometer noise response: response (0x0D,0x89).
  *
@@ -1094,15 +2178,53 @@ struct mip_filter_accel_noise_response {
     float noise[3];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_ACCEL_NOISE_RESPONSE 0x0D89
 #define MIP_FILTER_ACCEL_NOISE_RESPONSE_DESCRIPTOR 0x89
 #define MIP_FILTER_ACCEL_NOISE_RESPONSE_NAME "filter.accel_noise_response"
 
-extern const struct mip_codec mip_filter_accel_noise_response_codec;
-mip_error mip_filter_accel_noise_response_decode(struct mip_filter_accel_noise_response *value,
-                                                 const struct mip_field *field);
-mip_error mip_filter_accel_noise_response_encode(
-    const struct mip_filter_accel_noise_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_accel_noise_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_accel_noise_response_decode(
+    struct mip_filter_accel_noise_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_accel_noise_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_accel_noise_response_encode(
+    const struct mip_filter_accel_noise_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_accel_noise_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_accel_noise_response_decode_inline(
+    struct mip_filter_accel_noise_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0D, 0x89, 12);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->noise[i], field->data + 4 * i);
+    }
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_accel_noise_response_encode_inline(
+    const struct mip_filter_accel_noise_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x89, 12, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 4 * i, &value->noise[i]);
+    }
+    return MIP_OK;
+}
 /**
  * Gyroscope noise: command (0x0D,0x1B).
  *
@@ -1119,8 +2241,8 @@ mip_error mip_filter_accel_noise_response_encode(
 struct mip_filter_gyro_noise {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /**
      * Standard deviation per axis. Elements: x, y, z. Unit: rad/s. Range: greater than 0. Required
      * for write.
@@ -1128,25 +2250,81 @@ struct mip_filter_gyro_noise {
     float noise[3];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_GYRO_NOISE 0x0D1B
 #define MIP_FILTER_GYRO_NOISE_DESCRIPTOR 0x1B
 #define MIP_FILTER_GYRO_NOISE_NAME "filter.gyro_noise"
 
-extern const struct mip_codec mip_filter_gyro_noise_codec;
-mip_error mip_filter_gyro_noise_decode(struct mip_filter_gyro_noise *value,
-                                       const struct mip_field *field);
-mip_error mip_filter_gyro_noise_encode(const struct mip_filter_gyro_noise *value,
-                                       struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_filter_gyro_noise mip_filter_gyro_noise_write(const float noise[3]);
-/** Send the current setting back in a response. */
-struct mip_filter_gyro_noise mip_filter_gyro_noise_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_filter_gyro_noise mip_filter_gyro_noise_save(void);
-/** Load the saved setting. */
-struct mip_filter_gyro_noise mip_filter_gyro_noise_load(void);
-/** Load the factory default setting. */
-struct mip_filter_gyro_noise mip_filter_gyro_noise_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_gyro_noise_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_gyro_noise_decode(struct mip_filter_gyro_noise *value,
+                                                     const struct mip_field *field) {
+    return mip_decode(&mip_filter_gyro_noise_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_gyro_noise_encode(const struct mip_filter_gyro_noise *value,
+                                                     struct mip_builder *builder) {
+    return mip_encode(&mip_filter_gyro_noise_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_gyro_noise *
+mip_filter_gyro_noise_write(struct mip_filter_gyro_noise *command, const float noise[3]) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    memcpy(command->noise, noise, sizeof(command->noise));
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_gyro_noise *
+mip_filter_gyro_noise_read(struct mip_filter_gyro_noise *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_gyro_noise *
+mip_filter_gyro_noise_save(struct mip_filter_gyro_noise *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_gyro_noise *
+mip_filter_gyro_noise_load(struct mip_filter_gyro_noise *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_gyro_noise *
+mip_filter_gyro_noise_default(struct mip_filter_gyro_noise *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * Gyroscope noise response: response (0x0D,0x8A).
  *
@@ -1160,15 +2338,53 @@ struct mip_filter_gyro_noise_response {
     float noise[3];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_GYRO_NOISE_RESPONSE 0x0D8A
 #define MIP_FILTER_GYRO_NOISE_RESPONSE_DESCRIPTOR 0x8A
 #define MIP_FILTER_GYRO_NOISE_RESPONSE_NAME "filter.gyro_noise_response"
 
-extern const struct mip_codec mip_filter_gyro_noise_response_codec;
-mip_error mip_filter_gyro_noise_response_decode(struct mip_filter_gyro_noise_response *value,
-                                                const struct mip_field *field);
-mip_error mip_filter_gyro_noise_response_encode(const struct mip_filter_gyro_noise_response *value,
-                                                struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_gyro_noise_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_gyro_noise_response_decode(
+    struct mip_filter_gyro_noise_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_gyro_noise_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_gyro_noise_response_encode(
+    const struct mip_filter_gyro_noise_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_gyro_noise_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_gyro_noise_response_decode_inline(
+    struct mip_filter_gyro_noise_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0D, 0x8A, 12);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->noise[i], field->data + 4 * i);
+    }
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_gyro_noise_response_encode_inline(
+    const struct mip_filter_gyro_noise_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x8A, 12, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 4 * i, &value->noise[i]);
+    }
+    return MIP_OK;
+}
 /**
  * Accelerometer bias model: command (0x0D,0x1C).
  *
@@ -1182,8 +2398,8 @@ mip_error mip_filter_gyro_noise_response_encode(const struct mip_filter_gyro_noi
 struct mip_filter_accel_bias_model {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /**
      * Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. Required for
      * write.
@@ -1196,26 +2412,82 @@ struct mip_filter_accel_bias_model {
     float noise[3];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_ACCEL_BIAS_MODEL 0x0D1C
 #define MIP_FILTER_ACCEL_BIAS_MODEL_DESCRIPTOR 0x1C
 #define MIP_FILTER_ACCEL_BIAS_MODEL_NAME "filter.accel_bias_model"
 
-extern const struct mip_codec mip_filter_accel_bias_model_codec;
-mip_error mip_filter_accel_bias_model_decode(struct mip_filter_accel_bias_model *value,
-                                             const struct mip_field *field);
-mip_error mip_filter_accel_bias_model_encode(const struct mip_filter_accel_bias_model *value,
-                                             struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_filter_accel_bias_model mip_filter_accel_bias_model_write(const float beta[3],
-                                                                     const float noise[3]);
-/** Send the current setting back in a response. */
-struct mip_filter_accel_bias_model mip_filter_accel_bias_model_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_filter_accel_bias_model mip_filter_accel_bias_model_save(void);
-/** Load the saved setting. */
-struct mip_filter_accel_bias_model mip_filter_accel_bias_model_load(void);
-/** Load the factory default setting. */
-struct mip_filter_accel_bias_model mip_filter_accel_bias_model_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_accel_bias_model_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_accel_bias_model_decode(
+    struct mip_filter_accel_bias_model *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_accel_bias_model_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_accel_bias_model_encode(
+    const struct mip_filter_accel_bias_model *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_accel_bias_model_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_accel_bias_model *mip_filter_accel_bias_model_write(
+    struct mip_filter_accel_bias_model *command, const float beta[3], const float noise[3]) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    memcpy(command->beta, beta, sizeof(command->beta));
+    memcpy(command->noise, noise, sizeof(command->noise));
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_accel_bias_model *
+mip_filter_accel_bias_model_read(struct mip_filter_accel_bias_model *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_accel_bias_model *
+mip_filter_accel_bias_model_save(struct mip_filter_accel_bias_model *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_accel_bias_model *
+mip_filter_accel_bias_model_load(struct mip_filter_accel_bias_model *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_accel_bias_model *
+mip_filter_accel_bias_model_default(struct mip_filter_accel_bias_model *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * Accelerometer bias model response: response (0x0D,0x8B).
  *
@@ -1233,15 +2505,59 @@ struct mip_filter_accel_bias_model_response {
     float noise[3];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_ACCEL_BIAS_MODEL_RESPONSE 0x0D8B
 #define MIP_FILTER_ACCEL_BIAS_MODEL_RESPONSE_DESCRIPTOR 0x8B
 #define MIP_FILTER_ACCEL_BIAS_MODEL_RESPONSE_NAME "filter.accel_bias_model_response"
 
-extern const struct mip_codec mip_filter_accel_bias_model_response_codec;
-mip_error mip_filter_accel_bias_model_response_decode(
-    struct mip_filter_accel_bias_model_response *value, const struct mip_field *field);
-mip_error mip_filter_accel_bias_model_response_encode(
-    const struct mip_filter_accel_bias_model_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_accel_bias_model_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_accel_bias_model_response_decode(
+    struct mip_filter_accel_bias_model_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_accel_bias_model_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_accel_bias_model_response_encode(
+    const struct mip_filter_accel_bias_model_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_accel_bias_model_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_accel_bias_model_response_decode_inline(
+    struct mip_filter_accel_bias_model_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0D, 0x8B, 24);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->beta[i], field->data + 4 * i);
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->noise[i], field->data + 12 + 4 * i);
+    }
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_accel_bias_model_response_encode_inline(
+    const struct mip_filter_accel_bias_model_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x8B, 24, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 4 * i, &value->beta[i]);
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 12 + 4 * i, &value->noise[i]);
+    }
+    return MIP_OK;
+}
 /**
  * Gyroscope bias model: command (0x0D,0x1D).
  *
@@ -1256,8 +2572,8 @@ mip_error mip_filter_accel_bias_model_response_encode(
 struct mip_filter_gyro_bias_model {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /**
      * Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. Required for
      * write.
@@ -1270,26 +2586,82 @@ struct mip_filter_gyro_bias_model {
     float noise[3];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_GYRO_BIAS_MODEL 0x0D1D
 #define MIP_FILTER_GYRO_BIAS_MODEL_DESCRIPTOR 0x1D
 #define MIP_FILTER_GYRO_BIAS_MODEL_NAME "filter.gyro_bias_model"
 
-extern const struct mip_codec mip_filter_gyro_bias_model_codec;
-mip_error mip_filter_gyro_bias_model_decode(struct mip_filter_gyro_bias_model *value,
-                                            const struct mip_field *field);
-mip_error mip_filter_gyro_bias_model_encode(const struct mip_filter_gyro_bias_model *value,
-                                            struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_filter_gyro_bias_model mip_filter_gyro_bias_model_write(const float beta[3],
-                                                                   const float noise[3]);
-/** Send the current setting back in a response. */
-struct mip_filter_gyro_bias_model mip_filter_gyro_bias_model_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_filter_gyro_bias_model mip_filter_gyro_bias_model_save(void);
-/** Load the saved setting. */
-struct mip_filter_gyro_bias_model mip_filter_gyro_bias_model_load(void);
-/** Load the factory default setting. */
-struct mip_filter_gyro_bias_model mip_filter_gyro_bias_model_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_gyro_bias_model_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_gyro_bias_model_decode(struct mip_filter_gyro_bias_model *value,
+                                                          const struct mip_field *field) {
+    return mip_decode(&mip_filter_gyro_bias_model_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_gyro_bias_model_encode(
+    const struct mip_filter_gyro_bias_model *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_gyro_bias_model_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_gyro_bias_model *mip_filter_gyro_bias_model_write(
+    struct mip_filter_gyro_bias_model *command, const float beta[3], const float noise[3]) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    memcpy(command->beta, beta, sizeof(command->beta));
+    memcpy(command->noise, noise, sizeof(command->noise));
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_gyro_bias_model *
+mip_filter_gyro_bias_model_read(struct mip_filter_gyro_bias_model *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_gyro_bias_model *
+mip_filter_gyro_bias_model_save(struct mip_filter_gyro_bias_model *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_gyro_bias_model *
+mip_filter_gyro_bias_model_load(struct mip_filter_gyro_bias_model *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_gyro_bias_model *
+mip_filter_gyro_bias_model_default(struct mip_filter_gyro_bias_model *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * Gyroscope bias model response: response (0x0D,0x8C).
  *
@@ -1308,15 +2680,59 @@ struct mip_filter_gyro_bias_model_response {
     float noise[3];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_GYRO_BIAS_MODEL_RESPONSE 0x0D8C
 #define MIP_FILTER_GYRO_BIAS_MODEL_RESPONSE_DESCRIPTOR 0x8C
 #define MIP_FILTER_GYRO_BIAS_MODEL_RESPONSE_NAME "filter.gyro_bias_model_response"
 
-extern const struct mip_codec mip_filter_gyro_bias_model_response_codec;
-mip_error mip_filter_gyro_bias_model_response_decode(
-    struct mip_filter_gyro_bias_model_response *value, const struct mip_field *field);
-mip_error mip_filter_gyro_bias_model_response_encode(
-    const struct mip_filter_gyro_bias_model_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_gyro_bias_model_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_gyro_bias_model_response_decode(
+    struct mip_filter_gyro_bias_model_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_gyro_bias_model_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_gyro_bias_model_response_encode(
+    const struct mip_filter_gyro_bias_model_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_gyro_bias_model_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_gyro_bias_model_response_decode_inline(
+    struct mip_filter_gyro_bias_model_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0D, 0x8C, 24);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->beta[i], field->data + 4 * i);
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->noise[i], field->data + 12 + 4 * i);
+    }
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_gyro_bias_model_response_encode_inline(
+    const struct mip_filter_gyro_bias_model_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x8C, 24, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 4 * i, &value->beta[i]);
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 12 + 4 * i, &value->noise[i]);
+    }
+    return MIP_OK;
+}
 /**
  * Automatic zero velocity update: command (0x0D,0x1E).
  *
@@ -1332,33 +2748,90 @@ mip_error mip_filter_gyro_bias_model_response_encode(
 struct mip_filter_auto_zupt {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /** 0 disables, 1 enables. Range: 0 to 1. Required for write. */
     uint8_t enable;
     /** Largest speed that is taken as zero. Unit: m/s. Range: at least 0. Required for write. */
     float threshold;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_AUTO_ZUPT 0x0D1E
 #define MIP_FILTER_AUTO_ZUPT_DESCRIPTOR 0x1E
 #define MIP_FILTER_AUTO_ZUPT_NAME "filter.auto_zupt"
 
-extern const struct mip_codec mip_filter_auto_zupt_codec;
-mip_error mip_filter_auto_zupt_decode(struct mip_filter_auto_zupt *value,
-                                      const struct mip_field *field);
-mip_error mip_filter_auto_zupt_encode(const struct mip_filter_auto_zupt *value,
-                                      struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_filter_auto_zupt mip_filter_auto_zupt_write(uint8_t enable, float threshold);
-/** Send the current setting back in a response. */
-struct mip_filter_auto_zupt mip_filter_auto_zupt_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_filter_auto_zupt mip_filter_auto_zupt_save(void);
-/** Load the saved setting. */
-struct mip_filter_auto_zupt mip_filter_auto_zupt_load(void);
-/** Load the factory default setting. */
-struct mip_filter_auto_zupt mip_filter_auto_zupt_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_auto_zupt_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_auto_zupt_decode(struct mip_filter_auto_zupt *value,
+                                                    const struct mip_field *field) {
+    return mip_decode(&mip_filter_auto_zupt_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_auto_zupt_encode(const struct mip_filter_auto_zupt *value,
+                                                    struct mip_builder *builder) {
+    return mip_encode(&mip_filter_auto_zupt_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_auto_zupt *
+mip_filter_auto_zupt_write(struct mip_filter_auto_zupt *command, uint8_t enable, float threshold) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->enable = enable;
+    command->threshold = threshold;
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_auto_zupt *
+mip_filter_auto_zupt_read(struct mip_filter_auto_zupt *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_auto_zupt *
+mip_filter_auto_zupt_save(struct mip_filter_auto_zupt *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_auto_zupt *
+mip_filter_auto_zupt_load(struct mip_filter_auto_zupt *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_auto_zupt *
+mip_filter_auto_zupt_default(struct mip_filter_auto_zupt *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * Automatic zero velocity update response: response (0x0D,0x8D).
  *
@@ -1374,15 +2847,51 @@ struct mip_filter_auto_zupt_response {
     float threshold;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_AUTO_ZUPT_RESPONSE 0x0D8D
 #define MIP_FILTER_AUTO_ZUPT_RESPONSE_DESCRIPTOR 0x8D
 #define MIP_FILTER_AUTO_ZUPT_RESPONSE_NAME "filter.auto_zupt_response"
 
-extern const struct mip_codec mip_filter_auto_zupt_response_codec;
-mip_error mip_filter_auto_zupt_response_decode(struct mip_filter_auto_zupt_response *value,
-                                               const struct mip_field *field);
-mip_error mip_filter_auto_zupt_response_encode(const struct mip_filter_auto_zupt_response *value,
-                                               struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_auto_zupt_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_auto_zupt_response_decode(
+    struct mip_filter_auto_zupt_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_auto_zupt_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_auto_zupt_response_encode(
+    const struct mip_filter_auto_zupt_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_auto_zupt_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_auto_zupt_response_decode_inline(
+    struct mip_filter_auto_zupt_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0D, 0x8D, 5);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->enable = mip_get_8(field->data);
+    mip_get_float(&value->threshold, field->data + 1);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_auto_zupt_response_encode_inline(
+    const struct mip_filter_auto_zupt_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x8D, 5, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->enable);
+    mip_put_float(data + 1, &value->threshold);
+    return MIP_OK;
+}
 /**
  * External heading update with time: command (0x0D,0x1F).
  *
@@ -1419,24 +2928,78 @@ struct mip_filter_external_heading_update_with_time {
      * 0.
      */
     float heading_uncertainty;
-    /** North that the heading refers to. */
-    mip_filter_heading_type type;
+    /** North that the heading refers to. A value of enum mip_filter_heading_type. */
+    uint8_t type;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_EXTERNAL_HEADING_UPDATE_WITH_TIME 0x0D1F
 #define MIP_FILTER_EXTERNAL_HEADING_UPDATE_WITH_TIME_DESCRIPTOR 0x1F
 #define MIP_FILTER_EXTERNAL_HEADING_UPDATE_WITH_TIME_NAME "filter.external_heading_update_with_time"
 
-extern const struct mip_codec mip_filter_external_heading_update_with_time_codec;
-mip_error mip_filter_external_heading_update_with_time_decode(
-    struct mip_filter_external_heading_update_with_time *value, const struct mip_field *field);
-mip_error mip_filter_external_heading_update_with_time_encode(
-    const struct mip_filter_external_heading_update_with_time *value, struct mip_builder *builder);
-/** External heading update with time. */
-struct mip_filter_external_heading_update_with_time
-mip_filter_external_heading_update_with_time_make(double tow, uint16_t week_number, float heading,
-                                                  float heading_uncertainty,
-                                                  mip_filter_heading_type type);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_external_heading_update_with_time_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_external_heading_update_with_time_decode(
+    struct mip_filter_external_heading_update_with_time *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_external_heading_update_with_time_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_external_heading_update_with_time_encode(
+    const struct mip_filter_external_heading_update_with_time *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_external_heading_update_with_time_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_external_heading_update_with_time_decode_inline(
+    struct mip_filter_external_heading_update_with_time *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0D, 0x1F, 19);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_double(&value->tow, field->data);
+    value->week_number = mip_get_16(field->data + 8);
+    mip_get_float(&value->heading, field->data + 10);
+    mip_get_float(&value->heading_uncertainty, field->data + 14);
+    value->type = mip_get_8(field->data + 18);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_external_heading_update_with_time_encode_inline(
+    const struct mip_filter_external_heading_update_with_time *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x1F, 19, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_double(data, &value->tow);
+    mip_put_16(data + 8, value->week_number);
+    mip_put_float(data + 10, &value->heading);
+    mip_put_float(data + 14, &value->heading_uncertainty);
+    mip_put_8(data + 18, value->type);
+    return MIP_OK;
+}
+/**
+ * External heading update with time.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_external_heading_update_with_time *
+mip_filter_external_heading_update_with_time_make(
+    struct mip_filter_external_heading_update_with_time *command, double tow, uint16_t week_number,
+    float heading, float heading_uncertainty, enum mip_filter_heading_type type) {
+    memset(command, 0, sizeof(*command));
+    command->tow = tow;
+    command->week_number = week_number;
+    command->heading = heading;
+    command->heading_uncertainty = heading_uncertainty;
+    command->type = (uint8_t)type;
+    return command;
+}
 /**
  * Zero angular rate update: command (0x0D,0x20).
  *
@@ -1454,8 +3017,8 @@ mip_filter_external_heading_update_with_time_make(double tow, uint16_t week_numb
 struct mip_filter_auto_angular_zupt {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /** 0 disables, 1 enables. Range: 0 to 1. Required for write. */
     uint8_t enable;
     /**
@@ -1465,26 +3028,82 @@ struct mip_filter_auto_angular_zupt {
     float threshold;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_AUTO_ANGULAR_ZUPT 0x0D20
 #define MIP_FILTER_AUTO_ANGULAR_ZUPT_DESCRIPTOR 0x20
 #define MIP_FILTER_AUTO_ANGULAR_ZUPT_NAME "filter.auto_angular_zupt"
 
-extern const struct mip_codec mip_filter_auto_angular_zupt_codec;
-mip_error mip_filter_auto_angular_zupt_decode(struct mip_filter_auto_angular_zupt *value,
-                                              const struct mip_field *field);
-mip_error mip_filter_auto_angular_zupt_encode(const struct mip_filter_auto_angular_zupt *value,
-                                              struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_filter_auto_angular_zupt mip_filter_auto_angular_zupt_write(uint8_t enable,
-                                                                       float threshold);
-/** Send the current setting back in a response. */
-struct mip_filter_auto_angular_zupt mip_filter_auto_angular_zupt_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_filter_auto_angular_zupt mip_filter_auto_angular_zupt_save(void);
-/** Load the saved setting. */
-struct mip_filter_auto_angular_zupt mip_filter_auto_angular_zupt_load(void);
-/** Load the factory default setting. */
-struct mip_filter_auto_angular_zupt mip_filter_auto_angular_zupt_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_auto_angular_zupt_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_auto_angular_zupt_decode(
+    struct mip_filter_auto_angular_zupt *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_auto_angular_zupt_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_auto_angular_zupt_encode(
+    const struct mip_filter_auto_angular_zupt *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_auto_angular_zupt_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_auto_angular_zupt *mip_filter_auto_angular_zupt_write(
+    struct mip_filter_auto_angular_zupt *command, uint8_t enable, float threshold) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->enable = enable;
+    command->threshold = threshold;
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_auto_angular_zupt *
+mip_filter_auto_angular_zupt_read(struct mip_filter_auto_angular_zupt *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_auto_angular_zupt *
+mip_filter_auto_angular_zupt_save(struct mip_filter_auto_angular_zupt *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_auto_angular_zupt *
+mip_filter_auto_angular_zupt_load(struct mip_filter_auto_angular_zupt *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_auto_angular_zupt *
+mip_filter_auto_angular_zupt_default(struct mip_filter_auto_angular_zupt *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * Zero angular rate update response: response (0x0D,0x8E).
  *
@@ -1501,15 +3120,51 @@ struct mip_filter_auto_angular_zupt_response {
     float threshold;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_AUTO_ANGULAR_ZUPT_RESPONSE 0x0D8E
 #define MIP_FILTER_AUTO_ANGULAR_ZUPT_RESPONSE_DESCRIPTOR 0x8E
 #define MIP_FILTER_AUTO_ANGULAR_ZUPT_RESPONSE_NAME "filter.auto_angular_zupt_response"
 
-extern const struct mip_codec mip_filter_auto_angular_zupt_response_codec;
-mip_error mip_filter_auto_angular_zupt_response_decode(
-    struct mip_filter_auto_angular_zupt_response *value, const struct mip_field *field);
-mip_error mip_filter_auto_angular_zupt_response_encode(
-    const struct mip_filter_auto_angular_zupt_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_auto_angular_zupt_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_auto_angular_zupt_response_decode(
+    struct mip_filter_auto_angular_zupt_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_auto_angular_zupt_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_auto_angular_zupt_response_encode(
+    const struct mip_filter_auto_angular_zupt_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_auto_angular_zupt_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_auto_angular_zupt_response_decode_inline(
+    struct mip_filter_auto_angular_zupt_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0D, 0x8E, 5);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->enable = mip_get_8(field->data);
+    mip_get_float(&value->threshold, field->data + 1);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_auto_angular_zupt_response_encode_inline(
+    const struct mip_filter_auto_angular_zupt_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x8E, 5, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->enable);
+    mip_put_float(data + 1, &value->threshold);
+    return MIP_OK;
+}
 /**
  * Tare orientation: command (0x0D,0x21).
  *
@@ -1527,31 +3182,87 @@ mip_error mip_filter_auto_angular_zupt_response_encode(
 struct mip_filter_tare_orientation {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /** Axes to tare; 0 resets all axes. Required for write. */
     mip_filter_tare_axes axes;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_TARE_ORIENTATION 0x0D21
 #define MIP_FILTER_TARE_ORIENTATION_DESCRIPTOR 0x21
 #define MIP_FILTER_TARE_ORIENTATION_NAME "filter.tare_orientation"
 
-extern const struct mip_codec mip_filter_tare_orientation_codec;
-mip_error mip_filter_tare_orientation_decode(struct mip_filter_tare_orientation *value,
-                                             const struct mip_field *field);
-mip_error mip_filter_tare_orientation_encode(const struct mip_filter_tare_orientation *value,
-                                             struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_filter_tare_orientation mip_filter_tare_orientation_write(mip_filter_tare_axes axes);
-/** Send the current setting back in a response. */
-struct mip_filter_tare_orientation mip_filter_tare_orientation_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_filter_tare_orientation mip_filter_tare_orientation_save(void);
-/** Load the saved setting. */
-struct mip_filter_tare_orientation mip_filter_tare_orientation_load(void);
-/** Load the factory default setting. */
-struct mip_filter_tare_orientation mip_filter_tare_orientation_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_tare_orientation_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_tare_orientation_decode(
+    struct mip_filter_tare_orientation *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_tare_orientation_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_tare_orientation_encode(
+    const struct mip_filter_tare_orientation *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_tare_orientation_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_tare_orientation *mip_filter_tare_orientation_write(
+    struct mip_filter_tare_orientation *command, mip_filter_tare_axes axes) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->axes = axes;
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_tare_orientation *
+mip_filter_tare_orientation_read(struct mip_filter_tare_orientation *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_tare_orientation *
+mip_filter_tare_orientation_save(struct mip_filter_tare_orientation *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_tare_orientation *
+mip_filter_tare_orientation_load(struct mip_filter_tare_orientation *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_tare_orientation *
+mip_filter_tare_orientation_default(struct mip_filter_tare_orientation *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * Tare orientation response: response (0x0D,0xA1).
  *
@@ -1567,15 +3278,49 @@ struct mip_filter_tare_orientation_response {
     mip_filter_tare_axes axes;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_TARE_ORIENTATION_RESPONSE 0x0DA1
 #define MIP_FILTER_TARE_ORIENTATION_RESPONSE_DESCRIPTOR 0xA1
 #define MIP_FILTER_TARE_ORIENTATION_RESPONSE_NAME "filter.tare_orientation_response"
 
-extern const struct mip_codec mip_filter_tare_orientation_response_codec;
-mip_error mip_filter_tare_orientation_response_decode(
-    struct mip_filter_tare_orientation_response *value, const struct mip_field *field);
-mip_error mip_filter_tare_orientation_response_encode(
-    const struct mip_filter_tare_orientation_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_tare_orientation_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_tare_orientation_response_decode(
+    struct mip_filter_tare_orientation_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_tare_orientation_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_tare_orientation_response_encode(
+    const struct mip_filter_tare_orientation_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_tare_orientation_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_tare_orientation_response_decode_inline(
+    struct mip_filter_tare_orientation_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0D, 0xA1, 1);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->axes = mip_get_8(field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_tare_orientation_response_encode_inline(
+    const struct mip_filter_tare_orientation_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0D, 0xA1, 1, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->axes);
+    return MIP_OK;
+}
 /**
  * Commanded zero velocity update: command (0x0D,0x22).
  *
@@ -1592,15 +3337,25 @@ struct mip_filter_commanded_zupt {
     uint8_t empty;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_COMMANDED_ZUPT 0x0D22
 #define MIP_FILTER_COMMANDED_ZUPT_DESCRIPTOR 0x22
 #define MIP_FILTER_COMMANDED_ZUPT_NAME "filter.commanded_zupt"
 
-extern const struct mip_codec mip_filter_commanded_zupt_codec;
-mip_error mip_filter_commanded_zupt_decode(struct mip_filter_commanded_zupt *value,
-                                           const struct mip_field *field);
-mip_error mip_filter_commanded_zupt_encode(const struct mip_filter_commanded_zupt *value,
-                                           struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_commanded_zupt_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_commanded_zupt_decode(struct mip_filter_commanded_zupt *value,
+                                                         const struct mip_field *field) {
+    return mip_decode(&mip_filter_commanded_zupt_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_commanded_zupt_encode(
+    const struct mip_filter_commanded_zupt *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_commanded_zupt_codec, value, builder);
+}
 /**
  * Commanded zero angular rate update: command (0x0D,0x23).
  *
@@ -1617,15 +3372,25 @@ struct mip_filter_commanded_angular_zupt {
     uint8_t empty;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_COMMANDED_ANGULAR_ZUPT 0x0D23
 #define MIP_FILTER_COMMANDED_ANGULAR_ZUPT_DESCRIPTOR 0x23
 #define MIP_FILTER_COMMANDED_ANGULAR_ZUPT_NAME "filter.commanded_angular_zupt"
 
-extern const struct mip_codec mip_filter_commanded_angular_zupt_codec;
-mip_error mip_filter_commanded_angular_zupt_decode(struct mip_filter_commanded_angular_zupt *value,
-                                                   const struct mip_field *field);
-mip_error mip_filter_commanded_angular_zupt_encode(
-    const struct mip_filter_commanded_angular_zupt *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_commanded_angular_zupt_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_commanded_angular_zupt_decode(
+    struct mip_filter_commanded_angular_zupt *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_commanded_angular_zupt_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_commanded_angular_zupt_encode(
+    const struct mip_filter_commanded_angular_zupt *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_commanded_angular_zupt_codec, value, builder);
+}
 /**
  * Set reference position: command (0x0D,0x26).
  *
@@ -1639,8 +3404,8 @@ mip_error mip_filter_commanded_angular_zupt_encode(
 struct mip_filter_reference_position {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /** 0 disables, 1 enables. Range: 0 to 1. Required for write. */
     uint8_t enable;
     /** Latitude. Unit: deg. Frame: llh. Required for write. */
@@ -1651,28 +3416,85 @@ struct mip_filter_reference_position {
     double altitude;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_REFERENCE_POSITION 0x0D26
 #define MIP_FILTER_REFERENCE_POSITION_DESCRIPTOR 0x26
 #define MIP_FILTER_REFERENCE_POSITION_NAME "filter.reference_position"
 
-extern const struct mip_codec mip_filter_reference_position_codec;
-mip_error mip_filter_reference_position_decode(struct mip_filter_reference_position *value,
-                                               const struct mip_field *field);
-mip_error mip_filter_reference_position_encode(const struct mip_filter_reference_position *value,
-                                               struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_filter_reference_position mip_filter_reference_position_write(uint8_t enable,
-                                                                         double latitude,
-                                                                         double longitude,
-                                                                         double altitude);
-/** Send the current setting back in a response. */
-struct mip_filter_reference_position mip_filter_reference_position_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_filter_reference_position mip_filter_reference_position_save(void);
-/** Load the saved setting. */
-struct mip_filter_reference_position mip_filter_reference_position_load(void);
-/** Load the factory default setting. */
-struct mip_filter_reference_position mip_filter_reference_position_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_reference_position_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_reference_position_decode(
+    struct mip_filter_reference_position *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_reference_position_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_reference_position_encode(
+    const struct mip_filter_reference_position *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_reference_position_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_reference_position *
+mip_filter_reference_position_write(struct mip_filter_reference_position *command, uint8_t enable,
+                                    double latitude, double longitude, double altitude) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->enable = enable;
+    command->latitude = latitude;
+    command->longitude = longitude;
+    command->altitude = altitude;
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_reference_position *
+mip_filter_reference_position_read(struct mip_filter_reference_position *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_reference_position *
+mip_filter_reference_position_save(struct mip_filter_reference_position *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_reference_position *
+mip_filter_reference_position_load(struct mip_filter_reference_position *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_reference_position *
+mip_filter_reference_position_default(struct mip_filter_reference_position *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * Set reference position response: response (0x0D,0x90).
  *
@@ -1691,15 +3513,55 @@ struct mip_filter_reference_position_response {
     double altitude;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_REFERENCE_POSITION_RESPONSE 0x0D90
 #define MIP_FILTER_REFERENCE_POSITION_RESPONSE_DESCRIPTOR 0x90
 #define MIP_FILTER_REFERENCE_POSITION_RESPONSE_NAME "filter.reference_position_response"
 
-extern const struct mip_codec mip_filter_reference_position_response_codec;
-mip_error mip_filter_reference_position_response_decode(
-    struct mip_filter_reference_position_response *value, const struct mip_field *field);
-mip_error mip_filter_reference_position_response_encode(
-    const struct mip_filter_reference_position_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_reference_position_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_reference_position_response_decode(
+    struct mip_filter_reference_position_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_reference_position_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_reference_position_response_encode(
+    const struct mip_filter_reference_position_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_reference_position_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_reference_position_response_decode_inline(
+    struct mip_filter_reference_position_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0D, 0x90, 25);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->enable = mip_get_8(field->data);
+    mip_get_double(&value->latitude, field->data + 1);
+    mip_get_double(&value->longitude, field->data + 9);
+    mip_get_double(&value->altitude, field->data + 17);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_reference_position_response_encode_inline(
+    const struct mip_filter_reference_position_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x90, 25, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->enable);
+    mip_put_double(data + 1, &value->latitude);
+    mip_put_double(data + 9, &value->longitude);
+    mip_put_double(data + 17, &value->altitude);
+    return MIP_OK;
+}
 /**
  * Capture automatic magnetometer calibration: command (0x0D,0x27).
  *
@@ -1716,23 +3578,77 @@ mip_error mip_filter_reference_position_response_encode(
  * - mip-sdk-4: Mag Capture Auto Cal (0x0D,0x27)
  */
 struct mip_filter_mag_capture_auto_calibration {
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_MAG_CAPTURE_AUTO_CALIBRATION 0x0D27
 #define MIP_FILTER_MAG_CAPTURE_AUTO_CALIBRATION_DESCRIPTOR 0x27
 #define MIP_FILTER_MAG_CAPTURE_AUTO_CALIBRATION_NAME "filter.mag_capture_auto_calibration"
 
-extern const struct mip_codec mip_filter_mag_capture_auto_calibration_codec;
-mip_error mip_filter_mag_capture_auto_calibration_decode(
-    struct mip_filter_mag_capture_auto_calibration *value, const struct mip_field *field);
-mip_error mip_filter_mag_capture_auto_calibration_encode(
-    const struct mip_filter_mag_capture_auto_calibration *value, struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_filter_mag_capture_auto_calibration mip_filter_mag_capture_auto_calibration_write(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_filter_mag_capture_auto_calibration mip_filter_mag_capture_auto_calibration_save(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_mag_capture_auto_calibration_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_mag_capture_auto_calibration_decode(
+    struct mip_filter_mag_capture_auto_calibration *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_mag_capture_auto_calibration_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_mag_capture_auto_calibration_encode(
+    const struct mip_filter_mag_capture_auto_calibration *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_mag_capture_auto_calibration_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_mag_capture_auto_calibration_decode_inline(
+    struct mip_filter_mag_capture_auto_calibration *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0D, 0x27, 1);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->function = mip_get_8(field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_mag_capture_auto_calibration_encode_inline(
+    const struct mip_filter_mag_capture_auto_calibration *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x27, 1, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->function);
+    return MIP_OK;
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_mag_capture_auto_calibration *
+mip_filter_mag_capture_auto_calibration_write(
+    struct mip_filter_mag_capture_auto_calibration *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_mag_capture_auto_calibration *
+mip_filter_mag_capture_auto_calibration_save(
+    struct mip_filter_mag_capture_auto_calibration *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
 /**
  * Gravity noise: command (0x0D,0x28).
  *
@@ -1749,8 +3665,8 @@ struct mip_filter_mag_capture_auto_calibration mip_filter_mag_capture_auto_calib
 struct mip_filter_gravity_noise {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /**
      * Standard deviation per axis. Elements: x, y, z. Unit: g. Range: greater than 0. Required for
      * write.
@@ -1758,25 +3674,81 @@ struct mip_filter_gravity_noise {
     float noise[3];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_GRAVITY_NOISE 0x0D28
 #define MIP_FILTER_GRAVITY_NOISE_DESCRIPTOR 0x28
 #define MIP_FILTER_GRAVITY_NOISE_NAME "filter.gravity_noise"
 
-extern const struct mip_codec mip_filter_gravity_noise_codec;
-mip_error mip_filter_gravity_noise_decode(struct mip_filter_gravity_noise *value,
-                                          const struct mip_field *field);
-mip_error mip_filter_gravity_noise_encode(const struct mip_filter_gravity_noise *value,
-                                          struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_filter_gravity_noise mip_filter_gravity_noise_write(const float noise[3]);
-/** Send the current setting back in a response. */
-struct mip_filter_gravity_noise mip_filter_gravity_noise_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_filter_gravity_noise mip_filter_gravity_noise_save(void);
-/** Load the saved setting. */
-struct mip_filter_gravity_noise mip_filter_gravity_noise_load(void);
-/** Load the factory default setting. */
-struct mip_filter_gravity_noise mip_filter_gravity_noise_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_gravity_noise_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_gravity_noise_decode(struct mip_filter_gravity_noise *value,
+                                                        const struct mip_field *field) {
+    return mip_decode(&mip_filter_gravity_noise_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_gravity_noise_encode(
+    const struct mip_filter_gravity_noise *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_gravity_noise_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_gravity_noise *
+mip_filter_gravity_noise_write(struct mip_filter_gravity_noise *command, const float noise[3]) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    memcpy(command->noise, noise, sizeof(command->noise));
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_gravity_noise *
+mip_filter_gravity_noise_read(struct mip_filter_gravity_noise *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_gravity_noise *
+mip_filter_gravity_noise_save(struct mip_filter_gravity_noise *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_gravity_noise *
+mip_filter_gravity_noise_load(struct mip_filter_gravity_noise *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_gravity_noise *
+mip_filter_gravity_noise_default(struct mip_filter_gravity_noise *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * Gravity noise response: response (0x0D,0x93).
  *
@@ -1790,15 +3762,53 @@ struct mip_filter_gravity_noise_response {
     float noise[3];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_GRAVITY_NOISE_RESPONSE 0x0D93
 #define MIP_FILTER_GRAVITY_NOISE_RESPONSE_DESCRIPTOR 0x93
 #define MIP_FILTER_GRAVITY_NOISE_RESPONSE_NAME "filter.gravity_noise_response"
 
-extern const struct mip_codec mip_filter_gravity_noise_response_codec;
-mip_error mip_filter_gravity_noise_response_decode(struct mip_filter_gravity_noise_response *value,
-                                                   const struct mip_field *field);
-mip_error mip_filter_gravity_noise_response_encode(
-    const struct mip_filter_gravity_noise_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_gravity_noise_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_gravity_noise_response_decode(
+    struct mip_filter_gravity_noise_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_gravity_noise_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_gravity_noise_response_encode(
+    const struct mip_filter_gravity_noise_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_gravity_noise_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_gravity_noise_response_decode_inline(
+    struct mip_filter_gravity_noise_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0D, 0x93, 12);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->noise[i], field->data + 4 * i);
+    }
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_gravity_noise_response_encode_inline(
+    const struct mip_filter_gravity_noise_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x93, 12, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 4 * i, &value->noise[i]);
+    }
+    return MIP_OK;
+}
 /**
  * Pressure altitude noise: command (0x0D,0x29).
  *
@@ -1815,31 +3825,87 @@ mip_error mip_filter_gravity_noise_response_encode(
 struct mip_filter_pressure_altitude_noise {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /** Standard deviation. Unit: m. Range: greater than 0. Required for write. */
     float noise;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_PRESSURE_ALTITUDE_NOISE 0x0D29
 #define MIP_FILTER_PRESSURE_ALTITUDE_NOISE_DESCRIPTOR 0x29
 #define MIP_FILTER_PRESSURE_ALTITUDE_NOISE_NAME "filter.pressure_altitude_noise"
 
-extern const struct mip_codec mip_filter_pressure_altitude_noise_codec;
-mip_error mip_filter_pressure_altitude_noise_decode(
-    struct mip_filter_pressure_altitude_noise *value, const struct mip_field *field);
-mip_error mip_filter_pressure_altitude_noise_encode(
-    const struct mip_filter_pressure_altitude_noise *value, struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_filter_pressure_altitude_noise mip_filter_pressure_altitude_noise_write(float noise);
-/** Send the current setting back in a response. */
-struct mip_filter_pressure_altitude_noise mip_filter_pressure_altitude_noise_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_filter_pressure_altitude_noise mip_filter_pressure_altitude_noise_save(void);
-/** Load the saved setting. */
-struct mip_filter_pressure_altitude_noise mip_filter_pressure_altitude_noise_load(void);
-/** Load the factory default setting. */
-struct mip_filter_pressure_altitude_noise mip_filter_pressure_altitude_noise_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_pressure_altitude_noise_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_pressure_altitude_noise_decode(
+    struct mip_filter_pressure_altitude_noise *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_pressure_altitude_noise_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_pressure_altitude_noise_encode(
+    const struct mip_filter_pressure_altitude_noise *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_pressure_altitude_noise_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_pressure_altitude_noise *mip_filter_pressure_altitude_noise_write(
+    struct mip_filter_pressure_altitude_noise *command, float noise) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->noise = noise;
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_pressure_altitude_noise *
+mip_filter_pressure_altitude_noise_read(struct mip_filter_pressure_altitude_noise *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_pressure_altitude_noise *
+mip_filter_pressure_altitude_noise_save(struct mip_filter_pressure_altitude_noise *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_pressure_altitude_noise *
+mip_filter_pressure_altitude_noise_load(struct mip_filter_pressure_altitude_noise *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_pressure_altitude_noise *
+mip_filter_pressure_altitude_noise_default(struct mip_filter_pressure_altitude_noise *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * Pressure altitude noise response: response (0x0D,0x94).
  *
@@ -1853,15 +3919,49 @@ struct mip_filter_pressure_altitude_noise_response {
     float noise;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_PRESSURE_ALTITUDE_NOISE_RESPONSE 0x0D94
 #define MIP_FILTER_PRESSURE_ALTITUDE_NOISE_RESPONSE_DESCRIPTOR 0x94
 #define MIP_FILTER_PRESSURE_ALTITUDE_NOISE_RESPONSE_NAME "filter.pressure_altitude_noise_response"
 
-extern const struct mip_codec mip_filter_pressure_altitude_noise_response_codec;
-mip_error mip_filter_pressure_altitude_noise_response_decode(
-    struct mip_filter_pressure_altitude_noise_response *value, const struct mip_field *field);
-mip_error mip_filter_pressure_altitude_noise_response_encode(
-    const struct mip_filter_pressure_altitude_noise_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_pressure_altitude_noise_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_pressure_altitude_noise_response_decode(
+    struct mip_filter_pressure_altitude_noise_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_pressure_altitude_noise_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_pressure_altitude_noise_response_encode(
+    const struct mip_filter_pressure_altitude_noise_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_pressure_altitude_noise_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_pressure_altitude_noise_response_decode_inline(
+    struct mip_filter_pressure_altitude_noise_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0D, 0x94, 4);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_float(&value->noise, field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_pressure_altitude_noise_response_encode_inline(
+    const struct mip_filter_pressure_altitude_noise_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x94, 4, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_float(data, &value->noise);
+    return MIP_OK;
+}
 /**
  * Hard iron offset noise: command (0x0D,0x2B).
  *
@@ -1876,8 +3976,8 @@ mip_error mip_filter_pressure_altitude_noise_response_encode(
 struct mip_filter_hard_iron_offset_noise {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /**
      * Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0. Required
      * for write.
@@ -1885,26 +3985,81 @@ struct mip_filter_hard_iron_offset_noise {
     float noise[3];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_HARD_IRON_OFFSET_NOISE 0x0D2B
 #define MIP_FILTER_HARD_IRON_OFFSET_NOISE_DESCRIPTOR 0x2B
 #define MIP_FILTER_HARD_IRON_OFFSET_NOISE_NAME "filter.hard_iron_offset_noise"
 
-extern const struct mip_codec mip_filter_hard_iron_offset_noise_codec;
-mip_error mip_filter_hard_iron_offset_noise_decode(struct mip_filter_hard_iron_offset_noise *value,
-                                                   const struct mip_field *field);
-mip_error mip_filter_hard_iron_offset_noise_encode(
-    const struct mip_filter_hard_iron_offset_noise *value, struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_filter_hard_iron_offset_noise
-mip_filter_hard_iron_offset_noise_write(const float noise[3]);
-/** Send the current setting back in a response. */
-struct mip_filter_hard_iron_offset_noise mip_filter_hard_iron_offset_noise_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_filter_hard_iron_offset_noise mip_filter_hard_iron_offset_noise_save(void);
-/** Load the saved setting. */
-struct mip_filter_hard_iron_offset_noise mip_filter_hard_iron_offset_noise_load(void);
-/** Load the factory default setting. */
-struct mip_filter_hard_iron_offset_noise mip_filter_hard_iron_offset_noise_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_hard_iron_offset_noise_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_hard_iron_offset_noise_decode(
+    struct mip_filter_hard_iron_offset_noise *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_hard_iron_offset_noise_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_hard_iron_offset_noise_encode(
+    const struct mip_filter_hard_iron_offset_noise *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_hard_iron_offset_noise_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_hard_iron_offset_noise *mip_filter_hard_iron_offset_noise_write(
+    struct mip_filter_hard_iron_offset_noise *command, const float noise[3]) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    memcpy(command->noise, noise, sizeof(command->noise));
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_hard_iron_offset_noise *
+mip_filter_hard_iron_offset_noise_read(struct mip_filter_hard_iron_offset_noise *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_hard_iron_offset_noise *
+mip_filter_hard_iron_offset_noise_save(struct mip_filter_hard_iron_offset_noise *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_hard_iron_offset_noise *
+mip_filter_hard_iron_offset_noise_load(struct mip_filter_hard_iron_offset_noise *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_hard_iron_offset_noise *
+mip_filter_hard_iron_offset_noise_default(struct mip_filter_hard_iron_offset_noise *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * Hard iron offset noise response: response (0x0D,0x96).
  *
@@ -1918,15 +4073,53 @@ struct mip_filter_hard_iron_offset_noise_response {
     float noise[3];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_HARD_IRON_OFFSET_NOISE_RESPONSE 0x0D96
 #define MIP_FILTER_HARD_IRON_OFFSET_NOISE_RESPONSE_DESCRIPTOR 0x96
 #define MIP_FILTER_HARD_IRON_OFFSET_NOISE_RESPONSE_NAME "filter.hard_iron_offset_noise_response"
 
-extern const struct mip_codec mip_filter_hard_iron_offset_noise_response_codec;
-mip_error mip_filter_hard_iron_offset_noise_response_decode(
-    struct mip_filter_hard_iron_offset_noise_response *value, const struct mip_field *field);
-mip_error mip_filter_hard_iron_offset_noise_response_encode(
-    const struct mip_filter_hard_iron_offset_noise_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_hard_iron_offset_noise_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_hard_iron_offset_noise_response_decode(
+    struct mip_filter_hard_iron_offset_noise_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_hard_iron_offset_noise_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_hard_iron_offset_noise_response_encode(
+    const struct mip_filter_hard_iron_offset_noise_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_hard_iron_offset_noise_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_hard_iron_offset_noise_response_decode_inline(
+    struct mip_filter_hard_iron_offset_noise_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0D, 0x96, 12);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->noise[i], field->data + 4 * i);
+    }
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_hard_iron_offset_noise_response_encode_inline(
+    const struct mip_filter_hard_iron_offset_noise_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x96, 12, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 4 * i, &value->noise[i]);
+    }
+    return MIP_OK;
+}
 /**
  * Soft iron matrix noise: command (0x0D,0x2C).
  *
@@ -1941,8 +4134,8 @@ mip_error mip_filter_hard_iron_offset_noise_response_encode(
 struct mip_filter_soft_iron_matrix_noise {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /**
      * Standard deviation per element. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
      * 1. Range: greater than 0. Required for write.
@@ -1950,26 +4143,81 @@ struct mip_filter_soft_iron_matrix_noise {
     float noise[9];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_SOFT_IRON_MATRIX_NOISE 0x0D2C
 #define MIP_FILTER_SOFT_IRON_MATRIX_NOISE_DESCRIPTOR 0x2C
 #define MIP_FILTER_SOFT_IRON_MATRIX_NOISE_NAME "filter.soft_iron_matrix_noise"
 
-extern const struct mip_codec mip_filter_soft_iron_matrix_noise_codec;
-mip_error mip_filter_soft_iron_matrix_noise_decode(struct mip_filter_soft_iron_matrix_noise *value,
-                                                   const struct mip_field *field);
-mip_error mip_filter_soft_iron_matrix_noise_encode(
-    const struct mip_filter_soft_iron_matrix_noise *value, struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_filter_soft_iron_matrix_noise
-mip_filter_soft_iron_matrix_noise_write(const float noise[9]);
-/** Send the current setting back in a response. */
-struct mip_filter_soft_iron_matrix_noise mip_filter_soft_iron_matrix_noise_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_filter_soft_iron_matrix_noise mip_filter_soft_iron_matrix_noise_save(void);
-/** Load the saved setting. */
-struct mip_filter_soft_iron_matrix_noise mip_filter_soft_iron_matrix_noise_load(void);
-/** Load the factory default setting. */
-struct mip_filter_soft_iron_matrix_noise mip_filter_soft_iron_matrix_noise_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_soft_iron_matrix_noise_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_soft_iron_matrix_noise_decode(
+    struct mip_filter_soft_iron_matrix_noise *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_soft_iron_matrix_noise_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_soft_iron_matrix_noise_encode(
+    const struct mip_filter_soft_iron_matrix_noise *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_soft_iron_matrix_noise_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_soft_iron_matrix_noise *mip_filter_soft_iron_matrix_noise_write(
+    struct mip_filter_soft_iron_matrix_noise *command, const float noise[9]) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    memcpy(command->noise, noise, sizeof(command->noise));
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_soft_iron_matrix_noise *
+mip_filter_soft_iron_matrix_noise_read(struct mip_filter_soft_iron_matrix_noise *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_soft_iron_matrix_noise *
+mip_filter_soft_iron_matrix_noise_save(struct mip_filter_soft_iron_matrix_noise *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_soft_iron_matrix_noise *
+mip_filter_soft_iron_matrix_noise_load(struct mip_filter_soft_iron_matrix_noise *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_soft_iron_matrix_noise *
+mip_filter_soft_iron_matrix_noise_default(struct mip_filter_soft_iron_matrix_noise *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * Soft iron matrix noise response: response (0x0D,0x97).
  *
@@ -1986,15 +4234,53 @@ struct mip_filter_soft_iron_matrix_noise_response {
     float noise[9];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_SOFT_IRON_MATRIX_NOISE_RESPONSE 0x0D97
 #define MIP_FILTER_SOFT_IRON_MATRIX_NOISE_RESPONSE_DESCRIPTOR 0x97
 #define MIP_FILTER_SOFT_IRON_MATRIX_NOISE_RESPONSE_NAME "filter.soft_iron_matrix_noise_response"
 
-extern const struct mip_codec mip_filter_soft_iron_matrix_noise_response_codec;
-mip_error mip_filter_soft_iron_matrix_noise_response_decode(
-    struct mip_filter_soft_iron_matrix_noise_response *value, const struct mip_field *field);
-mip_error mip_filter_soft_iron_matrix_noise_response_encode(
-    const struct mip_filter_soft_iron_matrix_noise_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_soft_iron_matrix_noise_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_soft_iron_matrix_noise_response_decode(
+    struct mip_filter_soft_iron_matrix_noise_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_soft_iron_matrix_noise_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_soft_iron_matrix_noise_response_encode(
+    const struct mip_filter_soft_iron_matrix_noise_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_soft_iron_matrix_noise_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_soft_iron_matrix_noise_response_decode_inline(
+    struct mip_filter_soft_iron_matrix_noise_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0D, 0x97, 36);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 9; i++) {
+        mip_get_float(&value->noise[i], field->data + 4 * i);
+    }
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_soft_iron_matrix_noise_response_encode_inline(
+    const struct mip_filter_soft_iron_matrix_noise_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x97, 36, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 9; i++) {
+        mip_put_float(data + 4 * i, &value->noise[i]);
+    }
+    return MIP_OK;
+}
 /**
  * Enable or disable measurements: command (0x0D,0x41).
  *
@@ -2008,32 +4294,87 @@ mip_error mip_filter_soft_iron_matrix_noise_response_encode(
 struct mip_filter_enable_measurements {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /** Measurements to use. Required for write. */
     mip_filter_measurement_flags control;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_ENABLE_MEASUREMENTS 0x0D41
 #define MIP_FILTER_ENABLE_MEASUREMENTS_DESCRIPTOR 0x41
 #define MIP_FILTER_ENABLE_MEASUREMENTS_NAME "filter.enable_measurements"
 
-extern const struct mip_codec mip_filter_enable_measurements_codec;
-mip_error mip_filter_enable_measurements_decode(struct mip_filter_enable_measurements *value,
-                                                const struct mip_field *field);
-mip_error mip_filter_enable_measurements_encode(const struct mip_filter_enable_measurements *value,
-                                                struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_filter_enable_measurements
-mip_filter_enable_measurements_write(mip_filter_measurement_flags control);
-/** Send the current setting back in a response. */
-struct mip_filter_enable_measurements mip_filter_enable_measurements_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_filter_enable_measurements mip_filter_enable_measurements_save(void);
-/** Load the saved setting. */
-struct mip_filter_enable_measurements mip_filter_enable_measurements_load(void);
-/** Load the factory default setting. */
-struct mip_filter_enable_measurements mip_filter_enable_measurements_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_enable_measurements_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_enable_measurements_decode(
+    struct mip_filter_enable_measurements *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_enable_measurements_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_enable_measurements_encode(
+    const struct mip_filter_enable_measurements *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_enable_measurements_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_enable_measurements *mip_filter_enable_measurements_write(
+    struct mip_filter_enable_measurements *command, mip_filter_measurement_flags control) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->control = control;
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_enable_measurements *
+mip_filter_enable_measurements_read(struct mip_filter_enable_measurements *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_enable_measurements *
+mip_filter_enable_measurements_save(struct mip_filter_enable_measurements *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_enable_measurements *
+mip_filter_enable_measurements_load(struct mip_filter_enable_measurements *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_enable_measurements *
+mip_filter_enable_measurements_default(struct mip_filter_enable_measurements *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * Enable or disable measurements response: response (0x0D,0xB0).
  *
@@ -2046,15 +4387,49 @@ struct mip_filter_enable_measurements_response {
     mip_filter_measurement_flags control;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_ENABLE_MEASUREMENTS_RESPONSE 0x0DB0
 #define MIP_FILTER_ENABLE_MEASUREMENTS_RESPONSE_DESCRIPTOR 0xB0
 #define MIP_FILTER_ENABLE_MEASUREMENTS_RESPONSE_NAME "filter.enable_measurements_response"
 
-extern const struct mip_codec mip_filter_enable_measurements_response_codec;
-mip_error mip_filter_enable_measurements_response_decode(
-    struct mip_filter_enable_measurements_response *value, const struct mip_field *field);
-mip_error mip_filter_enable_measurements_response_encode(
-    const struct mip_filter_enable_measurements_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_enable_measurements_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_enable_measurements_response_decode(
+    struct mip_filter_enable_measurements_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_enable_measurements_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_enable_measurements_response_encode(
+    const struct mip_filter_enable_measurements_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_enable_measurements_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_enable_measurements_response_decode_inline(
+    struct mip_filter_enable_measurements_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0D, 0xB0, 2);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->control = mip_get_16(field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_enable_measurements_response_encode_inline(
+    const struct mip_filter_enable_measurements_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0D, 0xB0, 2, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_16(data, value->control);
+    return MIP_OK;
+}
 /**
  * Magnetometer noise: command (0x0D,0x42).
  *
@@ -2069,8 +4444,8 @@ mip_error mip_filter_enable_measurements_response_encode(
 struct mip_filter_mag_noise {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /**
      * Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0. Required
      * for write.
@@ -2078,25 +4453,81 @@ struct mip_filter_mag_noise {
     float noise[3];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_MAG_NOISE 0x0D42
 #define MIP_FILTER_MAG_NOISE_DESCRIPTOR 0x42
 #define MIP_FILTER_MAG_NOISE_NAME "filter.mag_noise"
 
-extern const struct mip_codec mip_filter_mag_noise_codec;
-mip_error mip_filter_mag_noise_decode(struct mip_filter_mag_noise *value,
-                                      const struct mip_field *field);
-mip_error mip_filter_mag_noise_encode(const struct mip_filter_mag_noise *value,
-                                      struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_filter_mag_noise mip_filter_mag_noise_write(const float noise[3]);
-/** Send the current setting back in a response. */
-struct mip_filter_mag_noise mip_filter_mag_noise_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_filter_mag_noise mip_filter_mag_noise_save(void);
-/** Load the saved setting. */
-struct mip_filter_mag_noise mip_filter_mag_noise_load(void);
-/** Load the factory default setting. */
-struct mip_filter_mag_noise mip_filter_mag_noise_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_mag_noise_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_mag_noise_decode(struct mip_filter_mag_noise *value,
+                                                    const struct mip_field *field) {
+    return mip_decode(&mip_filter_mag_noise_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_mag_noise_encode(const struct mip_filter_mag_noise *value,
+                                                    struct mip_builder *builder) {
+    return mip_encode(&mip_filter_mag_noise_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_mag_noise *
+mip_filter_mag_noise_write(struct mip_filter_mag_noise *command, const float noise[3]) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    memcpy(command->noise, noise, sizeof(command->noise));
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_mag_noise *
+mip_filter_mag_noise_read(struct mip_filter_mag_noise *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_mag_noise *
+mip_filter_mag_noise_save(struct mip_filter_mag_noise *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_mag_noise *
+mip_filter_mag_noise_load(struct mip_filter_mag_noise *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_mag_noise *
+mip_filter_mag_noise_default(struct mip_filter_mag_noise *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * Magnetometer noise response: response (0x0D,0xB1).
  *
@@ -2109,15 +4540,53 @@ struct mip_filter_mag_noise_response {
     float noise[3];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_MAG_NOISE_RESPONSE 0x0DB1
 #define MIP_FILTER_MAG_NOISE_RESPONSE_DESCRIPTOR 0xB1
 #define MIP_FILTER_MAG_NOISE_RESPONSE_NAME "filter.mag_noise_response"
 
-extern const struct mip_codec mip_filter_mag_noise_response_codec;
-mip_error mip_filter_mag_noise_response_decode(struct mip_filter_mag_noise_response *value,
-                                               const struct mip_field *field);
-mip_error mip_filter_mag_noise_response_encode(const struct mip_filter_mag_noise_response *value,
-                                               struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_mag_noise_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_mag_noise_response_decode(
+    struct mip_filter_mag_noise_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_mag_noise_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_mag_noise_response_encode(
+    const struct mip_filter_mag_noise_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_mag_noise_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_mag_noise_response_decode_inline(
+    struct mip_filter_mag_noise_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0D, 0xB1, 12);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->noise[i], field->data + 4 * i);
+    }
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_mag_noise_response_encode_inline(
+    const struct mip_filter_mag_noise_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0D, 0xB1, 12, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 4 * i, &value->noise[i]);
+    }
+    return MIP_OK;
+}
 /**
  * Magnetic declination source: command (0x0D,0x43).
  *
@@ -2134,37 +4603,100 @@ mip_error mip_filter_mag_noise_response_encode(const struct mip_filter_mag_noise
 struct mip_filter_magnetic_declination_source {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /**
-     * Source of the declination. Required for write. On the 3DM-GQ7-GNSS/INS: only
-     * MIP_FILTER_MAG_PARAMETER_SOURCE_WMM and MIP_FILTER_MAG_PARAMETER_SOURCE_MANUAL.
+     * Source of the declination. A value of enum mip_filter_mag_parameter_source. Required for
+     * write. On the 3DM-GQ7-GNSS/INS: only MIP_FILTER_MAG_PARAMETER_SOURCE_WMM and
+     * MIP_FILTER_MAG_PARAMETER_SOURCE_MANUAL.
      */
-    mip_filter_mag_parameter_source source;
+    uint8_t source;
     /** Declination; used only if `source` is manual. Unit: rad. Required for write. */
     float declination;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_MAGNETIC_DECLINATION_SOURCE 0x0D43
 #define MIP_FILTER_MAGNETIC_DECLINATION_SOURCE_DESCRIPTOR 0x43
 #define MIP_FILTER_MAGNETIC_DECLINATION_SOURCE_NAME "filter.magnetic_declination_source"
 
-extern const struct mip_codec mip_filter_magnetic_declination_source_codec;
-mip_error mip_filter_magnetic_declination_source_decode(
-    struct mip_filter_magnetic_declination_source *value, const struct mip_field *field);
-mip_error mip_filter_magnetic_declination_source_encode(
-    const struct mip_filter_magnetic_declination_source *value, struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_filter_magnetic_declination_source mip_filter_magnetic_declination_source_write(
-    mip_filter_mag_parameter_source source, float declination);
-/** Send the current setting back in a response. */
-struct mip_filter_magnetic_declination_source mip_filter_magnetic_declination_source_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_filter_magnetic_declination_source mip_filter_magnetic_declination_source_save(void);
-/** Load the saved setting. */
-struct mip_filter_magnetic_declination_source mip_filter_magnetic_declination_source_load(void);
-/** Load the factory default setting. */
-struct mip_filter_magnetic_declination_source mip_filter_magnetic_declination_source_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_magnetic_declination_source_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_magnetic_declination_source_decode(
+    struct mip_filter_magnetic_declination_source *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_magnetic_declination_source_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_magnetic_declination_source_encode(
+    const struct mip_filter_magnetic_declination_source *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_magnetic_declination_source_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_magnetic_declination_source *
+mip_filter_magnetic_declination_source_write(struct mip_filter_magnetic_declination_source *command,
+                                             enum mip_filter_mag_parameter_source source,
+                                             float declination) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->source = (uint8_t)source;
+    command->declination = declination;
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_magnetic_declination_source *
+mip_filter_magnetic_declination_source_read(
+    struct mip_filter_magnetic_declination_source *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_magnetic_declination_source *
+mip_filter_magnetic_declination_source_save(
+    struct mip_filter_magnetic_declination_source *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_magnetic_declination_source *
+mip_filter_magnetic_declination_source_load(
+    struct mip_filter_magnetic_declination_source *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_magnetic_declination_source *
+mip_filter_magnetic_declination_source_default(
+    struct mip_filter_magnetic_declination_source *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * Magnetic declination source response: response (0x0D,0xB2).
  *
@@ -2174,23 +4706,60 @@ struct mip_filter_magnetic_declination_source mip_filter_magnetic_declination_so
  * - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
  */
 struct mip_filter_magnetic_declination_source_response {
-    /** Source of the declination. */
-    mip_filter_mag_parameter_source source;
+    /** Source of the declination. A value of enum mip_filter_mag_parameter_source. */
+    uint8_t source;
     /** Declination; used only if `source` is manual. Unit: rad. */
     float declination;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_MAGNETIC_DECLINATION_SOURCE_RESPONSE 0x0DB2
 #define MIP_FILTER_MAGNETIC_DECLINATION_SOURCE_RESPONSE_DESCRIPTOR 0xB2
 #define MIP_FILTER_MAGNETIC_DECLINATION_SOURCE_RESPONSE_NAME \
     "filter.magnetic_declination_source_response"
 
-extern const struct mip_codec mip_filter_magnetic_declination_source_response_codec;
-mip_error mip_filter_magnetic_declination_source_response_decode(
-    struct mip_filter_magnetic_declination_source_response *value, const struct mip_field *field);
-mip_error mip_filter_magnetic_declination_source_response_encode(
-    const struct mip_filter_magnetic_declination_source_response *value,
-    struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_magnetic_declination_source_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_magnetic_declination_source_response_decode(
+    struct mip_filter_magnetic_declination_source_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_magnetic_declination_source_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_magnetic_declination_source_response_encode(
+    const struct mip_filter_magnetic_declination_source_response *value,
+    struct mip_builder *builder) {
+    return mip_encode(&mip_filter_magnetic_declination_source_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_magnetic_declination_source_response_decode_inline(
+    struct mip_filter_magnetic_declination_source_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0D, 0xB2, 5);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->source = mip_get_8(field->data);
+    mip_get_float(&value->declination, field->data + 1);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_magnetic_declination_source_response_encode_inline(
+    const struct mip_filter_magnetic_declination_source_response *value,
+    struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0D, 0xB2, 5, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->source);
+    mip_put_float(data + 1, &value->declination);
+    return MIP_OK;
+}
 /**
  * Gravity magnitude error adaptive measurement: command (0x0D,0x44).
  *
@@ -2215,15 +4784,15 @@ mip_error mip_filter_magnetic_declination_source_response_encode(
 struct mip_filter_accel_magnitude_error_adaptive_measurement {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /**
-     * Kind of adaptation. Required for write. On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15,
-     * 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
-     * MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_DISABLED and
+     * Kind of adaptation. A value of enum mip_filter_adaptive_measurement_selector. Required for
+     * write. On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and
+     * 3DM-RQ1-45-ST: only MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_DISABLED and
      * MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_FIXED.
      */
-    mip_filter_adaptive_measurement_selector adaptive_measurement;
+    uint8_t adaptive_measurement;
     /** Cut-off frequency of the low-pass filter. Unit: Hz. Optional. */
     float frequency;
     /** Lower limit of the error. Unit: m/s^2. Optional. */
@@ -2238,6 +4807,8 @@ struct mip_filter_accel_magnitude_error_adaptive_measurement {
     float minimum_uncertainty;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT 0x0D44
 #define MIP_FILTER_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_DESCRIPTOR 0x44
 #define MIP_FILTER_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_NAME \
     "filter.accel_magnitude_error_adaptive_measurement"
@@ -2254,30 +4825,85 @@ struct mip_filter_accel_magnitude_error_adaptive_measurement {
 /** The value of `present` if minimum_uncertainty is the last parameter that is there. */
 #define MIP_FILTER_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_WITH_MINIMUM_UNCERTAINTY 7
 
-extern const struct mip_codec mip_filter_accel_magnitude_error_adaptive_measurement_codec;
-mip_error mip_filter_accel_magnitude_error_adaptive_measurement_decode(
-    struct mip_filter_accel_magnitude_error_adaptive_measurement *value,
-    const struct mip_field *field);
-mip_error mip_filter_accel_magnitude_error_adaptive_measurement_encode(
-    const struct mip_filter_accel_magnitude_error_adaptive_measurement *value,
-    struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_filter_accel_magnitude_error_adaptive_measurement
-mip_filter_accel_magnitude_error_adaptive_measurement_write(
-    mip_filter_adaptive_measurement_selector adaptive_measurement);
-/** Send the current setting back in a response. */
-struct mip_filter_accel_magnitude_error_adaptive_measurement
-mip_filter_accel_magnitude_error_adaptive_measurement_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_filter_accel_magnitude_error_adaptive_measurement
-mip_filter_accel_magnitude_error_adaptive_measurement_save(void);
-/** Load the saved setting. */
-struct mip_filter_accel_magnitude_error_adaptive_measurement
-mip_filter_accel_magnitude_error_adaptive_measurement_load(void);
-/** Load the factory default setting. */
-struct mip_filter_accel_magnitude_error_adaptive_measurement
-mip_filter_accel_magnitude_error_adaptive_measurement_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_accel_magnitude_error_adaptive_measurement_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_accel_magnitude_error_adaptive_measurement_decode(
+    struct mip_filter_accel_magnitude_error_adaptive_measurement *value,
+    const struct mip_field *field) {
+    return mip_decode(&mip_filter_accel_magnitude_error_adaptive_measurement_codec, value, field,
+                      NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_accel_magnitude_error_adaptive_measurement_encode(
+    const struct mip_filter_accel_magnitude_error_adaptive_measurement *value,
+    struct mip_builder *builder) {
+    return mip_encode(&mip_filter_accel_magnitude_error_adaptive_measurement_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_accel_magnitude_error_adaptive_measurement *
+mip_filter_accel_magnitude_error_adaptive_measurement_write(
+    struct mip_filter_accel_magnitude_error_adaptive_measurement *command,
+    enum mip_filter_adaptive_measurement_selector adaptive_measurement) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->adaptive_measurement = (uint8_t)adaptive_measurement;
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_accel_magnitude_error_adaptive_measurement *
+mip_filter_accel_magnitude_error_adaptive_measurement_read(
+    struct mip_filter_accel_magnitude_error_adaptive_measurement *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_accel_magnitude_error_adaptive_measurement *
+mip_filter_accel_magnitude_error_adaptive_measurement_save(
+    struct mip_filter_accel_magnitude_error_adaptive_measurement *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_accel_magnitude_error_adaptive_measurement *
+mip_filter_accel_magnitude_error_adaptive_measurement_load(
+    struct mip_filter_accel_magnitude_error_adaptive_measurement *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_accel_magnitude_error_adaptive_measurement *
+mip_filter_accel_magnitude_error_adaptive_measurement_default(
+    struct mip_filter_accel_magnitude_error_adaptive_measurement *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * Gravity magnitude error adaptive measurement response: response (0x0D,0xB3).
  *
@@ -2288,8 +4914,8 @@ mip_filter_accel_magnitude_error_adaptive_measurement_default(void);
  * - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
  */
 struct mip_filter_accel_magnitude_error_adaptive_measurement_response {
-    /** Kind of adaptation. */
-    mip_filter_adaptive_measurement_selector adaptive_measurement;
+    /** Kind of adaptation. A value of enum mip_filter_adaptive_measurement_selector. */
+    uint8_t adaptive_measurement;
     /** Cut-off frequency of the low-pass filter. Unit: Hz. */
     float frequency;
     /** Lower limit of the error. Unit: m/s^2. */
@@ -2304,18 +4930,71 @@ struct mip_filter_accel_magnitude_error_adaptive_measurement_response {
     float minimum_uncertainty;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE 0x0DB3
 #define MIP_FILTER_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_DESCRIPTOR 0xB3
 #define MIP_FILTER_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_NAME \
     "filter.accel_magnitude_error_adaptive_measurement_response"
 
-extern const struct mip_codec mip_filter_accel_magnitude_error_adaptive_measurement_response_codec;
-mip_error mip_filter_accel_magnitude_error_adaptive_measurement_response_decode(
-    struct mip_filter_accel_magnitude_error_adaptive_measurement_response *value,
-    const struct mip_field *field);
-mip_error mip_filter_accel_magnitude_error_adaptive_measurement_response_encode(
-    const struct mip_filter_accel_magnitude_error_adaptive_measurement_response *value,
-    struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec
+    mip_filter_accel_magnitude_error_adaptive_measurement_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_accel_magnitude_error_adaptive_measurement_response_decode(
+    struct mip_filter_accel_magnitude_error_adaptive_measurement_response *value,
+    const struct mip_field *field) {
+    return mip_decode(&mip_filter_accel_magnitude_error_adaptive_measurement_response_codec, value,
+                      field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_accel_magnitude_error_adaptive_measurement_response_encode(
+    const struct mip_filter_accel_magnitude_error_adaptive_measurement_response *value,
+    struct mip_builder *builder) {
+    return mip_encode(&mip_filter_accel_magnitude_error_adaptive_measurement_response_codec, value,
+                      builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error
+mip_filter_accel_magnitude_error_adaptive_measurement_response_decode_inline(
+    struct mip_filter_accel_magnitude_error_adaptive_measurement_response *value,
+    const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0D, 0xB3, 25);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->adaptive_measurement = mip_get_8(field->data);
+    mip_get_float(&value->frequency, field->data + 1);
+    mip_get_float(&value->low_limit, field->data + 5);
+    mip_get_float(&value->high_limit, field->data + 9);
+    mip_get_float(&value->low_limit_uncertainty, field->data + 13);
+    mip_get_float(&value->high_limit_uncertainty, field->data + 17);
+    mip_get_float(&value->minimum_uncertainty, field->data + 21);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error
+mip_filter_accel_magnitude_error_adaptive_measurement_response_encode_inline(
+    const struct mip_filter_accel_magnitude_error_adaptive_measurement_response *value,
+    struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0D, 0xB3, 25, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->adaptive_measurement);
+    mip_put_float(data + 1, &value->frequency);
+    mip_put_float(data + 5, &value->low_limit);
+    mip_put_float(data + 9, &value->high_limit);
+    mip_put_float(data + 13, &value->low_limit_uncertainty);
+    mip_put_float(data + 17, &value->high_limit_uncertainty);
+    mip_put_float(data + 21, &value->minimum_uncertainty);
+    return MIP_OK;
+}
 /**
  * Magnetometer magnitude error adaptive measurement: command (0x0D,0x45).
  *
@@ -2339,15 +5018,15 @@ mip_error mip_filter_accel_magnitude_error_adaptive_measurement_response_encode(
 struct mip_filter_mag_magnitude_error_adaptive_measurement {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /**
-     * Kind of adaptation. Required for write. On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15,
-     * 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
-     * MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_DISABLED and
+     * Kind of adaptation. A value of enum mip_filter_adaptive_measurement_selector. Required for
+     * write. On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and
+     * 3DM-RQ1-45-ST: only MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_DISABLED and
      * MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_FIXED.
      */
-    mip_filter_adaptive_measurement_selector adaptive_measurement;
+    uint8_t adaptive_measurement;
     /** Cut-off frequency of the low-pass filter. Unit: Hz. Required for write. */
     float frequency;
     /**
@@ -2382,36 +5061,99 @@ struct mip_filter_mag_magnitude_error_adaptive_measurement {
     float minimum_uncertainty;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT 0x0D45
 #define MIP_FILTER_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_DESCRIPTOR 0x45
 #define MIP_FILTER_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_NAME \
     "filter.mag_magnitude_error_adaptive_measurement"
 
-extern const struct mip_codec mip_filter_mag_magnitude_error_adaptive_measurement_codec;
-mip_error mip_filter_mag_magnitude_error_adaptive_measurement_decode(
-    struct mip_filter_mag_magnitude_error_adaptive_measurement *value,
-    const struct mip_field *field);
-mip_error mip_filter_mag_magnitude_error_adaptive_measurement_encode(
-    const struct mip_filter_mag_magnitude_error_adaptive_measurement *value,
-    struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_filter_mag_magnitude_error_adaptive_measurement
-mip_filter_mag_magnitude_error_adaptive_measurement_write(
-    mip_filter_adaptive_measurement_selector adaptive_measurement, float frequency, float low_limit,
-    float high_limit, float low_limit_uncertainty, float high_limit_uncertainty,
-    float minimum_uncertainty);
-/** Send the current setting back in a response. */
-struct mip_filter_mag_magnitude_error_adaptive_measurement
-mip_filter_mag_magnitude_error_adaptive_measurement_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_filter_mag_magnitude_error_adaptive_measurement
-mip_filter_mag_magnitude_error_adaptive_measurement_save(void);
-/** Load the saved setting. */
-struct mip_filter_mag_magnitude_error_adaptive_measurement
-mip_filter_mag_magnitude_error_adaptive_measurement_load(void);
-/** Load the factory default setting. */
-struct mip_filter_mag_magnitude_error_adaptive_measurement
-mip_filter_mag_magnitude_error_adaptive_measurement_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_mag_magnitude_error_adaptive_measurement_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_mag_magnitude_error_adaptive_measurement_decode(
+    struct mip_filter_mag_magnitude_error_adaptive_measurement *value,
+    const struct mip_field *field) {
+    return mip_decode(&mip_filter_mag_magnitude_error_adaptive_measurement_codec, value, field,
+                      NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_mag_magnitude_error_adaptive_measurement_encode(
+    const struct mip_filter_mag_magnitude_error_adaptive_measurement *value,
+    struct mip_builder *builder) {
+    return mip_encode(&mip_filter_mag_magnitude_error_adaptive_measurement_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_mag_magnitude_error_adaptive_measurement *
+mip_filter_mag_magnitude_error_adaptive_measurement_write(
+    struct mip_filter_mag_magnitude_error_adaptive_measurement *command,
+    enum mip_filter_adaptive_measurement_selector adaptive_measurement, float frequency,
+    float low_limit, float high_limit, float low_limit_uncertainty, float high_limit_uncertainty,
+    float minimum_uncertainty) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->adaptive_measurement = (uint8_t)adaptive_measurement;
+    command->frequency = frequency;
+    command->low_limit = low_limit;
+    command->high_limit = high_limit;
+    command->low_limit_uncertainty = low_limit_uncertainty;
+    command->high_limit_uncertainty = high_limit_uncertainty;
+    command->minimum_uncertainty = minimum_uncertainty;
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_mag_magnitude_error_adaptive_measurement *
+mip_filter_mag_magnitude_error_adaptive_measurement_read(
+    struct mip_filter_mag_magnitude_error_adaptive_measurement *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_mag_magnitude_error_adaptive_measurement *
+mip_filter_mag_magnitude_error_adaptive_measurement_save(
+    struct mip_filter_mag_magnitude_error_adaptive_measurement *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_mag_magnitude_error_adaptive_measurement *
+mip_filter_mag_magnitude_error_adaptive_measurement_load(
+    struct mip_filter_mag_magnitude_error_adaptive_measurement *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_mag_magnitude_error_adaptive_measurement *
+mip_filter_mag_magnitude_error_adaptive_measurement_default(
+    struct mip_filter_mag_magnitude_error_adaptive_measurement *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * Magnetometer magnitude error adaptive measurement response: response (0x0D,0xB4).
  *
@@ -2422,8 +5164,8 @@ mip_filter_mag_magnitude_error_adaptive_measurement_default(void);
  * - mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
  */
 struct mip_filter_mag_magnitude_error_adaptive_measurement_response {
-    /** Kind of adaptation. */
-    mip_filter_adaptive_measurement_selector adaptive_measurement;
+    /** Kind of adaptation. A value of enum mip_filter_adaptive_measurement_selector. */
+    uint8_t adaptive_measurement;
     /** Cut-off frequency of the low-pass filter. Unit: Hz. */
     float frequency;
     /**
@@ -2453,18 +5195,69 @@ struct mip_filter_mag_magnitude_error_adaptive_measurement_response {
     float minimum_uncertainty;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE 0x0DB4
 #define MIP_FILTER_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_DESCRIPTOR 0xB4
 #define MIP_FILTER_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_NAME \
     "filter.mag_magnitude_error_adaptive_measurement_response"
 
-extern const struct mip_codec mip_filter_mag_magnitude_error_adaptive_measurement_response_codec;
-mip_error mip_filter_mag_magnitude_error_adaptive_measurement_response_decode(
-    struct mip_filter_mag_magnitude_error_adaptive_measurement_response *value,
-    const struct mip_field *field);
-mip_error mip_filter_mag_magnitude_error_adaptive_measurement_response_encode(
-    const struct mip_filter_mag_magnitude_error_adaptive_measurement_response *value,
-    struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec
+    mip_filter_mag_magnitude_error_adaptive_measurement_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_mag_magnitude_error_adaptive_measurement_response_decode(
+    struct mip_filter_mag_magnitude_error_adaptive_measurement_response *value,
+    const struct mip_field *field) {
+    return mip_decode(&mip_filter_mag_magnitude_error_adaptive_measurement_response_codec, value,
+                      field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_mag_magnitude_error_adaptive_measurement_response_encode(
+    const struct mip_filter_mag_magnitude_error_adaptive_measurement_response *value,
+    struct mip_builder *builder) {
+    return mip_encode(&mip_filter_mag_magnitude_error_adaptive_measurement_response_codec, value,
+                      builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_mag_magnitude_error_adaptive_measurement_response_decode_inline(
+    struct mip_filter_mag_magnitude_error_adaptive_measurement_response *value,
+    const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0D, 0xB4, 25);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->adaptive_measurement = mip_get_8(field->data);
+    mip_get_float(&value->frequency, field->data + 1);
+    mip_get_float(&value->low_limit, field->data + 5);
+    mip_get_float(&value->high_limit, field->data + 9);
+    mip_get_float(&value->low_limit_uncertainty, field->data + 13);
+    mip_get_float(&value->high_limit_uncertainty, field->data + 17);
+    mip_get_float(&value->minimum_uncertainty, field->data + 21);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_mag_magnitude_error_adaptive_measurement_response_encode_inline(
+    const struct mip_filter_mag_magnitude_error_adaptive_measurement_response *value,
+    struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0D, 0xB4, 25, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->adaptive_measurement);
+    mip_put_float(data + 1, &value->frequency);
+    mip_put_float(data + 5, &value->low_limit);
+    mip_put_float(data + 9, &value->high_limit);
+    mip_put_float(data + 13, &value->low_limit_uncertainty);
+    mip_put_float(data + 17, &value->high_limit_uncertainty);
+    mip_put_float(data + 21, &value->minimum_uncertainty);
+    return MIP_OK;
+}
 /**
  * Magnetometer dip angle error adaptive measurement: command (0x0D,0x46).
  *
@@ -2485,8 +5278,8 @@ mip_error mip_filter_mag_magnitude_error_adaptive_measurement_response_encode(
 struct mip_filter_mag_dip_angle_error_adaptive_measurement {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /** Whether the adaptation is on. Required for write. */
     mip_bool enable;
     /** Cut-off frequency of the low-pass filter. Unit: Hz. Required for write. */
@@ -2508,36 +5301,95 @@ struct mip_filter_mag_dip_angle_error_adaptive_measurement {
     float minimum_uncertainty;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT 0x0D46
 #define MIP_FILTER_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_DESCRIPTOR 0x46
 #define MIP_FILTER_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_NAME \
     "filter.mag_dip_angle_error_adaptive_measurement"
 
-extern const struct mip_codec mip_filter_mag_dip_angle_error_adaptive_measurement_codec;
-mip_error mip_filter_mag_dip_angle_error_adaptive_measurement_decode(
-    struct mip_filter_mag_dip_angle_error_adaptive_measurement *value,
-    const struct mip_field *field);
-mip_error mip_filter_mag_dip_angle_error_adaptive_measurement_encode(
-    const struct mip_filter_mag_dip_angle_error_adaptive_measurement *value,
-    struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_filter_mag_dip_angle_error_adaptive_measurement
-mip_filter_mag_dip_angle_error_adaptive_measurement_write(mip_bool enable, float frequency,
-                                                          float high_limit,
-                                                          float high_limit_uncertainty,
-                                                          float minimum_uncertainty);
-/** Send the current setting back in a response. */
-struct mip_filter_mag_dip_angle_error_adaptive_measurement
-mip_filter_mag_dip_angle_error_adaptive_measurement_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_filter_mag_dip_angle_error_adaptive_measurement
-mip_filter_mag_dip_angle_error_adaptive_measurement_save(void);
-/** Load the saved setting. */
-struct mip_filter_mag_dip_angle_error_adaptive_measurement
-mip_filter_mag_dip_angle_error_adaptive_measurement_load(void);
-/** Load the factory default setting. */
-struct mip_filter_mag_dip_angle_error_adaptive_measurement
-mip_filter_mag_dip_angle_error_adaptive_measurement_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_mag_dip_angle_error_adaptive_measurement_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_mag_dip_angle_error_adaptive_measurement_decode(
+    struct mip_filter_mag_dip_angle_error_adaptive_measurement *value,
+    const struct mip_field *field) {
+    return mip_decode(&mip_filter_mag_dip_angle_error_adaptive_measurement_codec, value, field,
+                      NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_mag_dip_angle_error_adaptive_measurement_encode(
+    const struct mip_filter_mag_dip_angle_error_adaptive_measurement *value,
+    struct mip_builder *builder) {
+    return mip_encode(&mip_filter_mag_dip_angle_error_adaptive_measurement_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_mag_dip_angle_error_adaptive_measurement *
+mip_filter_mag_dip_angle_error_adaptive_measurement_write(
+    struct mip_filter_mag_dip_angle_error_adaptive_measurement *command, mip_bool enable,
+    float frequency, float high_limit, float high_limit_uncertainty, float minimum_uncertainty) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->enable = enable;
+    command->frequency = frequency;
+    command->high_limit = high_limit;
+    command->high_limit_uncertainty = high_limit_uncertainty;
+    command->minimum_uncertainty = minimum_uncertainty;
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_mag_dip_angle_error_adaptive_measurement *
+mip_filter_mag_dip_angle_error_adaptive_measurement_read(
+    struct mip_filter_mag_dip_angle_error_adaptive_measurement *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_mag_dip_angle_error_adaptive_measurement *
+mip_filter_mag_dip_angle_error_adaptive_measurement_save(
+    struct mip_filter_mag_dip_angle_error_adaptive_measurement *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_mag_dip_angle_error_adaptive_measurement *
+mip_filter_mag_dip_angle_error_adaptive_measurement_load(
+    struct mip_filter_mag_dip_angle_error_adaptive_measurement *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_mag_dip_angle_error_adaptive_measurement *
+mip_filter_mag_dip_angle_error_adaptive_measurement_default(
+    struct mip_filter_mag_dip_angle_error_adaptive_measurement *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * Magnetometer dip angle error adaptive measurement response: response (0x0D,0xB5).
  *
@@ -2568,18 +5420,65 @@ struct mip_filter_mag_dip_angle_error_adaptive_measurement_response {
     float minimum_uncertainty;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE 0x0DB5
 #define MIP_FILTER_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_DESCRIPTOR 0xB5
 #define MIP_FILTER_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_NAME \
     "filter.mag_dip_angle_error_adaptive_measurement_response"
 
-extern const struct mip_codec mip_filter_mag_dip_angle_error_adaptive_measurement_response_codec;
-mip_error mip_filter_mag_dip_angle_error_adaptive_measurement_response_decode(
-    struct mip_filter_mag_dip_angle_error_adaptive_measurement_response *value,
-    const struct mip_field *field);
-mip_error mip_filter_mag_dip_angle_error_adaptive_measurement_response_encode(
-    const struct mip_filter_mag_dip_angle_error_adaptive_measurement_response *value,
-    struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec
+    mip_filter_mag_dip_angle_error_adaptive_measurement_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_mag_dip_angle_error_adaptive_measurement_response_decode(
+    struct mip_filter_mag_dip_angle_error_adaptive_measurement_response *value,
+    const struct mip_field *field) {
+    return mip_decode(&mip_filter_mag_dip_angle_error_adaptive_measurement_response_codec, value,
+                      field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_mag_dip_angle_error_adaptive_measurement_response_encode(
+    const struct mip_filter_mag_dip_angle_error_adaptive_measurement_response *value,
+    struct mip_builder *builder) {
+    return mip_encode(&mip_filter_mag_dip_angle_error_adaptive_measurement_response_codec, value,
+                      builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_mag_dip_angle_error_adaptive_measurement_response_decode_inline(
+    struct mip_filter_mag_dip_angle_error_adaptive_measurement_response *value,
+    const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0D, 0xB5, 17);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->enable = mip_get_8(field->data);
+    mip_get_float(&value->frequency, field->data + 1);
+    mip_get_float(&value->high_limit, field->data + 5);
+    mip_get_float(&value->high_limit_uncertainty, field->data + 9);
+    mip_get_float(&value->minimum_uncertainty, field->data + 13);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_mag_dip_angle_error_adaptive_measurement_response_encode_inline(
+    const struct mip_filter_mag_dip_angle_error_adaptive_measurement_response *value,
+    struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0D, 0xB5, 17, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->enable);
+    mip_put_float(data + 1, &value->frequency);
+    mip_put_float(data + 5, &value->high_limit);
+    mip_put_float(data + 9, &value->high_limit_uncertainty);
+    mip_put_float(data + 13, &value->minimum_uncertainty);
+    return MIP_OK;
+}
 /**
  * Altitude aiding: command (0x0D,0x47).
  *
@@ -2597,32 +5496,89 @@ mip_error mip_filter_mag_dip_angle_error_adaptive_measurement_response_encode(
 struct mip_filter_altitude_aiding {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
-    /** Source of the aiding. Required for write. */
-    mip_filter_altitude_aiding_source selector;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
+    /**
+     * Source of the aiding. A value of enum mip_filter_altitude_aiding_source. Required for write.
+     */
+    uint8_t selector;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_ALTITUDE_AIDING 0x0D47
 #define MIP_FILTER_ALTITUDE_AIDING_DESCRIPTOR 0x47
 #define MIP_FILTER_ALTITUDE_AIDING_NAME "filter.altitude_aiding"
 
-extern const struct mip_codec mip_filter_altitude_aiding_codec;
-mip_error mip_filter_altitude_aiding_decode(struct mip_filter_altitude_aiding *value,
-                                            const struct mip_field *field);
-mip_error mip_filter_altitude_aiding_encode(const struct mip_filter_altitude_aiding *value,
-                                            struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_filter_altitude_aiding
-mip_filter_altitude_aiding_write(mip_filter_altitude_aiding_source selector);
-/** Send the current setting back in a response. */
-struct mip_filter_altitude_aiding mip_filter_altitude_aiding_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_filter_altitude_aiding mip_filter_altitude_aiding_save(void);
-/** Load the saved setting. */
-struct mip_filter_altitude_aiding mip_filter_altitude_aiding_load(void);
-/** Load the factory default setting. */
-struct mip_filter_altitude_aiding mip_filter_altitude_aiding_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_altitude_aiding_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_altitude_aiding_decode(struct mip_filter_altitude_aiding *value,
+                                                          const struct mip_field *field) {
+    return mip_decode(&mip_filter_altitude_aiding_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_altitude_aiding_encode(
+    const struct mip_filter_altitude_aiding *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_altitude_aiding_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_altitude_aiding *mip_filter_altitude_aiding_write(
+    struct mip_filter_altitude_aiding *command, enum mip_filter_altitude_aiding_source selector) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->selector = (uint8_t)selector;
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_altitude_aiding *
+mip_filter_altitude_aiding_read(struct mip_filter_altitude_aiding *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_altitude_aiding *
+mip_filter_altitude_aiding_save(struct mip_filter_altitude_aiding *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_altitude_aiding *
+mip_filter_altitude_aiding_load(struct mip_filter_altitude_aiding *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_altitude_aiding *
+mip_filter_altitude_aiding_default(struct mip_filter_altitude_aiding *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * Altitude aiding response: response (0x0D,0xB7).
  *
@@ -2632,19 +5588,53 @@ struct mip_filter_altitude_aiding mip_filter_altitude_aiding_default(void);
  * - mip-sdk-4: Altitude Aiding (0x0D,0x47)
  */
 struct mip_filter_altitude_aiding_response {
-    /** Source of the aiding. */
-    mip_filter_altitude_aiding_source selector;
+    /** Source of the aiding. A value of enum mip_filter_altitude_aiding_source. */
+    uint8_t selector;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_ALTITUDE_AIDING_RESPONSE 0x0DB7
 #define MIP_FILTER_ALTITUDE_AIDING_RESPONSE_DESCRIPTOR 0xB7
 #define MIP_FILTER_ALTITUDE_AIDING_RESPONSE_NAME "filter.altitude_aiding_response"
 
-extern const struct mip_codec mip_filter_altitude_aiding_response_codec;
-mip_error mip_filter_altitude_aiding_response_decode(
-    struct mip_filter_altitude_aiding_response *value, const struct mip_field *field);
-mip_error mip_filter_altitude_aiding_response_encode(
-    const struct mip_filter_altitude_aiding_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_altitude_aiding_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_altitude_aiding_response_decode(
+    struct mip_filter_altitude_aiding_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_altitude_aiding_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_altitude_aiding_response_encode(
+    const struct mip_filter_altitude_aiding_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_altitude_aiding_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_altitude_aiding_response_decode_inline(
+    struct mip_filter_altitude_aiding_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0D, 0xB7, 1);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->selector = mip_get_8(field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_altitude_aiding_response_encode_inline(
+    const struct mip_filter_altitude_aiding_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0D, 0xB7, 1, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->selector);
+    return MIP_OK;
+}
 /**
  * Pitch and roll aiding: command (0x0D,0x4B).
  *
@@ -2658,32 +5648,90 @@ mip_error mip_filter_altitude_aiding_response_encode(
 struct mip_filter_pitch_roll_aiding {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
-    /** Source of the aiding. Required for write. */
-    mip_filter_pitch_roll_aiding_source aiding;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
+    /**
+     * Source of the aiding. A value of enum mip_filter_pitch_roll_aiding_source. Required for
+     * write.
+     */
+    uint8_t aiding;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_PITCH_ROLL_AIDING 0x0D4B
 #define MIP_FILTER_PITCH_ROLL_AIDING_DESCRIPTOR 0x4B
 #define MIP_FILTER_PITCH_ROLL_AIDING_NAME "filter.pitch_roll_aiding"
 
-extern const struct mip_codec mip_filter_pitch_roll_aiding_codec;
-mip_error mip_filter_pitch_roll_aiding_decode(struct mip_filter_pitch_roll_aiding *value,
-                                              const struct mip_field *field);
-mip_error mip_filter_pitch_roll_aiding_encode(const struct mip_filter_pitch_roll_aiding *value,
-                                              struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_filter_pitch_roll_aiding
-mip_filter_pitch_roll_aiding_write(mip_filter_pitch_roll_aiding_source aiding);
-/** Send the current setting back in a response. */
-struct mip_filter_pitch_roll_aiding mip_filter_pitch_roll_aiding_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_filter_pitch_roll_aiding mip_filter_pitch_roll_aiding_save(void);
-/** Load the saved setting. */
-struct mip_filter_pitch_roll_aiding mip_filter_pitch_roll_aiding_load(void);
-/** Load the factory default setting. */
-struct mip_filter_pitch_roll_aiding mip_filter_pitch_roll_aiding_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_pitch_roll_aiding_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_pitch_roll_aiding_decode(
+    struct mip_filter_pitch_roll_aiding *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_pitch_roll_aiding_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_pitch_roll_aiding_encode(
+    const struct mip_filter_pitch_roll_aiding *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_pitch_roll_aiding_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_pitch_roll_aiding *mip_filter_pitch_roll_aiding_write(
+    struct mip_filter_pitch_roll_aiding *command, enum mip_filter_pitch_roll_aiding_source aiding) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->aiding = (uint8_t)aiding;
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_pitch_roll_aiding *
+mip_filter_pitch_roll_aiding_read(struct mip_filter_pitch_roll_aiding *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_pitch_roll_aiding *
+mip_filter_pitch_roll_aiding_save(struct mip_filter_pitch_roll_aiding *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_pitch_roll_aiding *
+mip_filter_pitch_roll_aiding_load(struct mip_filter_pitch_roll_aiding *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_pitch_roll_aiding *
+mip_filter_pitch_roll_aiding_default(struct mip_filter_pitch_roll_aiding *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * Pitch and roll aiding response: response (0x0D,0xBB).
  *
@@ -2692,19 +5740,53 @@ struct mip_filter_pitch_roll_aiding mip_filter_pitch_roll_aiding_default(void);
  * - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
  */
 struct mip_filter_pitch_roll_aiding_response {
-    /** Source of the aiding. */
-    mip_filter_pitch_roll_aiding_source aiding;
+    /** Source of the aiding. A value of enum mip_filter_pitch_roll_aiding_source. */
+    uint8_t aiding;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_PITCH_ROLL_AIDING_RESPONSE 0x0DBB
 #define MIP_FILTER_PITCH_ROLL_AIDING_RESPONSE_DESCRIPTOR 0xBB
 #define MIP_FILTER_PITCH_ROLL_AIDING_RESPONSE_NAME "filter.pitch_roll_aiding_response"
 
-extern const struct mip_codec mip_filter_pitch_roll_aiding_response_codec;
-mip_error mip_filter_pitch_roll_aiding_response_decode(
-    struct mip_filter_pitch_roll_aiding_response *value, const struct mip_field *field);
-mip_error mip_filter_pitch_roll_aiding_response_encode(
-    const struct mip_filter_pitch_roll_aiding_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_pitch_roll_aiding_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_pitch_roll_aiding_response_decode(
+    struct mip_filter_pitch_roll_aiding_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_pitch_roll_aiding_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_pitch_roll_aiding_response_encode(
+    const struct mip_filter_pitch_roll_aiding_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_pitch_roll_aiding_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_pitch_roll_aiding_response_decode_inline(
+    struct mip_filter_pitch_roll_aiding_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0D, 0xBB, 1);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->aiding = mip_get_8(field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_pitch_roll_aiding_response_encode_inline(
+    const struct mip_filter_pitch_roll_aiding_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0D, 0xBB, 1, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->aiding);
+    return MIP_OK;
+}
 /**
  * Magnetic inclination source: command (0x0D,0x4C).
  *
@@ -2721,10 +5803,13 @@ mip_error mip_filter_pitch_roll_aiding_response_encode(
 struct mip_filter_magnetic_inclination_source {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
-    /** Source of the inclination. Required for write. */
-    mip_filter_mag_parameter_source source;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
+    /**
+     * Source of the inclination. A value of enum mip_filter_mag_parameter_source. Required for
+     * write.
+     */
+    uint8_t source;
     /**
      * Inclination; used only if `source` is manual. Unit: rad. Required for write. Uncertain:
      * Whether it may be left out if `source` is not manual. The SDK sends it always.
@@ -2732,26 +5817,88 @@ struct mip_filter_magnetic_inclination_source {
     float inclination;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_MAGNETIC_INCLINATION_SOURCE 0x0D4C
 #define MIP_FILTER_MAGNETIC_INCLINATION_SOURCE_DESCRIPTOR 0x4C
 #define MIP_FILTER_MAGNETIC_INCLINATION_SOURCE_NAME "filter.magnetic_inclination_source"
 
-extern const struct mip_codec mip_filter_magnetic_inclination_source_codec;
-mip_error mip_filter_magnetic_inclination_source_decode(
-    struct mip_filter_magnetic_inclination_source *value, const struct mip_field *field);
-mip_error mip_filter_magnetic_inclination_source_encode(
-    const struct mip_filter_magnetic_inclination_source *value, struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_filter_magnetic_inclination_source mip_filter_magnetic_inclination_source_write(
-    mip_filter_mag_parameter_source source, float inclination);
-/** Send the current setting back in a response. */
-struct mip_filter_magnetic_inclination_source mip_filter_magnetic_inclination_source_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_filter_magnetic_inclination_source mip_filter_magnetic_inclination_source_save(void);
-/** Load the saved setting. */
-struct mip_filter_magnetic_inclination_source mip_filter_magnetic_inclination_source_load(void);
-/** Load the factory default setting. */
-struct mip_filter_magnetic_inclination_source mip_filter_magnetic_inclination_source_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_magnetic_inclination_source_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_magnetic_inclination_source_decode(
+    struct mip_filter_magnetic_inclination_source *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_magnetic_inclination_source_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_magnetic_inclination_source_encode(
+    const struct mip_filter_magnetic_inclination_source *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_magnetic_inclination_source_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_magnetic_inclination_source *
+mip_filter_magnetic_inclination_source_write(struct mip_filter_magnetic_inclination_source *command,
+                                             enum mip_filter_mag_parameter_source source,
+                                             float inclination) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->source = (uint8_t)source;
+    command->inclination = inclination;
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_magnetic_inclination_source *
+mip_filter_magnetic_inclination_source_read(
+    struct mip_filter_magnetic_inclination_source *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_magnetic_inclination_source *
+mip_filter_magnetic_inclination_source_save(
+    struct mip_filter_magnetic_inclination_source *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_magnetic_inclination_source *
+mip_filter_magnetic_inclination_source_load(
+    struct mip_filter_magnetic_inclination_source *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_magnetic_inclination_source *
+mip_filter_magnetic_inclination_source_default(
+    struct mip_filter_magnetic_inclination_source *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * Magnetic inclination source response: response (0x0D,0xBC).
  *
@@ -2761,8 +5908,8 @@ struct mip_filter_magnetic_inclination_source mip_filter_magnetic_inclination_so
  * - mip-sdk-4: Inclination Source (0x0D,0x4C)
  */
 struct mip_filter_magnetic_inclination_source_response {
-    /** Source of the inclination. */
-    mip_filter_mag_parameter_source source;
+    /** Source of the inclination. A value of enum mip_filter_mag_parameter_source. */
+    uint8_t source;
     /**
      * Inclination; used only if `source` is manual. Unit: rad. Uncertain: Whether it may be left
      * out if `source` is not manual. The SDK sends it always.
@@ -2770,17 +5917,54 @@ struct mip_filter_magnetic_inclination_source_response {
     float inclination;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_MAGNETIC_INCLINATION_SOURCE_RESPONSE 0x0DBC
 #define MIP_FILTER_MAGNETIC_INCLINATION_SOURCE_RESPONSE_DESCRIPTOR 0xBC
 #define MIP_FILTER_MAGNETIC_INCLINATION_SOURCE_RESPONSE_NAME \
     "filter.magnetic_inclination_source_response"
 
-extern const struct mip_codec mip_filter_magnetic_inclination_source_response_codec;
-mip_error mip_filter_magnetic_inclination_source_response_decode(
-    struct mip_filter_magnetic_inclination_source_response *value, const struct mip_field *field);
-mip_error mip_filter_magnetic_inclination_source_response_encode(
-    const struct mip_filter_magnetic_inclination_source_response *value,
-    struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_magnetic_inclination_source_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_magnetic_inclination_source_response_decode(
+    struct mip_filter_magnetic_inclination_source_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_magnetic_inclination_source_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_magnetic_inclination_source_response_encode(
+    const struct mip_filter_magnetic_inclination_source_response *value,
+    struct mip_builder *builder) {
+    return mip_encode(&mip_filter_magnetic_inclination_source_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_magnetic_inclination_source_response_decode_inline(
+    struct mip_filter_magnetic_inclination_source_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0D, 0xBC, 5);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->source = mip_get_8(field->data);
+    mip_get_float(&value->inclination, field->data + 1);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_magnetic_inclination_source_response_encode_inline(
+    const struct mip_filter_magnetic_inclination_source_response *value,
+    struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0D, 0xBC, 5, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->source);
+    mip_put_float(data + 1, &value->inclination);
+    return MIP_OK;
+}
 /**
  * Magnetic field magnitude source: command (0x0D,0x4D).
  *
@@ -2799,10 +5983,12 @@ mip_error mip_filter_magnetic_inclination_source_response_encode(
 struct mip_filter_magnetic_magnitude_source {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
-    /** Source of the magnitude. Required for write. */
-    mip_filter_mag_parameter_source source;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
+    /**
+     * Source of the magnitude. A value of enum mip_filter_mag_parameter_source. Required for write.
+     */
+    uint8_t source;
     /**
      * Magnitude; used only if `source` is manual. Unit: gauss. Required for write. Uncertain:
      * Whether it may be left out if `source` is not manual. The SDK sends it always.
@@ -2810,26 +5996,84 @@ struct mip_filter_magnetic_magnitude_source {
     float magnitude;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_MAGNETIC_MAGNITUDE_SOURCE 0x0D4D
 #define MIP_FILTER_MAGNETIC_MAGNITUDE_SOURCE_DESCRIPTOR 0x4D
 #define MIP_FILTER_MAGNETIC_MAGNITUDE_SOURCE_NAME "filter.magnetic_magnitude_source"
 
-extern const struct mip_codec mip_filter_magnetic_magnitude_source_codec;
-mip_error mip_filter_magnetic_magnitude_source_decode(
-    struct mip_filter_magnetic_magnitude_source *value, const struct mip_field *field);
-mip_error mip_filter_magnetic_magnitude_source_encode(
-    const struct mip_filter_magnetic_magnitude_source *value, struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_filter_magnetic_magnitude_source
-mip_filter_magnetic_magnitude_source_write(mip_filter_mag_parameter_source source, float magnitude);
-/** Send the current setting back in a response. */
-struct mip_filter_magnetic_magnitude_source mip_filter_magnetic_magnitude_source_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_filter_magnetic_magnitude_source mip_filter_magnetic_magnitude_source_save(void);
-/** Load the saved setting. */
-struct mip_filter_magnetic_magnitude_source mip_filter_magnetic_magnitude_source_load(void);
-/** Load the factory default setting. */
-struct mip_filter_magnetic_magnitude_source mip_filter_magnetic_magnitude_source_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_magnetic_magnitude_source_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_magnetic_magnitude_source_decode(
+    struct mip_filter_magnetic_magnitude_source *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_magnetic_magnitude_source_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_magnetic_magnitude_source_encode(
+    const struct mip_filter_magnetic_magnitude_source *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_magnetic_magnitude_source_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_magnetic_magnitude_source *
+mip_filter_magnetic_magnitude_source_write(struct mip_filter_magnetic_magnitude_source *command,
+                                           enum mip_filter_mag_parameter_source source,
+                                           float magnitude) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->source = (uint8_t)source;
+    command->magnitude = magnitude;
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_magnetic_magnitude_source *
+mip_filter_magnetic_magnitude_source_read(struct mip_filter_magnetic_magnitude_source *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_magnetic_magnitude_source *
+mip_filter_magnetic_magnitude_source_save(struct mip_filter_magnetic_magnitude_source *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_magnetic_magnitude_source *
+mip_filter_magnetic_magnitude_source_load(struct mip_filter_magnetic_magnitude_source *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_magnetic_magnitude_source *
+mip_filter_magnetic_magnitude_source_default(struct mip_filter_magnetic_magnitude_source *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * Magnetic field magnitude source response: response (0x0D,0xBD).
  *
@@ -2839,8 +6083,8 @@ struct mip_filter_magnetic_magnitude_source mip_filter_magnetic_magnitude_source
  * - mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D)
  */
 struct mip_filter_magnetic_magnitude_source_response {
-    /** Source of the magnitude. */
-    mip_filter_mag_parameter_source source;
+    /** Source of the magnitude. A value of enum mip_filter_mag_parameter_source. */
+    uint8_t source;
     /**
      * Magnitude; used only if `source` is manual. Unit: gauss. Uncertain: Whether it may be left
      * out if `source` is not manual. The SDK sends it always.
@@ -2848,16 +6092,54 @@ struct mip_filter_magnetic_magnitude_source_response {
     float magnitude;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_MAGNETIC_MAGNITUDE_SOURCE_RESPONSE 0x0DBD
 #define MIP_FILTER_MAGNETIC_MAGNITUDE_SOURCE_RESPONSE_DESCRIPTOR 0xBD
 #define MIP_FILTER_MAGNETIC_MAGNITUDE_SOURCE_RESPONSE_NAME \
     "filter.magnetic_magnitude_source_response"
 
-extern const struct mip_codec mip_filter_magnetic_magnitude_source_response_codec;
-mip_error mip_filter_magnetic_magnitude_source_response_decode(
-    struct mip_filter_magnetic_magnitude_source_response *value, const struct mip_field *field);
-mip_error mip_filter_magnetic_magnitude_source_response_encode(
-    const struct mip_filter_magnetic_magnitude_source_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_magnetic_magnitude_source_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_magnetic_magnitude_source_response_decode(
+    struct mip_filter_magnetic_magnitude_source_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_magnetic_magnitude_source_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_magnetic_magnitude_source_response_encode(
+    const struct mip_filter_magnetic_magnitude_source_response *value,
+    struct mip_builder *builder) {
+    return mip_encode(&mip_filter_magnetic_magnitude_source_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_magnetic_magnitude_source_response_decode_inline(
+    struct mip_filter_magnetic_magnitude_source_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0D, 0xBD, 5);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->source = mip_get_8(field->data);
+    mip_get_float(&value->magnitude, field->data + 1);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_magnetic_magnitude_source_response_encode_inline(
+    const struct mip_filter_magnetic_magnitude_source_response *value,
+    struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0D, 0xBD, 5, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->source);
+    mip_put_float(data + 1, &value->magnitude);
+    return MIP_OK;
+}
 /**
  * Sensor to vehicle rotation, matrix: command (0x0D,0x4E).
  *
@@ -2882,8 +6164,8 @@ mip_error mip_filter_magnetic_magnitude_source_response_encode(
 struct mip_filter_sensor_to_vehicle_rotation_dcm {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /**
      * Rotation matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
      * Unit: 1. Required for write.
@@ -2891,30 +6173,86 @@ struct mip_filter_sensor_to_vehicle_rotation_dcm {
     float dcm[9];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM 0x0D4E
 #define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_DESCRIPTOR 0x4E
 #define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_NAME "filter.sensor_to_vehicle_rotation_dcm"
 
-extern const struct mip_codec mip_filter_sensor_to_vehicle_rotation_dcm_codec;
-mip_error mip_filter_sensor_to_vehicle_rotation_dcm_decode(
-    struct mip_filter_sensor_to_vehicle_rotation_dcm *value, const struct mip_field *field);
-mip_error mip_filter_sensor_to_vehicle_rotation_dcm_encode(
-    const struct mip_filter_sensor_to_vehicle_rotation_dcm *value, struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_filter_sensor_to_vehicle_rotation_dcm
-mip_filter_sensor_to_vehicle_rotation_dcm_write(const float dcm[9]);
-/** Send the current setting back in a response. */
-struct mip_filter_sensor_to_vehicle_rotation_dcm
-mip_filter_sensor_to_vehicle_rotation_dcm_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_filter_sensor_to_vehicle_rotation_dcm
-mip_filter_sensor_to_vehicle_rotation_dcm_save(void);
-/** Load the saved setting. */
-struct mip_filter_sensor_to_vehicle_rotation_dcm
-mip_filter_sensor_to_vehicle_rotation_dcm_load(void);
-/** Load the factory default setting. */
-struct mip_filter_sensor_to_vehicle_rotation_dcm
-mip_filter_sensor_to_vehicle_rotation_dcm_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_rotation_dcm_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_sensor_to_vehicle_rotation_dcm_decode(
+    struct mip_filter_sensor_to_vehicle_rotation_dcm *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_sensor_to_vehicle_rotation_dcm_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_sensor_to_vehicle_rotation_dcm_encode(
+    const struct mip_filter_sensor_to_vehicle_rotation_dcm *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_sensor_to_vehicle_rotation_dcm_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_sensor_to_vehicle_rotation_dcm *
+mip_filter_sensor_to_vehicle_rotation_dcm_write(
+    struct mip_filter_sensor_to_vehicle_rotation_dcm *command, const float dcm[9]) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    memcpy(command->dcm, dcm, sizeof(command->dcm));
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_sensor_to_vehicle_rotation_dcm *
+mip_filter_sensor_to_vehicle_rotation_dcm_read(
+    struct mip_filter_sensor_to_vehicle_rotation_dcm *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_sensor_to_vehicle_rotation_dcm *
+mip_filter_sensor_to_vehicle_rotation_dcm_save(
+    struct mip_filter_sensor_to_vehicle_rotation_dcm *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_sensor_to_vehicle_rotation_dcm *
+mip_filter_sensor_to_vehicle_rotation_dcm_load(
+    struct mip_filter_sensor_to_vehicle_rotation_dcm *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_sensor_to_vehicle_rotation_dcm *
+mip_filter_sensor_to_vehicle_rotation_dcm_default(
+    struct mip_filter_sensor_to_vehicle_rotation_dcm *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * Sensor to vehicle rotation, matrix response: response (0x0D,0xBE).
  *
@@ -2930,18 +6268,59 @@ struct mip_filter_sensor_to_vehicle_rotation_dcm_response {
     float dcm[9];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE 0x0DBE
 #define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_DESCRIPTOR 0xBE
 #define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_NAME \
     "filter.sensor_to_vehicle_rotation_dcm_response"
 
-extern const struct mip_codec mip_filter_sensor_to_vehicle_rotation_dcm_response_codec;
-mip_error mip_filter_sensor_to_vehicle_rotation_dcm_response_decode(
-    struct mip_filter_sensor_to_vehicle_rotation_dcm_response *value,
-    const struct mip_field *field);
-mip_error mip_filter_sensor_to_vehicle_rotation_dcm_response_encode(
-    const struct mip_filter_sensor_to_vehicle_rotation_dcm_response *value,
-    struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_rotation_dcm_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_sensor_to_vehicle_rotation_dcm_response_decode(
+    struct mip_filter_sensor_to_vehicle_rotation_dcm_response *value,
+    const struct mip_field *field) {
+    return mip_decode(&mip_filter_sensor_to_vehicle_rotation_dcm_response_codec, value, field,
+                      NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_sensor_to_vehicle_rotation_dcm_response_encode(
+    const struct mip_filter_sensor_to_vehicle_rotation_dcm_response *value,
+    struct mip_builder *builder) {
+    return mip_encode(&mip_filter_sensor_to_vehicle_rotation_dcm_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_sensor_to_vehicle_rotation_dcm_response_decode_inline(
+    struct mip_filter_sensor_to_vehicle_rotation_dcm_response *value,
+    const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0D, 0xBE, 36);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 9; i++) {
+        mip_get_float(&value->dcm[i], field->data + 4 * i);
+    }
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_sensor_to_vehicle_rotation_dcm_response_encode_inline(
+    const struct mip_filter_sensor_to_vehicle_rotation_dcm_response *value,
+    struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0D, 0xBE, 36, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 9; i++) {
+        mip_put_float(data + 4 * i, &value->dcm[i]);
+    }
+    return MIP_OK;
+}
 /**
  * Sensor to vehicle rotation, quaternion: command (0x0D,0x4F).
  *
@@ -2964,8 +6343,8 @@ mip_error mip_filter_sensor_to_vehicle_rotation_dcm_response_encode(
 struct mip_filter_sensor_to_vehicle_rotation_quaternion {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /**
      * Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Range: magnitude 0.999 to
      * 1.001. Required for write.
@@ -2973,32 +6352,88 @@ struct mip_filter_sensor_to_vehicle_rotation_quaternion {
     float q[4];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_QUATERNION 0x0D4F
 #define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_DESCRIPTOR 0x4F
 #define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_NAME \
     "filter.sensor_to_vehicle_rotation_quaternion"
 
-extern const struct mip_codec mip_filter_sensor_to_vehicle_rotation_quaternion_codec;
-mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_decode(
-    struct mip_filter_sensor_to_vehicle_rotation_quaternion *value, const struct mip_field *field);
-mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_encode(
-    const struct mip_filter_sensor_to_vehicle_rotation_quaternion *value,
-    struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_filter_sensor_to_vehicle_rotation_quaternion
-mip_filter_sensor_to_vehicle_rotation_quaternion_write(const float q[4]);
-/** Send the current setting back in a response. */
-struct mip_filter_sensor_to_vehicle_rotation_quaternion
-mip_filter_sensor_to_vehicle_rotation_quaternion_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_filter_sensor_to_vehicle_rotation_quaternion
-mip_filter_sensor_to_vehicle_rotation_quaternion_save(void);
-/** Load the saved setting. */
-struct mip_filter_sensor_to_vehicle_rotation_quaternion
-mip_filter_sensor_to_vehicle_rotation_quaternion_load(void);
-/** Load the factory default setting. */
-struct mip_filter_sensor_to_vehicle_rotation_quaternion
-mip_filter_sensor_to_vehicle_rotation_quaternion_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_rotation_quaternion_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_decode(
+    struct mip_filter_sensor_to_vehicle_rotation_quaternion *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_sensor_to_vehicle_rotation_quaternion_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_encode(
+    const struct mip_filter_sensor_to_vehicle_rotation_quaternion *value,
+    struct mip_builder *builder) {
+    return mip_encode(&mip_filter_sensor_to_vehicle_rotation_quaternion_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_sensor_to_vehicle_rotation_quaternion *
+mip_filter_sensor_to_vehicle_rotation_quaternion_write(
+    struct mip_filter_sensor_to_vehicle_rotation_quaternion *command, const float q[4]) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    memcpy(command->q, q, sizeof(command->q));
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_sensor_to_vehicle_rotation_quaternion *
+mip_filter_sensor_to_vehicle_rotation_quaternion_read(
+    struct mip_filter_sensor_to_vehicle_rotation_quaternion *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_sensor_to_vehicle_rotation_quaternion *
+mip_filter_sensor_to_vehicle_rotation_quaternion_save(
+    struct mip_filter_sensor_to_vehicle_rotation_quaternion *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_sensor_to_vehicle_rotation_quaternion *
+mip_filter_sensor_to_vehicle_rotation_quaternion_load(
+    struct mip_filter_sensor_to_vehicle_rotation_quaternion *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_sensor_to_vehicle_rotation_quaternion *
+mip_filter_sensor_to_vehicle_rotation_quaternion_default(
+    struct mip_filter_sensor_to_vehicle_rotation_quaternion *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * Sensor to vehicle rotation, quaternion response: response (0x0D,0xBF).
  *
@@ -3015,18 +6450,61 @@ struct mip_filter_sensor_to_vehicle_rotation_quaternion_response {
     float q[4];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE 0x0DBF
 #define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE_DESCRIPTOR 0xBF
 #define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE_NAME \
     "filter.sensor_to_vehicle_rotation_quaternion_response"
 
-extern const struct mip_codec mip_filter_sensor_to_vehicle_rotation_quaternion_response_codec;
-mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_response_decode(
-    struct mip_filter_sensor_to_vehicle_rotation_quaternion_response *value,
-    const struct mip_field *field);
-mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_response_encode(
-    const struct mip_filter_sensor_to_vehicle_rotation_quaternion_response *value,
-    struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec
+    mip_filter_sensor_to_vehicle_rotation_quaternion_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_response_decode(
+    struct mip_filter_sensor_to_vehicle_rotation_quaternion_response *value,
+    const struct mip_field *field) {
+    return mip_decode(&mip_filter_sensor_to_vehicle_rotation_quaternion_response_codec, value,
+                      field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_response_encode(
+    const struct mip_filter_sensor_to_vehicle_rotation_quaternion_response *value,
+    struct mip_builder *builder) {
+    return mip_encode(&mip_filter_sensor_to_vehicle_rotation_quaternion_response_codec, value,
+                      builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_response_decode_inline(
+    struct mip_filter_sensor_to_vehicle_rotation_quaternion_response *value,
+    const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0D, 0xBF, 16);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 4; i++) {
+        mip_get_float(&value->q[i], field->data + 4 * i);
+    }
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_response_encode_inline(
+    const struct mip_filter_sensor_to_vehicle_rotation_quaternion_response *value,
+    struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0D, 0xBF, 16, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 4; i++) {
+        mip_put_float(data + 4 * i, &value->q[i]);
+    }
+    return MIP_OK;
+}
 /**
  * Aiding measurement control: command (0x0D,0x50).
  *
@@ -3041,43 +6519,105 @@ mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_response_encode(
 struct mip_filter_aiding_measurement_enable {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /**
-     * The source; `all` is for save, load and default. On the 3DM-CV7-AHRS: only
-     * MIP_FILTER_AIDING_SOURCE_MAG, MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and
-     * MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-AR: only
-     * MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL.
+     * The source; `all` is for save, load and default. A value of enum mip_filter_aiding_source. On
+     * the 3DM-CV7-AHRS: only MIP_FILTER_AIDING_SOURCE_MAG,
+     * MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL. On the
+     * 3DM-CV7-AR: only MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL.
      */
-    mip_filter_aiding_source aiding_source;
+    uint16_t aiding_source;
     /** Whether the filter uses the source. Required for write. */
     mip_bool enable;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_AIDING_MEASUREMENT_ENABLE 0x0D50
 #define MIP_FILTER_AIDING_MEASUREMENT_ENABLE_DESCRIPTOR 0x50
 #define MIP_FILTER_AIDING_MEASUREMENT_ENABLE_NAME "filter.aiding_measurement_enable"
 
-extern const struct mip_codec mip_filter_aiding_measurement_enable_codec;
-mip_error mip_filter_aiding_measurement_enable_decode(
-    struct mip_filter_aiding_measurement_enable *value, const struct mip_field *field);
-mip_error mip_filter_aiding_measurement_enable_encode(
-    const struct mip_filter_aiding_measurement_enable *value, struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_filter_aiding_measurement_enable
-mip_filter_aiding_measurement_enable_write(mip_filter_aiding_source aiding_source, mip_bool enable);
-/** Send the current setting back in a response. */
-struct mip_filter_aiding_measurement_enable
-mip_filter_aiding_measurement_enable_read(mip_filter_aiding_source aiding_source);
-/** Save the current setting to non-volatile memory. */
-struct mip_filter_aiding_measurement_enable
-mip_filter_aiding_measurement_enable_save(mip_filter_aiding_source aiding_source);
-/** Load the saved setting. */
-struct mip_filter_aiding_measurement_enable
-mip_filter_aiding_measurement_enable_load(mip_filter_aiding_source aiding_source);
-/** Load the factory default setting. */
-struct mip_filter_aiding_measurement_enable
-mip_filter_aiding_measurement_enable_default(mip_filter_aiding_source aiding_source);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_aiding_measurement_enable_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_aiding_measurement_enable_decode(
+    struct mip_filter_aiding_measurement_enable *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_aiding_measurement_enable_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_aiding_measurement_enable_encode(
+    const struct mip_filter_aiding_measurement_enable *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_aiding_measurement_enable_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_aiding_measurement_enable *
+mip_filter_aiding_measurement_enable_write(struct mip_filter_aiding_measurement_enable *command,
+                                           enum mip_filter_aiding_source aiding_source,
+                                           mip_bool enable) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->aiding_source = (uint16_t)aiding_source;
+    command->enable = enable;
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_aiding_measurement_enable *
+mip_filter_aiding_measurement_enable_read(struct mip_filter_aiding_measurement_enable *command,
+                                          enum mip_filter_aiding_source aiding_source) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    command->aiding_source = (uint16_t)aiding_source;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_aiding_measurement_enable *
+mip_filter_aiding_measurement_enable_save(struct mip_filter_aiding_measurement_enable *command,
+                                          enum mip_filter_aiding_source aiding_source) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    command->aiding_source = (uint16_t)aiding_source;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_aiding_measurement_enable *
+mip_filter_aiding_measurement_enable_load(struct mip_filter_aiding_measurement_enable *command,
+                                          enum mip_filter_aiding_source aiding_source) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    command->aiding_source = (uint16_t)aiding_source;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_aiding_measurement_enable *
+mip_filter_aiding_measurement_enable_default(struct mip_filter_aiding_measurement_enable *command,
+                                             enum mip_filter_aiding_source aiding_source) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    command->aiding_source = (uint16_t)aiding_source;
+    return command;
+}
 /**
  * Aiding measurement control response: response (0x0D,0xD0).
  *
@@ -3087,22 +6627,62 @@ mip_filter_aiding_measurement_enable_default(mip_filter_aiding_source aiding_sou
  * - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
  */
 struct mip_filter_aiding_measurement_enable_response {
-    /** The source; `all` is for save, load and default. */
-    mip_filter_aiding_source aiding_source;
+    /**
+     * The source; `all` is for save, load and default. A value of enum mip_filter_aiding_source.
+     */
+    uint16_t aiding_source;
     /** Whether the filter uses the source. */
     mip_bool enable;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_AIDING_MEASUREMENT_ENABLE_RESPONSE 0x0DD0
 #define MIP_FILTER_AIDING_MEASUREMENT_ENABLE_RESPONSE_DESCRIPTOR 0xD0
 #define MIP_FILTER_AIDING_MEASUREMENT_ENABLE_RESPONSE_NAME \
     "filter.aiding_measurement_enable_response"
 
-extern const struct mip_codec mip_filter_aiding_measurement_enable_response_codec;
-mip_error mip_filter_aiding_measurement_enable_response_decode(
-    struct mip_filter_aiding_measurement_enable_response *value, const struct mip_field *field);
-mip_error mip_filter_aiding_measurement_enable_response_encode(
-    const struct mip_filter_aiding_measurement_enable_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_aiding_measurement_enable_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_aiding_measurement_enable_response_decode(
+    struct mip_filter_aiding_measurement_enable_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_aiding_measurement_enable_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_aiding_measurement_enable_response_encode(
+    const struct mip_filter_aiding_measurement_enable_response *value,
+    struct mip_builder *builder) {
+    return mip_encode(&mip_filter_aiding_measurement_enable_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_aiding_measurement_enable_response_decode_inline(
+    struct mip_filter_aiding_measurement_enable_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0D, 0xD0, 3);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->aiding_source = mip_get_16(field->data);
+    value->enable = mip_get_8(field->data + 2);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_aiding_measurement_enable_response_encode_inline(
+    const struct mip_filter_aiding_measurement_enable_response *value,
+    struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0D, 0xD0, 3, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_16(data, value->aiding_source);
+    mip_put_8(data + 2, value->enable);
+    return MIP_OK;
+}
 /**
  * Kinematic constraint: command (0x0D,0x51).
  *
@@ -3118,47 +6698,105 @@ mip_error mip_filter_aiding_measurement_enable_response_encode(
 struct mip_filter_kinematic_constraint {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /**
-     * Assumption about the acceleration. Default: MIP_FILTER_ACCEL_CONSTRAINT_NONE. Required for
-     * write.
+     * Assumption about the acceleration. A value of enum mip_filter_accel_constraint. Default:
+     * MIP_FILTER_ACCEL_CONSTRAINT_NONE. Required for write.
      */
-    mip_filter_accel_constraint accel_constraint;
+    uint8_t accel_constraint;
     /**
-     * Assumption about the velocity. Default: MIP_FILTER_VELOCITY_CONSTRAINT_NONE. Required for
-     * write.
+     * Assumption about the velocity. A value of enum mip_filter_velocity_constraint. Default:
+     * MIP_FILTER_VELOCITY_CONSTRAINT_NONE. Required for write.
      */
-    mip_filter_velocity_constraint velocity_constraint;
+    uint8_t velocity_constraint;
     /**
-     * Assumption about the angular rate. Default: MIP_FILTER_ANGULAR_CONSTRAINT_NONE. Required for
-     * write.
+     * Assumption about the angular rate. A value of enum mip_filter_angular_constraint. Default:
+     * MIP_FILTER_ANGULAR_CONSTRAINT_NONE. Required for write.
      */
-    mip_filter_angular_constraint angular_constraint;
+    uint8_t angular_constraint;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_KINEMATIC_CONSTRAINT 0x0D51
 #define MIP_FILTER_KINEMATIC_CONSTRAINT_DESCRIPTOR 0x51
 #define MIP_FILTER_KINEMATIC_CONSTRAINT_NAME "filter.kinematic_constraint"
 
-extern const struct mip_codec mip_filter_kinematic_constraint_codec;
-mip_error mip_filter_kinematic_constraint_decode(struct mip_filter_kinematic_constraint *value,
-                                                 const struct mip_field *field);
-mip_error mip_filter_kinematic_constraint_encode(
-    const struct mip_filter_kinematic_constraint *value, struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_filter_kinematic_constraint
-mip_filter_kinematic_constraint_write(mip_filter_accel_constraint accel_constraint,
-                                      mip_filter_velocity_constraint velocity_constraint,
-                                      mip_filter_angular_constraint angular_constraint);
-/** Send the current setting back in a response. */
-struct mip_filter_kinematic_constraint mip_filter_kinematic_constraint_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_filter_kinematic_constraint mip_filter_kinematic_constraint_save(void);
-/** Load the saved setting. */
-struct mip_filter_kinematic_constraint mip_filter_kinematic_constraint_load(void);
-/** Load the factory default setting. */
-struct mip_filter_kinematic_constraint mip_filter_kinematic_constraint_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_kinematic_constraint_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_kinematic_constraint_decode(
+    struct mip_filter_kinematic_constraint *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_kinematic_constraint_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_kinematic_constraint_encode(
+    const struct mip_filter_kinematic_constraint *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_kinematic_constraint_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_kinematic_constraint *
+mip_filter_kinematic_constraint_write(struct mip_filter_kinematic_constraint *command,
+                                      enum mip_filter_accel_constraint accel_constraint,
+                                      enum mip_filter_velocity_constraint velocity_constraint,
+                                      enum mip_filter_angular_constraint angular_constraint) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->accel_constraint = (uint8_t)accel_constraint;
+    command->velocity_constraint = (uint8_t)velocity_constraint;
+    command->angular_constraint = (uint8_t)angular_constraint;
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_kinematic_constraint *
+mip_filter_kinematic_constraint_read(struct mip_filter_kinematic_constraint *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_kinematic_constraint *
+mip_filter_kinematic_constraint_save(struct mip_filter_kinematic_constraint *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_kinematic_constraint *
+mip_filter_kinematic_constraint_load(struct mip_filter_kinematic_constraint *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_kinematic_constraint *
+mip_filter_kinematic_constraint_default(struct mip_filter_kinematic_constraint *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * Kinematic constraint response: response (0x0D,0xD1).
  *
@@ -3167,23 +6805,70 @@ struct mip_filter_kinematic_constraint mip_filter_kinematic_constraint_default(v
  * - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
  */
 struct mip_filter_kinematic_constraint_response {
-    /** Assumption about the acceleration. Default: MIP_FILTER_ACCEL_CONSTRAINT_NONE. */
-    mip_filter_accel_constraint accel_constraint;
-    /** Assumption about the velocity. Default: MIP_FILTER_VELOCITY_CONSTRAINT_NONE. */
-    mip_filter_velocity_constraint velocity_constraint;
-    /** Assumption about the angular rate. Default: MIP_FILTER_ANGULAR_CONSTRAINT_NONE. */
-    mip_filter_angular_constraint angular_constraint;
+    /**
+     * Assumption about the acceleration. A value of enum mip_filter_accel_constraint. Default:
+     * MIP_FILTER_ACCEL_CONSTRAINT_NONE.
+     */
+    uint8_t accel_constraint;
+    /**
+     * Assumption about the velocity. A value of enum mip_filter_velocity_constraint. Default:
+     * MIP_FILTER_VELOCITY_CONSTRAINT_NONE.
+     */
+    uint8_t velocity_constraint;
+    /**
+     * Assumption about the angular rate. A value of enum mip_filter_angular_constraint. Default:
+     * MIP_FILTER_ANGULAR_CONSTRAINT_NONE.
+     */
+    uint8_t angular_constraint;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_KINEMATIC_CONSTRAINT_RESPONSE 0x0DD1
 #define MIP_FILTER_KINEMATIC_CONSTRAINT_RESPONSE_DESCRIPTOR 0xD1
 #define MIP_FILTER_KINEMATIC_CONSTRAINT_RESPONSE_NAME "filter.kinematic_constraint_response"
 
-extern const struct mip_codec mip_filter_kinematic_constraint_response_codec;
-mip_error mip_filter_kinematic_constraint_response_decode(
-    struct mip_filter_kinematic_constraint_response *value, const struct mip_field *field);
-mip_error mip_filter_kinematic_constraint_response_encode(
-    const struct mip_filter_kinematic_constraint_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_kinematic_constraint_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_kinematic_constraint_response_decode(
+    struct mip_filter_kinematic_constraint_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_kinematic_constraint_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_kinematic_constraint_response_encode(
+    const struct mip_filter_kinematic_constraint_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_kinematic_constraint_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_kinematic_constraint_response_decode_inline(
+    struct mip_filter_kinematic_constraint_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0D, 0xD1, 3);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->accel_constraint = mip_get_8(field->data);
+    value->velocity_constraint = mip_get_8(field->data + 1);
+    value->angular_constraint = mip_get_8(field->data + 2);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_kinematic_constraint_response_encode_inline(
+    const struct mip_filter_kinematic_constraint_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0D, 0xD1, 3, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->accel_constraint);
+    mip_put_8(data + 1, value->velocity_constraint);
+    mip_put_8(data + 2, value->angular_constraint);
+    return MIP_OK;
+}
 /**
  * Navigation filter initialization: command (0x0D,0x52).
  *
@@ -3205,15 +6890,18 @@ mip_error mip_filter_kinematic_constraint_response_encode(
 struct mip_filter_initialization_config {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /**
      * 1: the filter starts only after mip_filter_run; 0: as soon as it can. Range: 0 to 1. Required
      * for write.
      */
     uint8_t wait_for_run_command;
-    /** Which initial conditions are found and which are given. Required for write. */
-    mip_filter_initial_condition_source initial_condition_source;
+    /**
+     * Which initial conditions are found and which are given. A value of enum
+     * mip_filter_initial_condition_source. Required for write.
+     */
+    uint8_t initial_condition_source;
     /** Ways in which the initial heading may be found. Required for write. */
     mip_filter_heading_alignment auto_heading_alignment_selector;
     /** Given heading. Unit: deg. Required for write. */
@@ -3234,33 +6922,100 @@ struct mip_filter_initialization_config {
      * MIP_FILTER_REFERENCE_FRAME_LLH: frame ned.
      */
     float initial_velocity[3];
-    /** Frame of the given position and velocity. Required for write. */
-    mip_filter_reference_frame reference_frame_selector;
+    /**
+     * Frame of the given position and velocity. A value of enum mip_filter_reference_frame.
+     * Required for write.
+     */
+    uint8_t reference_frame_selector;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_INITIALIZATION_CONFIG 0x0D52
 #define MIP_FILTER_INITIALIZATION_CONFIG_DESCRIPTOR 0x52
 #define MIP_FILTER_INITIALIZATION_CONFIG_NAME "filter.initialization_config"
 
-extern const struct mip_codec mip_filter_initialization_config_codec;
-mip_error mip_filter_initialization_config_decode(struct mip_filter_initialization_config *value,
-                                                  const struct mip_field *field);
-mip_error mip_filter_initialization_config_encode(
-    const struct mip_filter_initialization_config *value, struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_filter_initialization_config mip_filter_initialization_config_write(
-    uint8_t wait_for_run_command, mip_filter_initial_condition_source initial_condition_source,
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_initialization_config_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_initialization_config_decode(
+    struct mip_filter_initialization_config *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_initialization_config_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_initialization_config_encode(
+    const struct mip_filter_initialization_config *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_initialization_config_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_initialization_config *mip_filter_initialization_config_write(
+    struct mip_filter_initialization_config *command, uint8_t wait_for_run_command,
+    enum mip_filter_initial_condition_source initial_condition_source,
     mip_filter_heading_alignment auto_heading_alignment_selector, float initial_heading,
     float initial_pitch, float initial_roll, const float initial_position[3],
-    const float initial_velocity[3], mip_filter_reference_frame reference_frame_selector);
-/** Send the current setting back in a response. */
-struct mip_filter_initialization_config mip_filter_initialization_config_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_filter_initialization_config mip_filter_initialization_config_save(void);
-/** Load the saved setting. */
-struct mip_filter_initialization_config mip_filter_initialization_config_load(void);
-/** Load the factory default setting. */
-struct mip_filter_initialization_config mip_filter_initialization_config_default(void);
-
+    const float initial_velocity[3], enum mip_filter_reference_frame reference_frame_selector) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->wait_for_run_command = wait_for_run_command;
+    command->initial_condition_source = (uint8_t)initial_condition_source;
+    command->auto_heading_alignment_selector = auto_heading_alignment_selector;
+    command->initial_heading = initial_heading;
+    command->initial_pitch = initial_pitch;
+    command->initial_roll = initial_roll;
+    memcpy(command->initial_position, initial_position, sizeof(command->initial_position));
+    memcpy(command->initial_velocity, initial_velocity, sizeof(command->initial_velocity));
+    command->reference_frame_selector = (uint8_t)reference_frame_selector;
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_initialization_config *
+mip_filter_initialization_config_read(struct mip_filter_initialization_config *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_initialization_config *
+mip_filter_initialization_config_save(struct mip_filter_initialization_config *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_initialization_config *
+mip_filter_initialization_config_load(struct mip_filter_initialization_config *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_initialization_config *
+mip_filter_initialization_config_default(struct mip_filter_initialization_config *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * Navigation filter initialization response: response (0x0D,0xD2).
  *
@@ -3272,8 +7027,11 @@ struct mip_filter_initialization_config mip_filter_initialization_config_default
 struct mip_filter_initialization_config_response {
     /** 1: the filter starts only after mip_filter_run; 0: as soon as it can. Range: 0 to 1. */
     uint8_t wait_for_run_command;
-    /** Which initial conditions are found and which are given. */
-    mip_filter_initial_condition_source initial_condition_source;
+    /**
+     * Which initial conditions are found and which are given. A value of enum
+     * mip_filter_initial_condition_source.
+     */
+    uint8_t initial_condition_source;
     /** Ways in which the initial heading may be found. */
     mip_filter_heading_alignment auto_heading_alignment_selector;
     /** Given heading. Unit: deg. */
@@ -3294,19 +7052,77 @@ struct mip_filter_initialization_config_response {
      * MIP_FILTER_REFERENCE_FRAME_LLH: frame ned.
      */
     float initial_velocity[3];
-    /** Frame of the given position and velocity. */
-    mip_filter_reference_frame reference_frame_selector;
+    /** Frame of the given position and velocity. A value of enum mip_filter_reference_frame. */
+    uint8_t reference_frame_selector;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_INITIALIZATION_CONFIG_RESPONSE 0x0DD2
 #define MIP_FILTER_INITIALIZATION_CONFIG_RESPONSE_DESCRIPTOR 0xD2
 #define MIP_FILTER_INITIALIZATION_CONFIG_RESPONSE_NAME "filter.initialization_config_response"
 
-extern const struct mip_codec mip_filter_initialization_config_response_codec;
-mip_error mip_filter_initialization_config_response_decode(
-    struct mip_filter_initialization_config_response *value, const struct mip_field *field);
-mip_error mip_filter_initialization_config_response_encode(
-    const struct mip_filter_initialization_config_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_initialization_config_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_initialization_config_response_decode(
+    struct mip_filter_initialization_config_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_initialization_config_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_initialization_config_response_encode(
+    const struct mip_filter_initialization_config_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_initialization_config_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_initialization_config_response_decode_inline(
+    struct mip_filter_initialization_config_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0D, 0xD2, 40);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->wait_for_run_command = mip_get_8(field->data);
+    value->initial_condition_source = mip_get_8(field->data + 1);
+    value->auto_heading_alignment_selector = mip_get_8(field->data + 2);
+    mip_get_float(&value->initial_heading, field->data + 3);
+    mip_get_float(&value->initial_pitch, field->data + 7);
+    mip_get_float(&value->initial_roll, field->data + 11);
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->initial_position[i], field->data + 15 + 4 * i);
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->initial_velocity[i], field->data + 27 + 4 * i);
+    }
+    value->reference_frame_selector = mip_get_8(field->data + 39);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_initialization_config_response_encode_inline(
+    const struct mip_filter_initialization_config_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0D, 0xD2, 40, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->wait_for_run_command);
+    mip_put_8(data + 1, value->initial_condition_source);
+    mip_put_8(data + 2, value->auto_heading_alignment_selector);
+    mip_put_float(data + 3, &value->initial_heading);
+    mip_put_float(data + 7, &value->initial_pitch);
+    mip_put_float(data + 11, &value->initial_roll);
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 15 + 4 * i, &value->initial_position[i]);
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 27 + 4 * i, &value->initial_velocity[i]);
+    }
+    mip_put_8(data + 39, value->reference_frame_selector);
+    return MIP_OK;
+}
 /**
  * Adaptive filter control: command (0x0D,0x53).
  *
@@ -3321,13 +7137,14 @@ mip_error mip_filter_initialization_config_response_encode(
 struct mip_filter_adaptive_filter_options {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /**
-     * Strength of the adaptation. Default: 2. Required for write. On the 3DM-GX5-45: only
-     * MIP_FILTER_ADAPTIVE_LEVEL_OFF and MIP_FILTER_ADAPTIVE_LEVEL_MODERATE.
+     * Strength of the adaptation. A value of enum mip_filter_adaptive_level. Default: 2. Required
+     * for write. On the 3DM-GX5-45: only MIP_FILTER_ADAPTIVE_LEVEL_OFF and
+     * MIP_FILTER_ADAPTIVE_LEVEL_MODERATE.
      */
-    mip_filter_adaptive_level level;
+    uint8_t level;
     /**
      * Longest time for which measurements are rejected before the filter recovers. Unit: ms.
      * Required for write.
@@ -3335,26 +7152,83 @@ struct mip_filter_adaptive_filter_options {
     uint16_t time_limit;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_ADAPTIVE_FILTER_OPTIONS 0x0D53
 #define MIP_FILTER_ADAPTIVE_FILTER_OPTIONS_DESCRIPTOR 0x53
 #define MIP_FILTER_ADAPTIVE_FILTER_OPTIONS_NAME "filter.adaptive_filter_options"
 
-extern const struct mip_codec mip_filter_adaptive_filter_options_codec;
-mip_error mip_filter_adaptive_filter_options_decode(
-    struct mip_filter_adaptive_filter_options *value, const struct mip_field *field);
-mip_error mip_filter_adaptive_filter_options_encode(
-    const struct mip_filter_adaptive_filter_options *value, struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_filter_adaptive_filter_options
-mip_filter_adaptive_filter_options_write(mip_filter_adaptive_level level, uint16_t time_limit);
-/** Send the current setting back in a response. */
-struct mip_filter_adaptive_filter_options mip_filter_adaptive_filter_options_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_filter_adaptive_filter_options mip_filter_adaptive_filter_options_save(void);
-/** Load the saved setting. */
-struct mip_filter_adaptive_filter_options mip_filter_adaptive_filter_options_load(void);
-/** Load the factory default setting. */
-struct mip_filter_adaptive_filter_options mip_filter_adaptive_filter_options_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_adaptive_filter_options_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_adaptive_filter_options_decode(
+    struct mip_filter_adaptive_filter_options *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_adaptive_filter_options_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_adaptive_filter_options_encode(
+    const struct mip_filter_adaptive_filter_options *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_adaptive_filter_options_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_adaptive_filter_options *mip_filter_adaptive_filter_options_write(
+    struct mip_filter_adaptive_filter_options *command, enum mip_filter_adaptive_level level,
+    uint16_t time_limit) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->level = (uint8_t)level;
+    command->time_limit = time_limit;
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_adaptive_filter_options *
+mip_filter_adaptive_filter_options_read(struct mip_filter_adaptive_filter_options *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_adaptive_filter_options *
+mip_filter_adaptive_filter_options_save(struct mip_filter_adaptive_filter_options *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_adaptive_filter_options *
+mip_filter_adaptive_filter_options_load(struct mip_filter_adaptive_filter_options *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_adaptive_filter_options *
+mip_filter_adaptive_filter_options_default(struct mip_filter_adaptive_filter_options *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * Adaptive filter control response: response (0x0D,0xD3).
  *
@@ -3364,21 +7238,57 @@ struct mip_filter_adaptive_filter_options mip_filter_adaptive_filter_options_def
  * - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
  */
 struct mip_filter_adaptive_filter_options_response {
-    /** Strength of the adaptation. Default: 2. */
-    mip_filter_adaptive_level level;
+    /** Strength of the adaptation. A value of enum mip_filter_adaptive_level. Default: 2. */
+    uint8_t level;
     /** Longest time for which measurements are rejected before the filter recovers. Unit: ms. */
     uint16_t time_limit;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_ADAPTIVE_FILTER_OPTIONS_RESPONSE 0x0DD3
 #define MIP_FILTER_ADAPTIVE_FILTER_OPTIONS_RESPONSE_DESCRIPTOR 0xD3
 #define MIP_FILTER_ADAPTIVE_FILTER_OPTIONS_RESPONSE_NAME "filter.adaptive_filter_options_response"
 
-extern const struct mip_codec mip_filter_adaptive_filter_options_response_codec;
-mip_error mip_filter_adaptive_filter_options_response_decode(
-    struct mip_filter_adaptive_filter_options_response *value, const struct mip_field *field);
-mip_error mip_filter_adaptive_filter_options_response_encode(
-    const struct mip_filter_adaptive_filter_options_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_adaptive_filter_options_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_adaptive_filter_options_response_decode(
+    struct mip_filter_adaptive_filter_options_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_adaptive_filter_options_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_adaptive_filter_options_response_encode(
+    const struct mip_filter_adaptive_filter_options_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_adaptive_filter_options_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_adaptive_filter_options_response_decode_inline(
+    struct mip_filter_adaptive_filter_options_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0D, 0xD3, 3);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->level = mip_get_8(field->data);
+    value->time_limit = mip_get_16(field->data + 1);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_adaptive_filter_options_response_encode_inline(
+    const struct mip_filter_adaptive_filter_options_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0D, 0xD3, 3, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->level);
+    mip_put_16(data + 1, value->time_limit);
+    return MIP_OK;
+}
 /**
  * GNSS multi-antenna offset: command (0x0D,0x54).
  *
@@ -3392,8 +7302,8 @@ mip_error mip_filter_adaptive_filter_options_response_encode(
 struct mip_filter_multi_antenna_offset {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /** Number of the receiver, from 1. Range: at least 1. */
     uint8_t receiver_id;
     /**
@@ -3403,26 +7313,87 @@ struct mip_filter_multi_antenna_offset {
     float antenna_offset[3];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_MULTI_ANTENNA_OFFSET 0x0D54
 #define MIP_FILTER_MULTI_ANTENNA_OFFSET_DESCRIPTOR 0x54
 #define MIP_FILTER_MULTI_ANTENNA_OFFSET_NAME "filter.multi_antenna_offset"
 
-extern const struct mip_codec mip_filter_multi_antenna_offset_codec;
-mip_error mip_filter_multi_antenna_offset_decode(struct mip_filter_multi_antenna_offset *value,
-                                                 const struct mip_field *field);
-mip_error mip_filter_multi_antenna_offset_encode(
-    const struct mip_filter_multi_antenna_offset *value, struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_filter_multi_antenna_offset
-mip_filter_multi_antenna_offset_write(uint8_t receiver_id, const float antenna_offset[3]);
-/** Send the current setting back in a response. */
-struct mip_filter_multi_antenna_offset mip_filter_multi_antenna_offset_read(uint8_t receiver_id);
-/** Save the current setting to non-volatile memory. */
-struct mip_filter_multi_antenna_offset mip_filter_multi_antenna_offset_save(uint8_t receiver_id);
-/** Load the saved setting. */
-struct mip_filter_multi_antenna_offset mip_filter_multi_antenna_offset_load(uint8_t receiver_id);
-/** Load the factory default setting. */
-struct mip_filter_multi_antenna_offset mip_filter_multi_antenna_offset_default(uint8_t receiver_id);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_multi_antenna_offset_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_multi_antenna_offset_decode(
+    struct mip_filter_multi_antenna_offset *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_multi_antenna_offset_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_multi_antenna_offset_encode(
+    const struct mip_filter_multi_antenna_offset *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_multi_antenna_offset_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_multi_antenna_offset *
+mip_filter_multi_antenna_offset_write(struct mip_filter_multi_antenna_offset *command,
+                                      uint8_t receiver_id, const float antenna_offset[3]) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->receiver_id = receiver_id;
+    memcpy(command->antenna_offset, antenna_offset, sizeof(command->antenna_offset));
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_multi_antenna_offset *mip_filter_multi_antenna_offset_read(
+    struct mip_filter_multi_antenna_offset *command, uint8_t receiver_id) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    command->receiver_id = receiver_id;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_multi_antenna_offset *mip_filter_multi_antenna_offset_save(
+    struct mip_filter_multi_antenna_offset *command, uint8_t receiver_id) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    command->receiver_id = receiver_id;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_multi_antenna_offset *mip_filter_multi_antenna_offset_load(
+    struct mip_filter_multi_antenna_offset *command, uint8_t receiver_id) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    command->receiver_id = receiver_id;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_multi_antenna_offset *mip_filter_multi_antenna_offset_default(
+    struct mip_filter_multi_antenna_offset *command, uint8_t receiver_id) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    command->receiver_id = receiver_id;
+    return command;
+}
 /**
  * GNSS multi-antenna offset response: response (0x0D,0xD4).
  *
@@ -3440,15 +7411,55 @@ struct mip_filter_multi_antenna_offset_response {
     float antenna_offset[3];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_MULTI_ANTENNA_OFFSET_RESPONSE 0x0DD4
 #define MIP_FILTER_MULTI_ANTENNA_OFFSET_RESPONSE_DESCRIPTOR 0xD4
 #define MIP_FILTER_MULTI_ANTENNA_OFFSET_RESPONSE_NAME "filter.multi_antenna_offset_response"
 
-extern const struct mip_codec mip_filter_multi_antenna_offset_response_codec;
-mip_error mip_filter_multi_antenna_offset_response_decode(
-    struct mip_filter_multi_antenna_offset_response *value, const struct mip_field *field);
-mip_error mip_filter_multi_antenna_offset_response_encode(
-    const struct mip_filter_multi_antenna_offset_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_multi_antenna_offset_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_multi_antenna_offset_response_decode(
+    struct mip_filter_multi_antenna_offset_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_multi_antenna_offset_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_multi_antenna_offset_response_encode(
+    const struct mip_filter_multi_antenna_offset_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_multi_antenna_offset_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_multi_antenna_offset_response_decode_inline(
+    struct mip_filter_multi_antenna_offset_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0D, 0xD4, 13);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->receiver_id = mip_get_8(field->data);
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->antenna_offset[i], field->data + 1 + 4 * i);
+    }
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_multi_antenna_offset_response_encode_inline(
+    const struct mip_filter_multi_antenna_offset_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0D, 0xD4, 13, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->receiver_id);
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 1 + 4 * i, &value->antenna_offset[i]);
+    }
+    return MIP_OK;
+}
 /**
  * Relative position configuration: command (0x0D,0x55).
  *
@@ -3462,12 +7473,15 @@ mip_error mip_filter_multi_antenna_offset_response_encode(
 struct mip_filter_relative_position_config {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
-    /** Source of the reference point. Required for write. */
-    mip_filter_relative_position_source source;
-    /** Frame of the coordinates. Required for write. */
-    mip_filter_reference_frame reference_frame_selector;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
+    /**
+     * Source of the reference point. A value of enum mip_filter_relative_position_source. Required
+     * for write.
+     */
+    uint8_t source;
+    /** Frame of the coordinates. A value of enum mip_filter_reference_frame. Required for write. */
+    uint8_t reference_frame_selector;
     /**
      * Reference point. Elements: x, y, z. Required for write. If reference_frame_selector is
      * MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef. If reference_frame_selector is
@@ -3476,27 +7490,87 @@ struct mip_filter_relative_position_config {
     double reference_coordinates[3];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_RELATIVE_POSITION_CONFIG 0x0D55
 #define MIP_FILTER_RELATIVE_POSITION_CONFIG_DESCRIPTOR 0x55
 #define MIP_FILTER_RELATIVE_POSITION_CONFIG_NAME "filter.relative_position_config"
 
-extern const struct mip_codec mip_filter_relative_position_config_codec;
-mip_error mip_filter_relative_position_config_decode(
-    struct mip_filter_relative_position_config *value, const struct mip_field *field);
-mip_error mip_filter_relative_position_config_encode(
-    const struct mip_filter_relative_position_config *value, struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_filter_relative_position_config mip_filter_relative_position_config_write(
-    mip_filter_relative_position_source source, mip_filter_reference_frame reference_frame_selector,
-    const double reference_coordinates[3]);
-/** Send the current setting back in a response. */
-struct mip_filter_relative_position_config mip_filter_relative_position_config_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_filter_relative_position_config mip_filter_relative_position_config_save(void);
-/** Load the saved setting. */
-struct mip_filter_relative_position_config mip_filter_relative_position_config_load(void);
-/** Load the factory default setting. */
-struct mip_filter_relative_position_config mip_filter_relative_position_config_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_relative_position_config_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_relative_position_config_decode(
+    struct mip_filter_relative_position_config *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_relative_position_config_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_relative_position_config_encode(
+    const struct mip_filter_relative_position_config *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_relative_position_config_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_relative_position_config *
+mip_filter_relative_position_config_write(struct mip_filter_relative_position_config *command,
+                                          enum mip_filter_relative_position_source source,
+                                          enum mip_filter_reference_frame reference_frame_selector,
+                                          const double reference_coordinates[3]) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->source = (uint8_t)source;
+    command->reference_frame_selector = (uint8_t)reference_frame_selector;
+    memcpy(command->reference_coordinates, reference_coordinates,
+           sizeof(command->reference_coordinates));
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_relative_position_config *
+mip_filter_relative_position_config_read(struct mip_filter_relative_position_config *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_relative_position_config *
+mip_filter_relative_position_config_save(struct mip_filter_relative_position_config *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_relative_position_config *
+mip_filter_relative_position_config_load(struct mip_filter_relative_position_config *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_relative_position_config *
+mip_filter_relative_position_config_default(struct mip_filter_relative_position_config *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * Relative position configuration response: response (0x0D,0xD5).
  *
@@ -3506,10 +7580,10 @@ struct mip_filter_relative_position_config mip_filter_relative_position_config_d
  * - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
  */
 struct mip_filter_relative_position_config_response {
-    /** Source of the reference point. */
-    mip_filter_relative_position_source source;
-    /** Frame of the coordinates. */
-    mip_filter_reference_frame reference_frame_selector;
+    /** Source of the reference point. A value of enum mip_filter_relative_position_source. */
+    uint8_t source;
+    /** Frame of the coordinates. A value of enum mip_filter_reference_frame. */
+    uint8_t reference_frame_selector;
     /**
      * Reference point. Elements: x, y, z. If reference_frame_selector is
      * MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef. If reference_frame_selector is
@@ -3518,15 +7592,57 @@ struct mip_filter_relative_position_config_response {
     double reference_coordinates[3];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_RELATIVE_POSITION_CONFIG_RESPONSE 0x0DD5
 #define MIP_FILTER_RELATIVE_POSITION_CONFIG_RESPONSE_DESCRIPTOR 0xD5
 #define MIP_FILTER_RELATIVE_POSITION_CONFIG_RESPONSE_NAME "filter.relative_position_config_response"
 
-extern const struct mip_codec mip_filter_relative_position_config_response_codec;
-mip_error mip_filter_relative_position_config_response_decode(
-    struct mip_filter_relative_position_config_response *value, const struct mip_field *field);
-mip_error mip_filter_relative_position_config_response_encode(
-    const struct mip_filter_relative_position_config_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_relative_position_config_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_relative_position_config_response_decode(
+    struct mip_filter_relative_position_config_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_relative_position_config_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_relative_position_config_response_encode(
+    const struct mip_filter_relative_position_config_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_relative_position_config_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_relative_position_config_response_decode_inline(
+    struct mip_filter_relative_position_config_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0D, 0xD5, 26);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->source = mip_get_8(field->data);
+    value->reference_frame_selector = mip_get_8(field->data + 1);
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_double(&value->reference_coordinates[i], field->data + 2 + 8 * i);
+    }
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_relative_position_config_response_encode_inline(
+    const struct mip_filter_relative_position_config_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0D, 0xD5, 26, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->source);
+    mip_put_8(data + 1, value->reference_frame_selector);
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_double(data + 2 + 8 * i, &value->reference_coordinates[i]);
+    }
+    return MIP_OK;
+}
 /**
  * Reference point lever arm: command (0x0D,0x56).
  *
@@ -3545,10 +7661,12 @@ mip_error mip_filter_relative_position_config_response_encode(
 struct mip_filter_reference_point_lever_arm {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
-    /** Point to move; it must be 1. Required for write. */
-    mip_filter_reference_point reference_point;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
+    /**
+     * Point to move; it must be 1. A value of enum mip_filter_reference_point. Required for write.
+     */
+    uint8_t reference_point;
     /**
      * From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at
      * most 10. Required for write.
@@ -3556,26 +7674,84 @@ struct mip_filter_reference_point_lever_arm {
     float lever_arm_offset[3];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_REFERENCE_POINT_LEVER_ARM 0x0D56
 #define MIP_FILTER_REFERENCE_POINT_LEVER_ARM_DESCRIPTOR 0x56
 #define MIP_FILTER_REFERENCE_POINT_LEVER_ARM_NAME "filter.reference_point_lever_arm"
 
-extern const struct mip_codec mip_filter_reference_point_lever_arm_codec;
-mip_error mip_filter_reference_point_lever_arm_decode(
-    struct mip_filter_reference_point_lever_arm *value, const struct mip_field *field);
-mip_error mip_filter_reference_point_lever_arm_encode(
-    const struct mip_filter_reference_point_lever_arm *value, struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_filter_reference_point_lever_arm mip_filter_reference_point_lever_arm_write(
-    mip_filter_reference_point reference_point, const float lever_arm_offset[3]);
-/** Send the current setting back in a response. */
-struct mip_filter_reference_point_lever_arm mip_filter_reference_point_lever_arm_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_filter_reference_point_lever_arm mip_filter_reference_point_lever_arm_save(void);
-/** Load the saved setting. */
-struct mip_filter_reference_point_lever_arm mip_filter_reference_point_lever_arm_load(void);
-/** Load the factory default setting. */
-struct mip_filter_reference_point_lever_arm mip_filter_reference_point_lever_arm_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_reference_point_lever_arm_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_reference_point_lever_arm_decode(
+    struct mip_filter_reference_point_lever_arm *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_reference_point_lever_arm_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_reference_point_lever_arm_encode(
+    const struct mip_filter_reference_point_lever_arm *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_reference_point_lever_arm_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_reference_point_lever_arm *
+mip_filter_reference_point_lever_arm_write(struct mip_filter_reference_point_lever_arm *command,
+                                           enum mip_filter_reference_point reference_point,
+                                           const float lever_arm_offset[3]) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->reference_point = (uint8_t)reference_point;
+    memcpy(command->lever_arm_offset, lever_arm_offset, sizeof(command->lever_arm_offset));
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_reference_point_lever_arm *
+mip_filter_reference_point_lever_arm_read(struct mip_filter_reference_point_lever_arm *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_reference_point_lever_arm *
+mip_filter_reference_point_lever_arm_save(struct mip_filter_reference_point_lever_arm *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_reference_point_lever_arm *
+mip_filter_reference_point_lever_arm_load(struct mip_filter_reference_point_lever_arm *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_reference_point_lever_arm *
+mip_filter_reference_point_lever_arm_default(struct mip_filter_reference_point_lever_arm *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * Reference point lever arm response: response (0x0D,0xD6).
  *
@@ -3585,8 +7761,8 @@ struct mip_filter_reference_point_lever_arm mip_filter_reference_point_lever_arm
  * - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
  */
 struct mip_filter_reference_point_lever_arm_response {
-    /** Point to move; it must be 1. */
-    mip_filter_reference_point reference_point;
+    /** Point to move; it must be 1. A value of enum mip_filter_reference_point. */
+    uint8_t reference_point;
     /**
      * From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at
      * most 10.
@@ -3594,16 +7770,58 @@ struct mip_filter_reference_point_lever_arm_response {
     float lever_arm_offset[3];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_REFERENCE_POINT_LEVER_ARM_RESPONSE 0x0DD6
 #define MIP_FILTER_REFERENCE_POINT_LEVER_ARM_RESPONSE_DESCRIPTOR 0xD6
 #define MIP_FILTER_REFERENCE_POINT_LEVER_ARM_RESPONSE_NAME \
     "filter.reference_point_lever_arm_response"
 
-extern const struct mip_codec mip_filter_reference_point_lever_arm_response_codec;
-mip_error mip_filter_reference_point_lever_arm_response_decode(
-    struct mip_filter_reference_point_lever_arm_response *value, const struct mip_field *field);
-mip_error mip_filter_reference_point_lever_arm_response_encode(
-    const struct mip_filter_reference_point_lever_arm_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_reference_point_lever_arm_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_reference_point_lever_arm_response_decode(
+    struct mip_filter_reference_point_lever_arm_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_reference_point_lever_arm_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_reference_point_lever_arm_response_encode(
+    const struct mip_filter_reference_point_lever_arm_response *value,
+    struct mip_builder *builder) {
+    return mip_encode(&mip_filter_reference_point_lever_arm_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_reference_point_lever_arm_response_decode_inline(
+    struct mip_filter_reference_point_lever_arm_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0D, 0xD6, 13);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->reference_point = mip_get_8(field->data);
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->lever_arm_offset[i], field->data + 1 + 4 * i);
+    }
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_reference_point_lever_arm_response_encode_inline(
+    const struct mip_filter_reference_point_lever_arm_response *value,
+    struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0D, 0xD6, 13, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->reference_point);
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 1 + 4 * i, &value->lever_arm_offset[i]);
+    }
+    return MIP_OK;
+}
 /**
  * Speed measurement: command (0x0D,0x60).
  *
@@ -3629,18 +7847,69 @@ struct mip_filter_speed_measurement {
     float speed_uncertainty;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_SPEED_MEASUREMENT 0x0D60
 #define MIP_FILTER_SPEED_MEASUREMENT_DESCRIPTOR 0x60
 #define MIP_FILTER_SPEED_MEASUREMENT_NAME "filter.speed_measurement"
 
-extern const struct mip_codec mip_filter_speed_measurement_codec;
-mip_error mip_filter_speed_measurement_decode(struct mip_filter_speed_measurement *value,
-                                              const struct mip_field *field);
-mip_error mip_filter_speed_measurement_encode(const struct mip_filter_speed_measurement *value,
-                                              struct mip_builder *builder);
-/** Speed measurement. */
-struct mip_filter_speed_measurement mip_filter_speed_measurement_make(float tow, float speed,
-                                                                      float speed_uncertainty);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_speed_measurement_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_speed_measurement_decode(
+    struct mip_filter_speed_measurement *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_speed_measurement_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_speed_measurement_encode(
+    const struct mip_filter_speed_measurement *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_speed_measurement_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_speed_measurement_decode_inline(
+    struct mip_filter_speed_measurement *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0D, 0x60, 13);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->source = mip_get_8(field->data);
+    mip_get_float(&value->tow, field->data + 1);
+    mip_get_float(&value->speed, field->data + 5);
+    mip_get_float(&value->speed_uncertainty, field->data + 9);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_speed_measurement_encode_inline(
+    const struct mip_filter_speed_measurement *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0D, 0x60, 13, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->source);
+    mip_put_float(data + 1, &value->tow);
+    mip_put_float(data + 5, &value->speed);
+    mip_put_float(data + 9, &value->speed_uncertainty);
+    return MIP_OK;
+}
+/**
+ * Speed measurement.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_speed_measurement *mip_filter_speed_measurement_make(
+    struct mip_filter_speed_measurement *command, float tow, float speed, float speed_uncertainty) {
+    memset(command, 0, sizeof(*command));
+    command->source = 1;
+    command->tow = tow;
+    command->speed = speed;
+    command->speed_uncertainty = speed_uncertainty;
+    return command;
+}
 /**
  * Speed measurement lever arm: command (0x0D,0x61).
  *
@@ -3656,8 +7925,8 @@ struct mip_filter_speed_measurement mip_filter_speed_measurement_make(float tow,
 struct mip_filter_speed_lever_arm {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /** Reserved: send 1. */
     uint8_t source;
     /**
@@ -3667,25 +7936,86 @@ struct mip_filter_speed_lever_arm {
     float lever_arm_offset[3];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_SPEED_LEVER_ARM 0x0D61
 #define MIP_FILTER_SPEED_LEVER_ARM_DESCRIPTOR 0x61
 #define MIP_FILTER_SPEED_LEVER_ARM_NAME "filter.speed_lever_arm"
 
-extern const struct mip_codec mip_filter_speed_lever_arm_codec;
-mip_error mip_filter_speed_lever_arm_decode(struct mip_filter_speed_lever_arm *value,
-                                            const struct mip_field *field);
-mip_error mip_filter_speed_lever_arm_encode(const struct mip_filter_speed_lever_arm *value,
-                                            struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_filter_speed_lever_arm mip_filter_speed_lever_arm_write(const float lever_arm_offset[3]);
-/** Send the current setting back in a response. */
-struct mip_filter_speed_lever_arm mip_filter_speed_lever_arm_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_filter_speed_lever_arm mip_filter_speed_lever_arm_save(void);
-/** Load the saved setting. */
-struct mip_filter_speed_lever_arm mip_filter_speed_lever_arm_load(void);
-/** Load the factory default setting. */
-struct mip_filter_speed_lever_arm mip_filter_speed_lever_arm_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_speed_lever_arm_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_speed_lever_arm_decode(struct mip_filter_speed_lever_arm *value,
+                                                          const struct mip_field *field) {
+    return mip_decode(&mip_filter_speed_lever_arm_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_speed_lever_arm_encode(
+    const struct mip_filter_speed_lever_arm *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_speed_lever_arm_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_speed_lever_arm *mip_filter_speed_lever_arm_write(
+    struct mip_filter_speed_lever_arm *command, const float lever_arm_offset[3]) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->source = 1;
+    memcpy(command->lever_arm_offset, lever_arm_offset, sizeof(command->lever_arm_offset));
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_speed_lever_arm *
+mip_filter_speed_lever_arm_read(struct mip_filter_speed_lever_arm *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    command->source = 1;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_speed_lever_arm *
+mip_filter_speed_lever_arm_save(struct mip_filter_speed_lever_arm *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    command->source = 1;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_speed_lever_arm *
+mip_filter_speed_lever_arm_load(struct mip_filter_speed_lever_arm *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    command->source = 1;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_speed_lever_arm *
+mip_filter_speed_lever_arm_default(struct mip_filter_speed_lever_arm *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    command->source = 1;
+    return command;
+}
 /**
  * Speed measurement lever arm response: response (0x0D,0xE1).
  *
@@ -3700,15 +8030,55 @@ struct mip_filter_speed_lever_arm_response {
     float lever_arm_offset[3];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_SPEED_LEVER_ARM_RESPONSE 0x0DE1
 #define MIP_FILTER_SPEED_LEVER_ARM_RESPONSE_DESCRIPTOR 0xE1
 #define MIP_FILTER_SPEED_LEVER_ARM_RESPONSE_NAME "filter.speed_lever_arm_response"
 
-extern const struct mip_codec mip_filter_speed_lever_arm_response_codec;
-mip_error mip_filter_speed_lever_arm_response_decode(
-    struct mip_filter_speed_lever_arm_response *value, const struct mip_field *field);
-mip_error mip_filter_speed_lever_arm_response_encode(
-    const struct mip_filter_speed_lever_arm_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_speed_lever_arm_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_speed_lever_arm_response_decode(
+    struct mip_filter_speed_lever_arm_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_speed_lever_arm_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_speed_lever_arm_response_encode(
+    const struct mip_filter_speed_lever_arm_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_speed_lever_arm_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_speed_lever_arm_response_decode_inline(
+    struct mip_filter_speed_lever_arm_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0D, 0xE1, 13);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->source = mip_get_8(field->data);
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->lever_arm_offset[i], field->data + 1 + 4 * i);
+    }
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_speed_lever_arm_response_encode_inline(
+    const struct mip_filter_speed_lever_arm_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0D, 0xE1, 13, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->source);
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 1 + 4 * i, &value->lever_arm_offset[i]);
+    }
+    return MIP_OK;
+}
 /**
  * Vertical gyro constraint: command (0x0D,0x62).
  *
@@ -3725,36 +8095,92 @@ mip_error mip_filter_speed_lever_arm_response_encode(
 struct mip_filter_vertical_gyro_constraint_control {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /** 0 disables, 1 enables. Range: 0 to 1. Required for write. */
     uint8_t enable;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL 0x0D62
 #define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_DESCRIPTOR 0x62
 #define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_NAME "filter.vertical_gyro_constraint_control"
 
-extern const struct mip_codec mip_filter_vertical_gyro_constraint_control_codec;
-mip_error mip_filter_vertical_gyro_constraint_control_decode(
-    struct mip_filter_vertical_gyro_constraint_control *value, const struct mip_field *field);
-mip_error mip_filter_vertical_gyro_constraint_control_encode(
-    const struct mip_filter_vertical_gyro_constraint_control *value, struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_filter_vertical_gyro_constraint_control
-mip_filter_vertical_gyro_constraint_control_write(uint8_t enable);
-/** Send the current setting back in a response. */
-struct mip_filter_vertical_gyro_constraint_control
-mip_filter_vertical_gyro_constraint_control_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_filter_vertical_gyro_constraint_control
-mip_filter_vertical_gyro_constraint_control_save(void);
-/** Load the saved setting. */
-struct mip_filter_vertical_gyro_constraint_control
-mip_filter_vertical_gyro_constraint_control_load(void);
-/** Load the factory default setting. */
-struct mip_filter_vertical_gyro_constraint_control
-mip_filter_vertical_gyro_constraint_control_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_vertical_gyro_constraint_control_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_vertical_gyro_constraint_control_decode(
+    struct mip_filter_vertical_gyro_constraint_control *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_vertical_gyro_constraint_control_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_vertical_gyro_constraint_control_encode(
+    const struct mip_filter_vertical_gyro_constraint_control *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_vertical_gyro_constraint_control_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_vertical_gyro_constraint_control *
+mip_filter_vertical_gyro_constraint_control_write(
+    struct mip_filter_vertical_gyro_constraint_control *command, uint8_t enable) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->enable = enable;
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_vertical_gyro_constraint_control *
+mip_filter_vertical_gyro_constraint_control_read(
+    struct mip_filter_vertical_gyro_constraint_control *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_vertical_gyro_constraint_control *
+mip_filter_vertical_gyro_constraint_control_save(
+    struct mip_filter_vertical_gyro_constraint_control *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_vertical_gyro_constraint_control *
+mip_filter_vertical_gyro_constraint_control_load(
+    struct mip_filter_vertical_gyro_constraint_control *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_vertical_gyro_constraint_control *
+mip_filter_vertical_gyro_constraint_control_default(
+    struct mip_filter_vertical_gyro_constraint_control *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * Vertical gyro constraint response: response (0x0D,0xE2).
  *
@@ -3767,18 +8193,55 @@ struct mip_filter_vertical_gyro_constraint_control_response {
     uint8_t enable;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE 0x0DE2
 #define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE_DESCRIPTOR 0xE2
 #define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE_NAME \
     "filter.vertical_gyro_constraint_control_response"
 
-extern const struct mip_codec mip_filter_vertical_gyro_constraint_control_response_codec;
-mip_error mip_filter_vertical_gyro_constraint_control_response_decode(
-    struct mip_filter_vertical_gyro_constraint_control_response *value,
-    const struct mip_field *field);
-mip_error mip_filter_vertical_gyro_constraint_control_response_encode(
-    const struct mip_filter_vertical_gyro_constraint_control_response *value,
-    struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_vertical_gyro_constraint_control_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_vertical_gyro_constraint_control_response_decode(
+    struct mip_filter_vertical_gyro_constraint_control_response *value,
+    const struct mip_field *field) {
+    return mip_decode(&mip_filter_vertical_gyro_constraint_control_response_codec, value, field,
+                      NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_vertical_gyro_constraint_control_response_encode(
+    const struct mip_filter_vertical_gyro_constraint_control_response *value,
+    struct mip_builder *builder) {
+    return mip_encode(&mip_filter_vertical_gyro_constraint_control_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_vertical_gyro_constraint_control_response_decode_inline(
+    struct mip_filter_vertical_gyro_constraint_control_response *value,
+    const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0D, 0xE2, 1);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->enable = mip_get_8(field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_vertical_gyro_constraint_control_response_encode_inline(
+    const struct mip_filter_vertical_gyro_constraint_control_response *value,
+    struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0D, 0xE2, 1, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->enable);
+    return MIP_OK;
+}
 /**
  * Wheeled vehicle constraint: command (0x0D,0x63).
  *
@@ -3795,37 +8258,94 @@ mip_error mip_filter_vertical_gyro_constraint_control_response_encode(
 struct mip_filter_wheeled_vehicle_constraint_control {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /** 0 disables, 1 enables. Range: 0 to 1. Required for write. */
     uint8_t enable;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL 0x0D63
 #define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_DESCRIPTOR 0x63
 #define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_NAME \
     "filter.wheeled_vehicle_constraint_control"
 
-extern const struct mip_codec mip_filter_wheeled_vehicle_constraint_control_codec;
-mip_error mip_filter_wheeled_vehicle_constraint_control_decode(
-    struct mip_filter_wheeled_vehicle_constraint_control *value, const struct mip_field *field);
-mip_error mip_filter_wheeled_vehicle_constraint_control_encode(
-    const struct mip_filter_wheeled_vehicle_constraint_control *value, struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_filter_wheeled_vehicle_constraint_control
-mip_filter_wheeled_vehicle_constraint_control_write(uint8_t enable);
-/** Send the current setting back in a response. */
-struct mip_filter_wheeled_vehicle_constraint_control
-mip_filter_wheeled_vehicle_constraint_control_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_filter_wheeled_vehicle_constraint_control
-mip_filter_wheeled_vehicle_constraint_control_save(void);
-/** Load the saved setting. */
-struct mip_filter_wheeled_vehicle_constraint_control
-mip_filter_wheeled_vehicle_constraint_control_load(void);
-/** Load the factory default setting. */
-struct mip_filter_wheeled_vehicle_constraint_control
-mip_filter_wheeled_vehicle_constraint_control_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_wheeled_vehicle_constraint_control_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_wheeled_vehicle_constraint_control_decode(
+    struct mip_filter_wheeled_vehicle_constraint_control *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_wheeled_vehicle_constraint_control_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_wheeled_vehicle_constraint_control_encode(
+    const struct mip_filter_wheeled_vehicle_constraint_control *value,
+    struct mip_builder *builder) {
+    return mip_encode(&mip_filter_wheeled_vehicle_constraint_control_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_wheeled_vehicle_constraint_control *
+mip_filter_wheeled_vehicle_constraint_control_write(
+    struct mip_filter_wheeled_vehicle_constraint_control *command, uint8_t enable) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->enable = enable;
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_wheeled_vehicle_constraint_control *
+mip_filter_wheeled_vehicle_constraint_control_read(
+    struct mip_filter_wheeled_vehicle_constraint_control *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_wheeled_vehicle_constraint_control *
+mip_filter_wheeled_vehicle_constraint_control_save(
+    struct mip_filter_wheeled_vehicle_constraint_control *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_wheeled_vehicle_constraint_control *
+mip_filter_wheeled_vehicle_constraint_control_load(
+    struct mip_filter_wheeled_vehicle_constraint_control *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_wheeled_vehicle_constraint_control *
+mip_filter_wheeled_vehicle_constraint_control_default(
+    struct mip_filter_wheeled_vehicle_constraint_control *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * Wheeled vehicle constraint response: response (0x0D,0xE3).
  *
@@ -3838,18 +8358,56 @@ struct mip_filter_wheeled_vehicle_constraint_control_response {
     uint8_t enable;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_RESPONSE 0x0DE3
 #define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_RESPONSE_DESCRIPTOR 0xE3
 #define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_RESPONSE_NAME \
     "filter.wheeled_vehicle_constraint_control_response"
 
-extern const struct mip_codec mip_filter_wheeled_vehicle_constraint_control_response_codec;
-mip_error mip_filter_wheeled_vehicle_constraint_control_response_decode(
-    struct mip_filter_wheeled_vehicle_constraint_control_response *value,
-    const struct mip_field *field);
-mip_error mip_filter_wheeled_vehicle_constraint_control_response_encode(
-    const struct mip_filter_wheeled_vehicle_constraint_control_response *value,
-    struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_wheeled_vehicle_constraint_control_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_wheeled_vehicle_constraint_control_response_decode(
+    struct mip_filter_wheeled_vehicle_constraint_control_response *value,
+    const struct mip_field *field) {
+    return mip_decode(&mip_filter_wheeled_vehicle_constraint_control_response_codec, value, field,
+                      NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_wheeled_vehicle_constraint_control_response_encode(
+    const struct mip_filter_wheeled_vehicle_constraint_control_response *value,
+    struct mip_builder *builder) {
+    return mip_encode(&mip_filter_wheeled_vehicle_constraint_control_response_codec, value,
+                      builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_wheeled_vehicle_constraint_control_response_decode_inline(
+    struct mip_filter_wheeled_vehicle_constraint_control_response *value,
+    const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0D, 0xE3, 1);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->enable = mip_get_8(field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_wheeled_vehicle_constraint_control_response_encode_inline(
+    const struct mip_filter_wheeled_vehicle_constraint_control_response *value,
+    struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0D, 0xE3, 1, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->enable);
+    return MIP_OK;
+}
 /**
  * GNSS antenna offset calibration: command (0x0D,0x64).
  *
@@ -3865,8 +8423,8 @@ mip_error mip_filter_wheeled_vehicle_constraint_control_response_encode(
 struct mip_filter_gnss_antenna_calibration_control {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /** 0 disables, 1 enables. Range: 0 to 1. Required for write. */
     uint8_t enable;
     /**
@@ -3876,30 +8434,87 @@ struct mip_filter_gnss_antenna_calibration_control {
     float max_offset;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL 0x0D64
 #define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL_DESCRIPTOR 0x64
 #define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL_NAME "filter.gnss_antenna_calibration_control"
 
-extern const struct mip_codec mip_filter_gnss_antenna_calibration_control_codec;
-mip_error mip_filter_gnss_antenna_calibration_control_decode(
-    struct mip_filter_gnss_antenna_calibration_control *value, const struct mip_field *field);
-mip_error mip_filter_gnss_antenna_calibration_control_encode(
-    const struct mip_filter_gnss_antenna_calibration_control *value, struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_filter_gnss_antenna_calibration_control
-mip_filter_gnss_antenna_calibration_control_write(uint8_t enable, float max_offset);
-/** Send the current setting back in a response. */
-struct mip_filter_gnss_antenna_calibration_control
-mip_filter_gnss_antenna_calibration_control_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_filter_gnss_antenna_calibration_control
-mip_filter_gnss_antenna_calibration_control_save(void);
-/** Load the saved setting. */
-struct mip_filter_gnss_antenna_calibration_control
-mip_filter_gnss_antenna_calibration_control_load(void);
-/** Load the factory default setting. */
-struct mip_filter_gnss_antenna_calibration_control
-mip_filter_gnss_antenna_calibration_control_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_gnss_antenna_calibration_control_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_gnss_antenna_calibration_control_decode(
+    struct mip_filter_gnss_antenna_calibration_control *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_gnss_antenna_calibration_control_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_gnss_antenna_calibration_control_encode(
+    const struct mip_filter_gnss_antenna_calibration_control *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_gnss_antenna_calibration_control_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_gnss_antenna_calibration_control *
+mip_filter_gnss_antenna_calibration_control_write(
+    struct mip_filter_gnss_antenna_calibration_control *command, uint8_t enable, float max_offset) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->enable = enable;
+    command->max_offset = max_offset;
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_gnss_antenna_calibration_control *
+mip_filter_gnss_antenna_calibration_control_read(
+    struct mip_filter_gnss_antenna_calibration_control *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_gnss_antenna_calibration_control *
+mip_filter_gnss_antenna_calibration_control_save(
+    struct mip_filter_gnss_antenna_calibration_control *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_gnss_antenna_calibration_control *
+mip_filter_gnss_antenna_calibration_control_load(
+    struct mip_filter_gnss_antenna_calibration_control *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_filter_gnss_antenna_calibration_control *
+mip_filter_gnss_antenna_calibration_control_default(
+    struct mip_filter_gnss_antenna_calibration_control *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * GNSS antenna offset calibration response: response (0x0D,0xE4).
  *
@@ -3919,17 +8534,57 @@ struct mip_filter_gnss_antenna_calibration_control_response {
     float max_offset;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL_RESPONSE 0x0DE4
 #define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL_RESPONSE_DESCRIPTOR 0xE4
 #define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL_RESPONSE_NAME \
     "filter.gnss_antenna_calibration_control_response"
 
-extern const struct mip_codec mip_filter_gnss_antenna_calibration_control_response_codec;
-mip_error mip_filter_gnss_antenna_calibration_control_response_decode(
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_gnss_antenna_calibration_control_response_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_gnss_antenna_calibration_control_response_decode(
     struct mip_filter_gnss_antenna_calibration_control_response *value,
-    const struct mip_field *field);
-mip_error mip_filter_gnss_antenna_calibration_control_response_encode(
+    const struct mip_field *field) {
+    return mip_decode(&mip_filter_gnss_antenna_calibration_control_response_codec, value, field,
+                      NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_gnss_antenna_calibration_control_response_encode(
     const struct mip_filter_gnss_antenna_calibration_control_response *value,
-    struct mip_builder *builder);
+    struct mip_builder *builder) {
+    return mip_encode(&mip_filter_gnss_antenna_calibration_control_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_gnss_antenna_calibration_control_response_decode_inline(
+    struct mip_filter_gnss_antenna_calibration_control_response *value,
+    const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0D, 0xE4, 5);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->enable = mip_get_8(field->data);
+    mip_get_float(&value->max_offset, field->data + 1);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_gnss_antenna_calibration_control_response_encode_inline(
+    const struct mip_filter_gnss_antenna_calibration_control_response *value,
+    struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0D, 0xE4, 5, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->enable);
+    mip_put_float(data + 1, &value->max_offset);
+    return MIP_OK;
+}
 
 #ifdef __cplusplus
 }

@@ -23,7 +23,6 @@ extern "C" {
 typedef uint16_t mip_filter_data_valid_flags;
 /** Bit 0. All values of the field are valid. */
 #define MIP_FILTER_DATA_VALID_FLAGS_VALID 0x0001U
-
 /**
  * Sources of heading updates; 0 if heading updates are disabled.
  *
@@ -37,7 +36,6 @@ typedef uint16_t mip_filter_data_heading_source_flags;
 #define MIP_FILTER_DATA_HEADING_SOURCE_FLAGS_GNSS_VELOCITY 0x0002U
 /** Bit 2. Heading messages that the user sends. */
 #define MIP_FILTER_DATA_HEADING_SOURCE_FLAGS_EXTERNAL 0x0004U
-
 /** How the filter uses one GNSS receiver. */
 typedef uint16_t mip_filter_data_gnss_aiding_status;
 /** Bit 0. Raw ranges of the receiver are used. */
@@ -72,54 +70,59 @@ typedef uint16_t mip_filter_data_gnss_aiding_status;
 #define MIP_FILTER_DATA_GNSS_AIDING_STATUS_NO_FIX 0x4000U
 /** Bit 15. The antenna offset of the receiver is probably wrong. */
 #define MIP_FILTER_DATA_GNSS_AIDING_STATUS_CONFIG_ERROR 0x8000U
-
 /**
  * Where a heading measurement comes from.
  *
  * - mip-sdk-4: Head Aid Status (0x82,0x45)
  */
-typedef uint8_t mip_filter_data_heading_aiding_type;
-/** Two GNSS antennas. */
-#define MIP_FILTER_DATA_HEADING_AIDING_TYPE_DUAL_ANTENNA 1
-/** A heading message of the user. */
-#define MIP_FILTER_DATA_HEADING_AIDING_TYPE_EXTERNAL_MESSAGE 2
+enum mip_filter_data_heading_aiding_type {
+    /** Two GNSS antennas. */
+    MIP_FILTER_DATA_HEADING_AIDING_TYPE_DUAL_ANTENNA = 1,
+    /** A heading message of the user. */
+    MIP_FILTER_DATA_HEADING_AIDING_TYPE_EXTERNAL_MESSAGE = 2
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_filter_data_heading_aiding_type_name(uint8_t value);
 /**
  * Kind of an aiding measurement. Values from 0x20 are the descriptors of the commands of set
  * `aiding` that give the measurement.
  */
-typedef uint8_t mip_filter_data_aiding_measurement_type;
-/** GNSS position and velocity. */
-#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_GNSS 1
-/** GNSS heading of two antennas. */
-#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_DUAL_ANTENNA 2
-/** Heading. */
-#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_HEADING 3
-/** Pressure altitude. */
-#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_PRESSURE 4
-/** Magnetometer. */
-#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_MAG 5
-/** Speed or odometer. */
-#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_SPEED 6
-/** ECEF position by command. */
-#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_ECEF_POSITION 33
-/** Latitude, longitude and height by command. */
-#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_LLH_POSITION 34
-/** Height above the ellipsoid by command. */
-#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_HEIGHT_ABOVE_ELLIPSOID 35
-/** ECEF velocity by command. */
-#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_ECEF_VELOCITY 40
-/** NED velocity by command. */
-#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_NED_VELOCITY 41
-/** Body frame velocity by command. */
-#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_BODY_FRAME_VELOCITY 42
-/** True heading by command. */
-#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_TRUE_HEADING 49
-/** Magnetic field by command. */
-#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_MAGNETIC_FIELD 50
-/** Pressure by command. */
-#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_PRESSURE 51
+enum mip_filter_data_aiding_measurement_type {
+    /** GNSS position and velocity. */
+    MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_GNSS = 1,
+    /** GNSS heading of two antennas. */
+    MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_DUAL_ANTENNA = 2,
+    /** Heading. */
+    MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_HEADING = 3,
+    /** Pressure altitude. */
+    MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_PRESSURE = 4,
+    /** Magnetometer. */
+    MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_MAG = 5,
+    /** Speed or odometer. */
+    MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_SPEED = 6,
+    /** ECEF position by command. */
+    MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_ECEF_POSITION = 33,
+    /** Latitude, longitude and height by command. */
+    MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_LLH_POSITION = 34,
+    /** Height above the ellipsoid by command. */
+    MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_HEIGHT_ABOVE_ELLIPSOID = 35,
+    /** ECEF velocity by command. */
+    MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_ECEF_VELOCITY = 40,
+    /** NED velocity by command. */
+    MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_NED_VELOCITY = 41,
+    /** Body frame velocity by command. */
+    MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_BODY_FRAME_VELOCITY = 42,
+    /** True heading by command. */
+    MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_TRUE_HEADING = 49,
+    /** Magnetic field by command. */
+    MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_MAGNETIC_FIELD = 50,
+    /** Pressure by command. */
+    MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_PRESSURE = 51
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_filter_data_aiding_measurement_type_name(uint8_t value);
 /** What the filter did with an aiding measurement. */
 typedef uint8_t mip_filter_data_aiding_measurement_indicator;
 /** Bit 0. The measurement is enabled. */
@@ -134,16 +137,18 @@ typedef uint8_t mip_filter_data_aiding_measurement_indicator;
 #define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_CONFIG_ERROR 0x10U
 /** Bit 5. There are more measurements than the filter can take. */
 #define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_MAX_MEASUREMENTS_EXCEEDED 0x20U
-
 /** Kind of the heading solution of two antennas. */
-typedef uint8_t mip_filter_data_dual_antenna_fix_type;
-/** No solution. */
-#define MIP_FILTER_DATA_DUAL_ANTENNA_FIX_TYPE_FIX_NONE 0
-/** Solution with float ambiguities. */
-#define MIP_FILTER_DATA_DUAL_ANTENNA_FIX_TYPE_FIX_DA_FLOAT 1
-/** Solution with fixed ambiguities. */
-#define MIP_FILTER_DATA_DUAL_ANTENNA_FIX_TYPE_FIX_DA_FIXED 2
+enum mip_filter_data_dual_antenna_fix_type {
+    /** No solution. */
+    MIP_FILTER_DATA_DUAL_ANTENNA_FIX_TYPE_FIX_NONE = 0,
+    /** Solution with float ambiguities. */
+    MIP_FILTER_DATA_DUAL_ANTENNA_FIX_TYPE_FIX_DA_FLOAT = 1,
+    /** Solution with fixed ambiguities. */
+    MIP_FILTER_DATA_DUAL_ANTENNA_FIX_TYPE_FIX_DA_FIXED = 2
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_filter_data_dual_antenna_fix_type_name(uint8_t value);
 /** What the heading solution of two antennas has to work with. */
 typedef uint16_t mip_filter_data_dual_antenna_status_flags;
 /** Bit 0. Data of receiver 1 are valid. */
@@ -152,53 +157,64 @@ typedef uint16_t mip_filter_data_dual_antenna_status_flags;
 #define MIP_FILTER_DATA_DUAL_ANTENNA_STATUS_FLAGS_RECEIVER_2_DATA_VALID 0x0002U
 /** Bit 2. The antenna offsets are valid. */
 #define MIP_FILTER_DATA_DUAL_ANTENNA_STATUS_FLAGS_ANTENNA_OFFSETS_VALID 0x0004U
-
 /**
  * State of the filter of a 5-series device.
  *
  * - 3dm-gx5-15: 5.2.1 Filter Status (0x82, 0x10)
  * - 3dm-cv7-gnss-ins: Status (0x82,0x10)
  */
-typedef uint16_t mip_filter_data_gx5_filter_state;
-/** The device starts. */
-#define MIP_FILTER_DATA_GX5_FILTER_STATE_STARTUP 0
-/** Initialization; the status flags tell what is missing. */
-#define MIP_FILTER_DATA_GX5_FILTER_STATE_INIT 1
-/** Running with a valid solution. */
-#define MIP_FILTER_DATA_GX5_FILTER_STATE_RUN_SOLUTION_VALID 2
-/** Running with an error; the status flags tell which. */
-#define MIP_FILTER_DATA_GX5_FILTER_STATE_RUN_SOLUTION_ERROR 3
+enum mip_filter_data_gx5_filter_state {
+    /** The device starts. */
+    MIP_FILTER_DATA_GX5_FILTER_STATE_STARTUP = 0,
+    /** Initialization; the status flags tell what is missing. */
+    MIP_FILTER_DATA_GX5_FILTER_STATE_INIT = 1,
+    /** Running with a valid solution. */
+    MIP_FILTER_DATA_GX5_FILTER_STATE_RUN_SOLUTION_VALID = 2,
+    /** Running with an error; the status flags tell which. */
+    MIP_FILTER_DATA_GX5_FILTER_STATE_RUN_SOLUTION_ERROR = 3
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_filter_data_gx5_filter_state_name(uint16_t value);
 /**
  * Mode of the filter of a 3DM-CV7.
  *
  * - 3dm-cv7-gnss-ins: Filter States
  * - 3dm-cv7-gnss-ins: Status (0x82,0x10)
  */
-typedef uint16_t mip_filter_data_cv7_filter_state;
-/** Initialization; initial conditions are missing or the filter waits for a command. */
-#define MIP_FILTER_DATA_CV7_FILTER_STATE_INIT 1
-/** Vertical gyro: pitch and roll, and heading relative to the initial one. */
-#define MIP_FILTER_DATA_CV7_FILTER_STATE_VERTICAL_GYRO 2
-/** Pitch, roll and absolute heading. */
-#define MIP_FILTER_DATA_CV7_FILTER_STATE_AHRS 3
-/** Full navigation: position, velocity and attitude. */
-#define MIP_FILTER_DATA_CV7_FILTER_STATE_FULL_NAV 4
+enum mip_filter_data_cv7_filter_state {
+    /** Initialization; initial conditions are missing or the filter waits for a command. */
+    MIP_FILTER_DATA_CV7_FILTER_STATE_INIT = 1,
+    /** Vertical gyro: pitch and roll, and heading relative to the initial one. */
+    MIP_FILTER_DATA_CV7_FILTER_STATE_VERTICAL_GYRO = 2,
+    /** Pitch, roll and absolute heading. */
+    MIP_FILTER_DATA_CV7_FILTER_STATE_AHRS = 3,
+    /** Full navigation: position, velocity and attitude. */
+    MIP_FILTER_DATA_CV7_FILTER_STATE_FULL_NAV = 4
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_filter_data_cv7_filter_state_name(uint16_t value);
 /** Motion for which the filter of a 5-series device is set up. */
-typedef uint16_t mip_filter_data_gx5_dynamics_mode;
-/** Carried by hand. */
-#define MIP_FILTER_DATA_GX5_DYNAMICS_MODE_PORTABLE 1
-/** Ground vehicle. */
-#define MIP_FILTER_DATA_GX5_DYNAMICS_MODE_AUTOMOTIVE 2
-/** Aircraft. */
-#define MIP_FILTER_DATA_GX5_DYNAMICS_MODE_AIRBORNE 3
+enum mip_filter_data_gx5_dynamics_mode {
+    /** Carried by hand. */
+    MIP_FILTER_DATA_GX5_DYNAMICS_MODE_PORTABLE = 1,
+    /** Ground vehicle. */
+    MIP_FILTER_DATA_GX5_DYNAMICS_MODE_AUTOMOTIVE = 2,
+    /** Aircraft. */
+    MIP_FILTER_DATA_GX5_DYNAMICS_MODE_AIRBORNE = 3
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_filter_data_gx5_dynamics_mode_name(uint16_t value);
 /** Dynamics mode of a 7-series device; there is only one. */
-typedef uint16_t mip_filter_data_cv7_dynamics_mode;
-/** The only mode. */
-#define MIP_FILTER_DATA_CV7_DYNAMICS_MODE_DEFAULT 1
+enum mip_filter_data_cv7_dynamics_mode {
+    /** The only mode. */
+    MIP_FILTER_DATA_CV7_DYNAMICS_MODE_DEFAULT = 1
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_filter_data_cv7_dynamics_mode_name(uint16_t value);
 /**
  * Problems of the filter of a 5-series device. The `init` bits count in filter state `init`, the
  * others while the filter runs.
@@ -241,21 +257,23 @@ typedef uint16_t mip_filter_data_gx5_status_flags;
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_INIT_NO_ATTITUDE 0x1000U
 /** Bit 13. Position and velocity are not initialized. Overlaps other bits. */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_INIT_NO_POSITION_VELOCITY 0x2000U
-
 /**
  * How settled the estimates of the filter are.
  *
  * - 3dm-cv7-gnss-ins: Filter condition (bits 0-1)
  * - 3dm-cv7-gnss-ins: How do I interpret the Status (0x82,0x10) message?
  */
-typedef uint8_t mip_filter_data_filter_condition;
-/** Estimates have settled and agree with the aiding measurements. */
-#define MIP_FILTER_DATA_FILTER_CONDITION_STABLE 1
-/** Estimates have not settled yet. */
-#define MIP_FILTER_DATA_FILTER_CONDITION_CONVERGING 2
-/** Estimates are unstable or recovering. */
-#define MIP_FILTER_DATA_FILTER_CONDITION_UNSTABLE 3
+enum mip_filter_data_filter_condition {
+    /** Estimates have settled and agree with the aiding measurements. */
+    MIP_FILTER_DATA_FILTER_CONDITION_STABLE = 1,
+    /** Estimates have not settled yet. */
+    MIP_FILTER_DATA_FILTER_CONDITION_CONVERGING = 2,
+    /** Estimates are unstable or recovering. */
+    MIP_FILTER_DATA_FILTER_CONDITION_UNSTABLE = 3
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_filter_data_filter_condition_name(uint8_t value);
 /**
  * Condition and warnings of the filter of a 3DM-CV7.
  *
@@ -264,7 +282,7 @@ typedef uint8_t mip_filter_data_filter_condition;
  * - 3dm-cv7-gnss-ins: Status (0x82,0x10)
  */
 typedef uint16_t mip_filter_data_cv7_status_flags;
-/** Bits 0 to 1. How settled the estimates are. A value of mip_filter_data_filter_condition. */
+/** Bits 0 to 1. How settled the estimates are. A value of enum mip_filter_data_filter_condition. */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_FILTER_CONDITION 0x0003U
 /** Bit 2. Roll and pitch are doubtful; check the mounting transformation. */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_ROLL_PITCH_WARNING 0x0004U
@@ -287,14 +305,14 @@ typedef uint16_t mip_filter_data_cv7_status_flags;
 /** Bits 12 to 15. Not 0 if the solution holds values that are not numbers; reset the filter. */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_SOLUTION_ERROR 0xF000U
 
-/** Bits 0 to 1. How settled the estimates are. A value of mip_filter_data_filter_condition. */
-static inline mip_filter_data_filter_condition
+/** Bits 0 to 1. How settled the estimates are. A value of enum mip_filter_data_filter_condition. */
+static inline uint8_t
 mip_filter_data_cv7_status_flags_get_filter_condition(mip_filter_data_cv7_status_flags flags) {
     const uint32_t bits = flags & MIP_FILTER_DATA_CV7_STATUS_FLAGS_FILTER_CONDITION;
-    return (mip_filter_data_filter_condition)bits;
+    return (uint8_t)bits;
 }
 static inline void mip_filter_data_cv7_status_flags_set_filter_condition(
-    mip_filter_data_cv7_status_flags *flags, mip_filter_data_filter_condition value) {
+    mip_filter_data_cv7_status_flags *flags, uint8_t value) {
     const uint32_t mask = MIP_FILTER_DATA_CV7_STATUS_FLAGS_FILTER_CONDITION;
     const uint32_t bits = value;
     *flags = (mip_filter_data_cv7_status_flags)((*flags & ~mask) | (bits & mask));
@@ -312,7 +330,6 @@ static inline void mip_filter_data_cv7_status_flags_set_solution_error(
     const uint32_t bits = (uint32_t)value << 12;
     *flags = (mip_filter_data_cv7_status_flags)((*flags & ~mask) | (bits & mask));
 }
-
 /**
  * LLH position: data (0x82,0x01).
  *
@@ -342,15 +359,55 @@ struct mip_filter_data_llh_position {
     mip_filter_data_valid_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_LLH_POSITION 0x8201
 #define MIP_FILTER_DATA_LLH_POSITION_DESCRIPTOR 0x01
 #define MIP_FILTER_DATA_LLH_POSITION_NAME "filter_data.llh_position"
 
-extern const struct mip_codec mip_filter_data_llh_position_codec;
-mip_error mip_filter_data_llh_position_decode(struct mip_filter_data_llh_position *value,
-                                              const struct mip_field *field);
-mip_error mip_filter_data_llh_position_encode(const struct mip_filter_data_llh_position *value,
-                                              struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_llh_position_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_llh_position_decode(
+    struct mip_filter_data_llh_position *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_llh_position_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_llh_position_encode(
+    const struct mip_filter_data_llh_position *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_llh_position_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_llh_position_decode_inline(
+    struct mip_filter_data_llh_position *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x01, 26);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_double(&value->latitude, field->data);
+    mip_get_double(&value->longitude, field->data + 8);
+    mip_get_double(&value->ellipsoid_height, field->data + 16);
+    value->valid_flags = mip_get_16(field->data + 24);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_llh_position_encode_inline(
+    const struct mip_filter_data_llh_position *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x01, 26, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_double(data, &value->latitude);
+    mip_put_double(data + 8, &value->longitude);
+    mip_put_double(data + 16, &value->ellipsoid_height);
+    mip_put_16(data + 24, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * NED velocity: data (0x82,0x02).
  *
@@ -380,15 +437,55 @@ struct mip_filter_data_ned_velocity {
     mip_filter_data_valid_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_NED_VELOCITY 0x8202
 #define MIP_FILTER_DATA_NED_VELOCITY_DESCRIPTOR 0x02
 #define MIP_FILTER_DATA_NED_VELOCITY_NAME "filter_data.ned_velocity"
 
-extern const struct mip_codec mip_filter_data_ned_velocity_codec;
-mip_error mip_filter_data_ned_velocity_decode(struct mip_filter_data_ned_velocity *value,
-                                              const struct mip_field *field);
-mip_error mip_filter_data_ned_velocity_encode(const struct mip_filter_data_ned_velocity *value,
-                                              struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_ned_velocity_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_ned_velocity_decode(
+    struct mip_filter_data_ned_velocity *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_ned_velocity_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_ned_velocity_encode(
+    const struct mip_filter_data_ned_velocity *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_ned_velocity_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_ned_velocity_decode_inline(
+    struct mip_filter_data_ned_velocity *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x02, 14);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_float(&value->north, field->data);
+    mip_get_float(&value->east, field->data + 4);
+    mip_get_float(&value->down, field->data + 8);
+    value->valid_flags = mip_get_16(field->data + 12);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_ned_velocity_encode_inline(
+    const struct mip_filter_data_ned_velocity *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x02, 14, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_float(data, &value->north);
+    mip_put_float(data + 4, &value->east);
+    mip_put_float(data + 8, &value->down);
+    mip_put_16(data + 12, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Attitude quaternion: data (0x82,0x03).
  *
@@ -411,15 +508,55 @@ struct mip_filter_data_attitude_quaternion {
     mip_filter_data_valid_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_ATTITUDE_QUATERNION 0x8203
 #define MIP_FILTER_DATA_ATTITUDE_QUATERNION_DESCRIPTOR 0x03
 #define MIP_FILTER_DATA_ATTITUDE_QUATERNION_NAME "filter_data.attitude_quaternion"
 
-extern const struct mip_codec mip_filter_data_attitude_quaternion_codec;
-mip_error mip_filter_data_attitude_quaternion_decode(
-    struct mip_filter_data_attitude_quaternion *value, const struct mip_field *field);
-mip_error mip_filter_data_attitude_quaternion_encode(
-    const struct mip_filter_data_attitude_quaternion *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_attitude_quaternion_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_attitude_quaternion_decode(
+    struct mip_filter_data_attitude_quaternion *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_attitude_quaternion_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_attitude_quaternion_encode(
+    const struct mip_filter_data_attitude_quaternion *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_attitude_quaternion_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_attitude_quaternion_decode_inline(
+    struct mip_filter_data_attitude_quaternion *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x03, 18);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 4; i++) {
+        mip_get_float(&value->q[i], field->data + 4 * i);
+    }
+    value->valid_flags = mip_get_16(field->data + 16);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_attitude_quaternion_encode_inline(
+    const struct mip_filter_data_attitude_quaternion *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x03, 18, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 4; i++) {
+        mip_put_float(data + 4 * i, &value->q[i]);
+    }
+    mip_put_16(data + 16, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Attitude direction cosine matrix: data (0x82,0x04).
  *
@@ -442,15 +579,55 @@ struct mip_filter_data_attitude_dcm {
     mip_filter_data_valid_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_ATTITUDE_DCM 0x8204
 #define MIP_FILTER_DATA_ATTITUDE_DCM_DESCRIPTOR 0x04
 #define MIP_FILTER_DATA_ATTITUDE_DCM_NAME "filter_data.attitude_dcm"
 
-extern const struct mip_codec mip_filter_data_attitude_dcm_codec;
-mip_error mip_filter_data_attitude_dcm_decode(struct mip_filter_data_attitude_dcm *value,
-                                              const struct mip_field *field);
-mip_error mip_filter_data_attitude_dcm_encode(const struct mip_filter_data_attitude_dcm *value,
-                                              struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_attitude_dcm_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_attitude_dcm_decode(
+    struct mip_filter_data_attitude_dcm *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_attitude_dcm_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_attitude_dcm_encode(
+    const struct mip_filter_data_attitude_dcm *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_attitude_dcm_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_attitude_dcm_decode_inline(
+    struct mip_filter_data_attitude_dcm *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x04, 38);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 9; i++) {
+        mip_get_float(&value->dcm[i], field->data + 4 * i);
+    }
+    value->valid_flags = mip_get_16(field->data + 36);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_attitude_dcm_encode_inline(
+    const struct mip_filter_data_attitude_dcm *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x04, 38, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 9; i++) {
+        mip_put_float(data + 4 * i, &value->dcm[i]);
+    }
+    mip_put_16(data + 36, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Euler angles: data (0x82,0x05).
  *
@@ -482,15 +659,55 @@ struct mip_filter_data_euler_angles {
     mip_filter_data_valid_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_EULER_ANGLES 0x8205
 #define MIP_FILTER_DATA_EULER_ANGLES_DESCRIPTOR 0x05
 #define MIP_FILTER_DATA_EULER_ANGLES_NAME "filter_data.euler_angles"
 
-extern const struct mip_codec mip_filter_data_euler_angles_codec;
-mip_error mip_filter_data_euler_angles_decode(struct mip_filter_data_euler_angles *value,
-                                              const struct mip_field *field);
-mip_error mip_filter_data_euler_angles_encode(const struct mip_filter_data_euler_angles *value,
-                                              struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_euler_angles_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_euler_angles_decode(
+    struct mip_filter_data_euler_angles *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_euler_angles_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_euler_angles_encode(
+    const struct mip_filter_data_euler_angles *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_euler_angles_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_euler_angles_decode_inline(
+    struct mip_filter_data_euler_angles *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x05, 14);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_float(&value->roll, field->data);
+    mip_get_float(&value->pitch, field->data + 4);
+    mip_get_float(&value->yaw, field->data + 8);
+    value->valid_flags = mip_get_16(field->data + 12);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_euler_angles_encode_inline(
+    const struct mip_filter_data_euler_angles *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x05, 14, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_float(data, &value->roll);
+    mip_put_float(data + 4, &value->pitch);
+    mip_put_float(data + 8, &value->yaw);
+    mip_put_16(data + 12, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Gyroscope bias: data (0x82,0x06).
  *
@@ -511,15 +728,55 @@ struct mip_filter_data_gyro_bias {
     mip_filter_data_valid_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_GYRO_BIAS 0x8206
 #define MIP_FILTER_DATA_GYRO_BIAS_DESCRIPTOR 0x06
 #define MIP_FILTER_DATA_GYRO_BIAS_NAME "filter_data.gyro_bias"
 
-extern const struct mip_codec mip_filter_data_gyro_bias_codec;
-mip_error mip_filter_data_gyro_bias_decode(struct mip_filter_data_gyro_bias *value,
-                                           const struct mip_field *field);
-mip_error mip_filter_data_gyro_bias_encode(const struct mip_filter_data_gyro_bias *value,
-                                           struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_gyro_bias_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_gyro_bias_decode(struct mip_filter_data_gyro_bias *value,
+                                                         const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_gyro_bias_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_gyro_bias_encode(
+    const struct mip_filter_data_gyro_bias *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_gyro_bias_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_gyro_bias_decode_inline(
+    struct mip_filter_data_gyro_bias *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x06, 14);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->bias[i], field->data + 4 * i);
+    }
+    value->valid_flags = mip_get_16(field->data + 12);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_gyro_bias_encode_inline(
+    const struct mip_filter_data_gyro_bias *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x06, 14, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 4 * i, &value->bias[i]);
+    }
+    mip_put_16(data + 12, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Accelerometer bias: data (0x82,0x07).
  *
@@ -539,15 +796,55 @@ struct mip_filter_data_accel_bias {
     mip_filter_data_valid_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_ACCEL_BIAS 0x8207
 #define MIP_FILTER_DATA_ACCEL_BIAS_DESCRIPTOR 0x07
 #define MIP_FILTER_DATA_ACCEL_BIAS_NAME "filter_data.accel_bias"
 
-extern const struct mip_codec mip_filter_data_accel_bias_codec;
-mip_error mip_filter_data_accel_bias_decode(struct mip_filter_data_accel_bias *value,
-                                            const struct mip_field *field);
-mip_error mip_filter_data_accel_bias_encode(const struct mip_filter_data_accel_bias *value,
-                                            struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_accel_bias_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_accel_bias_decode(struct mip_filter_data_accel_bias *value,
+                                                          const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_accel_bias_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_accel_bias_encode(
+    const struct mip_filter_data_accel_bias *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_accel_bias_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_accel_bias_decode_inline(
+    struct mip_filter_data_accel_bias *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x07, 14);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->bias[i], field->data + 4 * i);
+    }
+    value->valid_flags = mip_get_16(field->data + 12);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_accel_bias_encode_inline(
+    const struct mip_filter_data_accel_bias *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x07, 14, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 4 * i, &value->bias[i]);
+    }
+    mip_put_16(data + 12, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Position uncertainty: data (0x82,0x08).
  *
@@ -577,15 +874,55 @@ struct mip_filter_data_llh_position_uncertainty {
     mip_filter_data_valid_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_LLH_POSITION_UNCERTAINTY 0x8208
 #define MIP_FILTER_DATA_LLH_POSITION_UNCERTAINTY_DESCRIPTOR 0x08
 #define MIP_FILTER_DATA_LLH_POSITION_UNCERTAINTY_NAME "filter_data.llh_position_uncertainty"
 
-extern const struct mip_codec mip_filter_data_llh_position_uncertainty_codec;
-mip_error mip_filter_data_llh_position_uncertainty_decode(
-    struct mip_filter_data_llh_position_uncertainty *value, const struct mip_field *field);
-mip_error mip_filter_data_llh_position_uncertainty_encode(
-    const struct mip_filter_data_llh_position_uncertainty *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_llh_position_uncertainty_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_llh_position_uncertainty_decode(
+    struct mip_filter_data_llh_position_uncertainty *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_llh_position_uncertainty_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_llh_position_uncertainty_encode(
+    const struct mip_filter_data_llh_position_uncertainty *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_llh_position_uncertainty_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_llh_position_uncertainty_decode_inline(
+    struct mip_filter_data_llh_position_uncertainty *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x08, 14);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_float(&value->north, field->data);
+    mip_get_float(&value->east, field->data + 4);
+    mip_get_float(&value->down, field->data + 8);
+    value->valid_flags = mip_get_16(field->data + 12);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_llh_position_uncertainty_encode_inline(
+    const struct mip_filter_data_llh_position_uncertainty *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x08, 14, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_float(data, &value->north);
+    mip_put_float(data + 4, &value->east);
+    mip_put_float(data + 8, &value->down);
+    mip_put_16(data + 12, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * NED velocity uncertainty: data (0x82,0x09).
  *
@@ -615,15 +952,55 @@ struct mip_filter_data_ned_velocity_uncertainty {
     mip_filter_data_valid_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_NED_VELOCITY_UNCERTAINTY 0x8209
 #define MIP_FILTER_DATA_NED_VELOCITY_UNCERTAINTY_DESCRIPTOR 0x09
 #define MIP_FILTER_DATA_NED_VELOCITY_UNCERTAINTY_NAME "filter_data.ned_velocity_uncertainty"
 
-extern const struct mip_codec mip_filter_data_ned_velocity_uncertainty_codec;
-mip_error mip_filter_data_ned_velocity_uncertainty_decode(
-    struct mip_filter_data_ned_velocity_uncertainty *value, const struct mip_field *field);
-mip_error mip_filter_data_ned_velocity_uncertainty_encode(
-    const struct mip_filter_data_ned_velocity_uncertainty *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_ned_velocity_uncertainty_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_ned_velocity_uncertainty_decode(
+    struct mip_filter_data_ned_velocity_uncertainty *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_ned_velocity_uncertainty_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_ned_velocity_uncertainty_encode(
+    const struct mip_filter_data_ned_velocity_uncertainty *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_ned_velocity_uncertainty_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_ned_velocity_uncertainty_decode_inline(
+    struct mip_filter_data_ned_velocity_uncertainty *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x09, 14);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_float(&value->north, field->data);
+    mip_get_float(&value->east, field->data + 4);
+    mip_get_float(&value->down, field->data + 8);
+    value->valid_flags = mip_get_16(field->data + 12);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_ned_velocity_uncertainty_encode_inline(
+    const struct mip_filter_data_ned_velocity_uncertainty *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x09, 14, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_float(data, &value->north);
+    mip_put_float(data + 4, &value->east);
+    mip_put_float(data + 8, &value->down);
+    mip_put_16(data + 12, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Euler angles uncertainty: data (0x82,0x0A).
  *
@@ -657,15 +1034,55 @@ struct mip_filter_data_euler_angles_uncertainty {
     mip_filter_data_valid_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_EULER_ANGLES_UNCERTAINTY 0x820A
 #define MIP_FILTER_DATA_EULER_ANGLES_UNCERTAINTY_DESCRIPTOR 0x0A
 #define MIP_FILTER_DATA_EULER_ANGLES_UNCERTAINTY_NAME "filter_data.euler_angles_uncertainty"
 
-extern const struct mip_codec mip_filter_data_euler_angles_uncertainty_codec;
-mip_error mip_filter_data_euler_angles_uncertainty_decode(
-    struct mip_filter_data_euler_angles_uncertainty *value, const struct mip_field *field);
-mip_error mip_filter_data_euler_angles_uncertainty_encode(
-    const struct mip_filter_data_euler_angles_uncertainty *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_euler_angles_uncertainty_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_euler_angles_uncertainty_decode(
+    struct mip_filter_data_euler_angles_uncertainty *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_euler_angles_uncertainty_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_euler_angles_uncertainty_encode(
+    const struct mip_filter_data_euler_angles_uncertainty *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_euler_angles_uncertainty_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_euler_angles_uncertainty_decode_inline(
+    struct mip_filter_data_euler_angles_uncertainty *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x0A, 14);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_float(&value->roll, field->data);
+    mip_get_float(&value->pitch, field->data + 4);
+    mip_get_float(&value->yaw, field->data + 8);
+    value->valid_flags = mip_get_16(field->data + 12);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_euler_angles_uncertainty_encode_inline(
+    const struct mip_filter_data_euler_angles_uncertainty *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x0A, 14, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_float(data, &value->roll);
+    mip_put_float(data + 4, &value->pitch);
+    mip_put_float(data + 8, &value->yaw);
+    mip_put_16(data + 12, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Gyroscope bias uncertainty: data (0x82,0x0B).
  *
@@ -686,15 +1103,55 @@ struct mip_filter_data_gyro_bias_uncertainty {
     mip_filter_data_valid_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_GYRO_BIAS_UNCERTAINTY 0x820B
 #define MIP_FILTER_DATA_GYRO_BIAS_UNCERTAINTY_DESCRIPTOR 0x0B
 #define MIP_FILTER_DATA_GYRO_BIAS_UNCERTAINTY_NAME "filter_data.gyro_bias_uncertainty"
 
-extern const struct mip_codec mip_filter_data_gyro_bias_uncertainty_codec;
-mip_error mip_filter_data_gyro_bias_uncertainty_decode(
-    struct mip_filter_data_gyro_bias_uncertainty *value, const struct mip_field *field);
-mip_error mip_filter_data_gyro_bias_uncertainty_encode(
-    const struct mip_filter_data_gyro_bias_uncertainty *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_gyro_bias_uncertainty_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_gyro_bias_uncertainty_decode(
+    struct mip_filter_data_gyro_bias_uncertainty *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_gyro_bias_uncertainty_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_gyro_bias_uncertainty_encode(
+    const struct mip_filter_data_gyro_bias_uncertainty *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_gyro_bias_uncertainty_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_gyro_bias_uncertainty_decode_inline(
+    struct mip_filter_data_gyro_bias_uncertainty *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x0B, 14);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->bias_uncertainty[i], field->data + 4 * i);
+    }
+    value->valid_flags = mip_get_16(field->data + 12);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_gyro_bias_uncertainty_encode_inline(
+    const struct mip_filter_data_gyro_bias_uncertainty *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x0B, 14, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 4 * i, &value->bias_uncertainty[i]);
+    }
+    mip_put_16(data + 12, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Accelerometer bias uncertainty: data (0x82,0x0C).
  *
@@ -714,15 +1171,55 @@ struct mip_filter_data_accel_bias_uncertainty {
     mip_filter_data_valid_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_ACCEL_BIAS_UNCERTAINTY 0x820C
 #define MIP_FILTER_DATA_ACCEL_BIAS_UNCERTAINTY_DESCRIPTOR 0x0C
 #define MIP_FILTER_DATA_ACCEL_BIAS_UNCERTAINTY_NAME "filter_data.accel_bias_uncertainty"
 
-extern const struct mip_codec mip_filter_data_accel_bias_uncertainty_codec;
-mip_error mip_filter_data_accel_bias_uncertainty_decode(
-    struct mip_filter_data_accel_bias_uncertainty *value, const struct mip_field *field);
-mip_error mip_filter_data_accel_bias_uncertainty_encode(
-    const struct mip_filter_data_accel_bias_uncertainty *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_accel_bias_uncertainty_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_accel_bias_uncertainty_decode(
+    struct mip_filter_data_accel_bias_uncertainty *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_accel_bias_uncertainty_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_accel_bias_uncertainty_encode(
+    const struct mip_filter_data_accel_bias_uncertainty *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_accel_bias_uncertainty_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_accel_bias_uncertainty_decode_inline(
+    struct mip_filter_data_accel_bias_uncertainty *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x0C, 14);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->bias_uncertainty[i], field->data + 4 * i);
+    }
+    value->valid_flags = mip_get_16(field->data + 12);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_accel_bias_uncertainty_encode_inline(
+    const struct mip_filter_data_accel_bias_uncertainty *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x0C, 14, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 4 * i, &value->bias_uncertainty[i]);
+    }
+    mip_put_16(data + 12, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Linear acceleration: data (0x82,0x0D).
  *
@@ -743,15 +1240,55 @@ struct mip_filter_data_linear_accel {
     mip_filter_data_valid_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_LINEAR_ACCEL 0x820D
 #define MIP_FILTER_DATA_LINEAR_ACCEL_DESCRIPTOR 0x0D
 #define MIP_FILTER_DATA_LINEAR_ACCEL_NAME "filter_data.linear_accel"
 
-extern const struct mip_codec mip_filter_data_linear_accel_codec;
-mip_error mip_filter_data_linear_accel_decode(struct mip_filter_data_linear_accel *value,
-                                              const struct mip_field *field);
-mip_error mip_filter_data_linear_accel_encode(const struct mip_filter_data_linear_accel *value,
-                                              struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_linear_accel_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_linear_accel_decode(
+    struct mip_filter_data_linear_accel *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_linear_accel_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_linear_accel_encode(
+    const struct mip_filter_data_linear_accel *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_linear_accel_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_linear_accel_decode_inline(
+    struct mip_filter_data_linear_accel *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x0D, 14);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->accel[i], field->data + 4 * i);
+    }
+    value->valid_flags = mip_get_16(field->data + 12);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_linear_accel_encode_inline(
+    const struct mip_filter_data_linear_accel *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x0D, 14, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 4 * i, &value->accel[i]);
+    }
+    mip_put_16(data + 12, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Compensated angular rate: data (0x82,0x0E).
  *
@@ -772,15 +1309,55 @@ struct mip_filter_data_comp_angular_rate {
     mip_filter_data_valid_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_COMP_ANGULAR_RATE 0x820E
 #define MIP_FILTER_DATA_COMP_ANGULAR_RATE_DESCRIPTOR 0x0E
 #define MIP_FILTER_DATA_COMP_ANGULAR_RATE_NAME "filter_data.comp_angular_rate"
 
-extern const struct mip_codec mip_filter_data_comp_angular_rate_codec;
-mip_error mip_filter_data_comp_angular_rate_decode(struct mip_filter_data_comp_angular_rate *value,
-                                                   const struct mip_field *field);
-mip_error mip_filter_data_comp_angular_rate_encode(
-    const struct mip_filter_data_comp_angular_rate *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_comp_angular_rate_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_comp_angular_rate_decode(
+    struct mip_filter_data_comp_angular_rate *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_comp_angular_rate_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_comp_angular_rate_encode(
+    const struct mip_filter_data_comp_angular_rate *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_comp_angular_rate_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_comp_angular_rate_decode_inline(
+    struct mip_filter_data_comp_angular_rate *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x0E, 14);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->gyro[i], field->data + 4 * i);
+    }
+    value->valid_flags = mip_get_16(field->data + 12);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_comp_angular_rate_encode_inline(
+    const struct mip_filter_data_comp_angular_rate *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x0E, 14, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 4 * i, &value->gyro[i]);
+    }
+    mip_put_16(data + 12, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * WGS84 local gravity magnitude: data (0x82,0x0F).
  *
@@ -802,15 +1379,51 @@ struct mip_filter_data_wgs84_gravity_magnitude {
     mip_filter_data_valid_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_WGS84_GRAVITY_MAGNITUDE 0x820F
 #define MIP_FILTER_DATA_WGS84_GRAVITY_MAGNITUDE_DESCRIPTOR 0x0F
 #define MIP_FILTER_DATA_WGS84_GRAVITY_MAGNITUDE_NAME "filter_data.wgs84_gravity_magnitude"
 
-extern const struct mip_codec mip_filter_data_wgs84_gravity_magnitude_codec;
-mip_error mip_filter_data_wgs84_gravity_magnitude_decode(
-    struct mip_filter_data_wgs84_gravity_magnitude *value, const struct mip_field *field);
-mip_error mip_filter_data_wgs84_gravity_magnitude_encode(
-    const struct mip_filter_data_wgs84_gravity_magnitude *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_wgs84_gravity_magnitude_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_wgs84_gravity_magnitude_decode(
+    struct mip_filter_data_wgs84_gravity_magnitude *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_wgs84_gravity_magnitude_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_wgs84_gravity_magnitude_encode(
+    const struct mip_filter_data_wgs84_gravity_magnitude *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_wgs84_gravity_magnitude_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_wgs84_gravity_magnitude_decode_inline(
+    struct mip_filter_data_wgs84_gravity_magnitude *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x0F, 6);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_float(&value->gravity_magnitude, field->data);
+    value->valid_flags = mip_get_16(field->data + 4);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_wgs84_gravity_magnitude_encode_inline(
+    const struct mip_filter_data_wgs84_gravity_magnitude *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x0F, 6, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_float(data, &value->gravity_magnitude);
+    mip_put_16(data + 4, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Filter status: data (0x82,0x10).
  *
@@ -830,13 +1443,14 @@ mip_error mip_filter_data_wgs84_gravity_magnitude_encode(
  */
 struct mip_filter_data_status {
     /**
-     * State of the filter. On the 3DM-CV7-GNSS/INS: values of mip_filter_data_cv7_filter_state. On
-     * the 3DM-GX5-15: values of mip_filter_data_gx5_filter_state.
+     * State of the filter. On the 3DM-CV7-GNSS/INS: values of enum
+     * mip_filter_data_cv7_filter_state. On the 3DM-GX5-15: values of enum
+     * mip_filter_data_gx5_filter_state.
      */
     uint16_t filter_state;
     /**
-     * Motion for which the filter is set up. On the 3DM-CV7-GNSS/INS: values of
-     * mip_filter_data_cv7_dynamics_mode. On the 3DM-GX5-15: values of
+     * Motion for which the filter is set up. On the 3DM-CV7-GNSS/INS: values of enum
+     * mip_filter_data_cv7_dynamics_mode. On the 3DM-GX5-15: values of enum
      * mip_filter_data_gx5_dynamics_mode.
      */
     uint16_t dynamics_mode;
@@ -847,15 +1461,53 @@ struct mip_filter_data_status {
     uint16_t status_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_STATUS 0x8210
 #define MIP_FILTER_DATA_STATUS_DESCRIPTOR 0x10
 #define MIP_FILTER_DATA_STATUS_NAME "filter_data.status"
 
-extern const struct mip_codec mip_filter_data_status_codec;
-mip_error mip_filter_data_status_decode(struct mip_filter_data_status *value,
-                                        const struct mip_field *field);
-mip_error mip_filter_data_status_encode(const struct mip_filter_data_status *value,
-                                        struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_status_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_status_decode(struct mip_filter_data_status *value,
+                                                      const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_status_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_status_encode(const struct mip_filter_data_status *value,
+                                                      struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_status_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_status_decode_inline(struct mip_filter_data_status *value,
+                                                             const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x10, 6);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->filter_state = mip_get_16(field->data);
+    value->dynamics_mode = mip_get_16(field->data + 2);
+    value->status_flags = mip_get_16(field->data + 4);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_status_encode_inline(
+    const struct mip_filter_data_status *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x10, 6, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_16(data, value->filter_state);
+    mip_put_16(data + 2, value->dynamics_mode);
+    mip_put_16(data + 4, value->status_flags);
+    return MIP_OK;
+}
 /**
  * Filter timestamp: data (0x82,0x11).
  *
@@ -886,15 +1538,53 @@ struct mip_filter_data_timestamp {
     mip_filter_data_valid_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_TIMESTAMP 0x8211
 #define MIP_FILTER_DATA_TIMESTAMP_DESCRIPTOR 0x11
 #define MIP_FILTER_DATA_TIMESTAMP_NAME "filter_data.timestamp"
 
-extern const struct mip_codec mip_filter_data_timestamp_codec;
-mip_error mip_filter_data_timestamp_decode(struct mip_filter_data_timestamp *value,
-                                           const struct mip_field *field);
-mip_error mip_filter_data_timestamp_encode(const struct mip_filter_data_timestamp *value,
-                                           struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_timestamp_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_timestamp_decode(struct mip_filter_data_timestamp *value,
+                                                         const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_timestamp_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_timestamp_encode(
+    const struct mip_filter_data_timestamp *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_timestamp_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_timestamp_decode_inline(
+    struct mip_filter_data_timestamp *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x11, 12);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_double(&value->tow, field->data);
+    value->week_number = mip_get_16(field->data + 8);
+    value->valid_flags = mip_get_16(field->data + 10);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_timestamp_encode_inline(
+    const struct mip_filter_data_timestamp *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x11, 12, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_double(data, &value->tow);
+    mip_put_16(data + 8, value->week_number);
+    mip_put_16(data + 10, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Quaternion uncertainty: data (0x82,0x12).
  *
@@ -915,17 +1605,58 @@ struct mip_filter_data_quaternion_attitude_uncertainty {
     mip_filter_data_valid_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_QUATERNION_ATTITUDE_UNCERTAINTY 0x8212
 #define MIP_FILTER_DATA_QUATERNION_ATTITUDE_UNCERTAINTY_DESCRIPTOR 0x12
 #define MIP_FILTER_DATA_QUATERNION_ATTITUDE_UNCERTAINTY_NAME \
     "filter_data.quaternion_attitude_uncertainty"
 
-extern const struct mip_codec mip_filter_data_quaternion_attitude_uncertainty_codec;
-mip_error mip_filter_data_quaternion_attitude_uncertainty_decode(
-    struct mip_filter_data_quaternion_attitude_uncertainty *value, const struct mip_field *field);
-mip_error mip_filter_data_quaternion_attitude_uncertainty_encode(
-    const struct mip_filter_data_quaternion_attitude_uncertainty *value,
-    struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_quaternion_attitude_uncertainty_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_quaternion_attitude_uncertainty_decode(
+    struct mip_filter_data_quaternion_attitude_uncertainty *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_quaternion_attitude_uncertainty_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_quaternion_attitude_uncertainty_encode(
+    const struct mip_filter_data_quaternion_attitude_uncertainty *value,
+    struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_quaternion_attitude_uncertainty_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_quaternion_attitude_uncertainty_decode_inline(
+    struct mip_filter_data_quaternion_attitude_uncertainty *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x12, 18);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 4; i++) {
+        mip_get_float(&value->q[i], field->data + 4 * i);
+    }
+    value->valid_flags = mip_get_16(field->data + 16);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_quaternion_attitude_uncertainty_encode_inline(
+    const struct mip_filter_data_quaternion_attitude_uncertainty *value,
+    struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x12, 18, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 4; i++) {
+        mip_put_float(data + 4 * i, &value->q[i]);
+    }
+    mip_put_16(data + 16, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Gravity vector: data (0x82,0x13).
  *
@@ -946,15 +1677,55 @@ struct mip_filter_data_gravity_vector {
     mip_filter_data_valid_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_GRAVITY_VECTOR 0x8213
 #define MIP_FILTER_DATA_GRAVITY_VECTOR_DESCRIPTOR 0x13
 #define MIP_FILTER_DATA_GRAVITY_VECTOR_NAME "filter_data.gravity_vector"
 
-extern const struct mip_codec mip_filter_data_gravity_vector_codec;
-mip_error mip_filter_data_gravity_vector_decode(struct mip_filter_data_gravity_vector *value,
-                                                const struct mip_field *field);
-mip_error mip_filter_data_gravity_vector_encode(const struct mip_filter_data_gravity_vector *value,
-                                                struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_gravity_vector_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_gravity_vector_decode(
+    struct mip_filter_data_gravity_vector *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_gravity_vector_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_gravity_vector_encode(
+    const struct mip_filter_data_gravity_vector *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_gravity_vector_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_gravity_vector_decode_inline(
+    struct mip_filter_data_gravity_vector *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x13, 14);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->gravity[i], field->data + 4 * i);
+    }
+    value->valid_flags = mip_get_16(field->data + 12);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_gravity_vector_encode_inline(
+    const struct mip_filter_data_gravity_vector *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x13, 14, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 4 * i, &value->gravity[i]);
+    }
+    mip_put_16(data + 12, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Heading update source state: data (0x82,0x14).
  *
@@ -986,15 +1757,55 @@ struct mip_filter_data_heading_update_state {
     mip_filter_data_valid_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_HEADING_UPDATE_STATE 0x8214
 #define MIP_FILTER_DATA_HEADING_UPDATE_STATE_DESCRIPTOR 0x14
 #define MIP_FILTER_DATA_HEADING_UPDATE_STATE_NAME "filter_data.heading_update_state"
 
-extern const struct mip_codec mip_filter_data_heading_update_state_codec;
-mip_error mip_filter_data_heading_update_state_decode(
-    struct mip_filter_data_heading_update_state *value, const struct mip_field *field);
-mip_error mip_filter_data_heading_update_state_encode(
-    const struct mip_filter_data_heading_update_state *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_heading_update_state_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_heading_update_state_decode(
+    struct mip_filter_data_heading_update_state *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_heading_update_state_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_heading_update_state_encode(
+    const struct mip_filter_data_heading_update_state *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_heading_update_state_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_heading_update_state_decode_inline(
+    struct mip_filter_data_heading_update_state *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x14, 12);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_float(&value->heading, field->data);
+    mip_get_float(&value->heading_uncertainty, field->data + 4);
+    value->source = mip_get_16(field->data + 8);
+    value->valid_flags = mip_get_16(field->data + 10);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_heading_update_state_encode_inline(
+    const struct mip_filter_data_heading_update_state *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x14, 12, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_float(data, &value->heading);
+    mip_put_float(data + 4, &value->heading_uncertainty);
+    mip_put_16(data + 8, value->source);
+    mip_put_16(data + 10, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Magnetic model: data (0x82,0x15).
  *
@@ -1030,15 +1841,59 @@ struct mip_filter_data_magnetic_model {
     mip_filter_data_valid_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_MAGNETIC_MODEL 0x8215
 #define MIP_FILTER_DATA_MAGNETIC_MODEL_DESCRIPTOR 0x15
 #define MIP_FILTER_DATA_MAGNETIC_MODEL_NAME "filter_data.magnetic_model"
 
-extern const struct mip_codec mip_filter_data_magnetic_model_codec;
-mip_error mip_filter_data_magnetic_model_decode(struct mip_filter_data_magnetic_model *value,
-                                                const struct mip_field *field);
-mip_error mip_filter_data_magnetic_model_encode(const struct mip_filter_data_magnetic_model *value,
-                                                struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_magnetic_model_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_magnetic_model_decode(
+    struct mip_filter_data_magnetic_model *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_magnetic_model_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_magnetic_model_encode(
+    const struct mip_filter_data_magnetic_model *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_magnetic_model_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_magnetic_model_decode_inline(
+    struct mip_filter_data_magnetic_model *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x15, 22);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_float(&value->intensity_north, field->data);
+    mip_get_float(&value->intensity_east, field->data + 4);
+    mip_get_float(&value->intensity_down, field->data + 8);
+    mip_get_float(&value->inclination, field->data + 12);
+    mip_get_float(&value->declination, field->data + 16);
+    value->valid_flags = mip_get_16(field->data + 20);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_magnetic_model_encode_inline(
+    const struct mip_filter_data_magnetic_model *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x15, 22, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_float(data, &value->intensity_north);
+    mip_put_float(data + 4, &value->intensity_east);
+    mip_put_float(data + 8, &value->intensity_down);
+    mip_put_float(data + 12, &value->inclination);
+    mip_put_float(data + 16, &value->declination);
+    mip_put_16(data + 20, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Gyroscope scale factor: data (0x82,0x16).
  *
@@ -1058,15 +1913,55 @@ struct mip_filter_data_gyro_scale_factor {
     mip_filter_data_valid_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_GYRO_SCALE_FACTOR 0x8216
 #define MIP_FILTER_DATA_GYRO_SCALE_FACTOR_DESCRIPTOR 0x16
 #define MIP_FILTER_DATA_GYRO_SCALE_FACTOR_NAME "filter_data.gyro_scale_factor"
 
-extern const struct mip_codec mip_filter_data_gyro_scale_factor_codec;
-mip_error mip_filter_data_gyro_scale_factor_decode(struct mip_filter_data_gyro_scale_factor *value,
-                                                   const struct mip_field *field);
-mip_error mip_filter_data_gyro_scale_factor_encode(
-    const struct mip_filter_data_gyro_scale_factor *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_gyro_scale_factor_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_gyro_scale_factor_decode(
+    struct mip_filter_data_gyro_scale_factor *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_gyro_scale_factor_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_gyro_scale_factor_encode(
+    const struct mip_filter_data_gyro_scale_factor *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_gyro_scale_factor_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_gyro_scale_factor_decode_inline(
+    struct mip_filter_data_gyro_scale_factor *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x16, 14);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->scale_factor[i], field->data + 4 * i);
+    }
+    value->valid_flags = mip_get_16(field->data + 12);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_gyro_scale_factor_encode_inline(
+    const struct mip_filter_data_gyro_scale_factor *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x16, 14, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 4 * i, &value->scale_factor[i]);
+    }
+    mip_put_16(data + 12, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Accelerometer scale factor: data (0x82,0x17).
  *
@@ -1086,15 +1981,55 @@ struct mip_filter_data_accel_scale_factor {
     mip_filter_data_valid_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_ACCEL_SCALE_FACTOR 0x8217
 #define MIP_FILTER_DATA_ACCEL_SCALE_FACTOR_DESCRIPTOR 0x17
 #define MIP_FILTER_DATA_ACCEL_SCALE_FACTOR_NAME "filter_data.accel_scale_factor"
 
-extern const struct mip_codec mip_filter_data_accel_scale_factor_codec;
-mip_error mip_filter_data_accel_scale_factor_decode(
-    struct mip_filter_data_accel_scale_factor *value, const struct mip_field *field);
-mip_error mip_filter_data_accel_scale_factor_encode(
-    const struct mip_filter_data_accel_scale_factor *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_accel_scale_factor_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_accel_scale_factor_decode(
+    struct mip_filter_data_accel_scale_factor *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_accel_scale_factor_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_accel_scale_factor_encode(
+    const struct mip_filter_data_accel_scale_factor *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_accel_scale_factor_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_accel_scale_factor_decode_inline(
+    struct mip_filter_data_accel_scale_factor *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x17, 14);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->scale_factor[i], field->data + 4 * i);
+    }
+    value->valid_flags = mip_get_16(field->data + 12);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_accel_scale_factor_encode_inline(
+    const struct mip_filter_data_accel_scale_factor *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x17, 14, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 4 * i, &value->scale_factor[i]);
+    }
+    mip_put_16(data + 12, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Gyroscope scale factor uncertainty: data (0x82,0x18).
  *
@@ -1114,16 +2049,58 @@ struct mip_filter_data_gyro_scale_factor_uncertainty {
     mip_filter_data_valid_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_GYRO_SCALE_FACTOR_UNCERTAINTY 0x8218
 #define MIP_FILTER_DATA_GYRO_SCALE_FACTOR_UNCERTAINTY_DESCRIPTOR 0x18
 #define MIP_FILTER_DATA_GYRO_SCALE_FACTOR_UNCERTAINTY_NAME \
     "filter_data.gyro_scale_factor_uncertainty"
 
-extern const struct mip_codec mip_filter_data_gyro_scale_factor_uncertainty_codec;
-mip_error mip_filter_data_gyro_scale_factor_uncertainty_decode(
-    struct mip_filter_data_gyro_scale_factor_uncertainty *value, const struct mip_field *field);
-mip_error mip_filter_data_gyro_scale_factor_uncertainty_encode(
-    const struct mip_filter_data_gyro_scale_factor_uncertainty *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_gyro_scale_factor_uncertainty_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_gyro_scale_factor_uncertainty_decode(
+    struct mip_filter_data_gyro_scale_factor_uncertainty *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_gyro_scale_factor_uncertainty_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_gyro_scale_factor_uncertainty_encode(
+    const struct mip_filter_data_gyro_scale_factor_uncertainty *value,
+    struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_gyro_scale_factor_uncertainty_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_gyro_scale_factor_uncertainty_decode_inline(
+    struct mip_filter_data_gyro_scale_factor_uncertainty *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x18, 14);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->scale_factor_uncertainty[i], field->data + 4 * i);
+    }
+    value->valid_flags = mip_get_16(field->data + 12);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_gyro_scale_factor_uncertainty_encode_inline(
+    const struct mip_filter_data_gyro_scale_factor_uncertainty *value,
+    struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x18, 14, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 4 * i, &value->scale_factor_uncertainty[i]);
+    }
+    mip_put_16(data + 12, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Accelerometer scale factor uncertainty: data (0x82,0x19).
  *
@@ -1143,17 +2120,58 @@ struct mip_filter_data_accel_scale_factor_uncertainty {
     mip_filter_data_valid_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_ACCEL_SCALE_FACTOR_UNCERTAINTY 0x8219
 #define MIP_FILTER_DATA_ACCEL_SCALE_FACTOR_UNCERTAINTY_DESCRIPTOR 0x19
 #define MIP_FILTER_DATA_ACCEL_SCALE_FACTOR_UNCERTAINTY_NAME \
     "filter_data.accel_scale_factor_uncertainty"
 
-extern const struct mip_codec mip_filter_data_accel_scale_factor_uncertainty_codec;
-mip_error mip_filter_data_accel_scale_factor_uncertainty_decode(
-    struct mip_filter_data_accel_scale_factor_uncertainty *value, const struct mip_field *field);
-mip_error mip_filter_data_accel_scale_factor_uncertainty_encode(
-    const struct mip_filter_data_accel_scale_factor_uncertainty *value,
-    struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_accel_scale_factor_uncertainty_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_accel_scale_factor_uncertainty_decode(
+    struct mip_filter_data_accel_scale_factor_uncertainty *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_accel_scale_factor_uncertainty_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_accel_scale_factor_uncertainty_encode(
+    const struct mip_filter_data_accel_scale_factor_uncertainty *value,
+    struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_accel_scale_factor_uncertainty_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_accel_scale_factor_uncertainty_decode_inline(
+    struct mip_filter_data_accel_scale_factor_uncertainty *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x19, 14);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->scale_factor_uncertainty[i], field->data + 4 * i);
+    }
+    value->valid_flags = mip_get_16(field->data + 12);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_accel_scale_factor_uncertainty_encode_inline(
+    const struct mip_filter_data_accel_scale_factor_uncertainty *value,
+    struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x19, 14, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 4 * i, &value->scale_factor_uncertainty[i]);
+    }
+    mip_put_16(data + 12, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Magnetometer bias: data (0x82,0x1A).
  *
@@ -1173,15 +2191,55 @@ struct mip_filter_data_mag_bias {
     mip_filter_data_valid_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_MAG_BIAS 0x821A
 #define MIP_FILTER_DATA_MAG_BIAS_DESCRIPTOR 0x1A
 #define MIP_FILTER_DATA_MAG_BIAS_NAME "filter_data.mag_bias"
 
-extern const struct mip_codec mip_filter_data_mag_bias_codec;
-mip_error mip_filter_data_mag_bias_decode(struct mip_filter_data_mag_bias *value,
-                                          const struct mip_field *field);
-mip_error mip_filter_data_mag_bias_encode(const struct mip_filter_data_mag_bias *value,
-                                          struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_mag_bias_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_mag_bias_decode(struct mip_filter_data_mag_bias *value,
+                                                        const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_mag_bias_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_mag_bias_encode(
+    const struct mip_filter_data_mag_bias *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_mag_bias_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_mag_bias_decode_inline(
+    struct mip_filter_data_mag_bias *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x1A, 14);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->bias[i], field->data + 4 * i);
+    }
+    value->valid_flags = mip_get_16(field->data + 12);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_mag_bias_encode_inline(
+    const struct mip_filter_data_mag_bias *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x1A, 14, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 4 * i, &value->bias[i]);
+    }
+    mip_put_16(data + 12, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Magnetometer bias uncertainty: data (0x82,0x1B).
  *
@@ -1201,15 +2259,55 @@ struct mip_filter_data_mag_bias_uncertainty {
     mip_filter_data_valid_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_MAG_BIAS_UNCERTAINTY 0x821B
 #define MIP_FILTER_DATA_MAG_BIAS_UNCERTAINTY_DESCRIPTOR 0x1B
 #define MIP_FILTER_DATA_MAG_BIAS_UNCERTAINTY_NAME "filter_data.mag_bias_uncertainty"
 
-extern const struct mip_codec mip_filter_data_mag_bias_uncertainty_codec;
-mip_error mip_filter_data_mag_bias_uncertainty_decode(
-    struct mip_filter_data_mag_bias_uncertainty *value, const struct mip_field *field);
-mip_error mip_filter_data_mag_bias_uncertainty_encode(
-    const struct mip_filter_data_mag_bias_uncertainty *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_mag_bias_uncertainty_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_mag_bias_uncertainty_decode(
+    struct mip_filter_data_mag_bias_uncertainty *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_mag_bias_uncertainty_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_mag_bias_uncertainty_encode(
+    const struct mip_filter_data_mag_bias_uncertainty *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_mag_bias_uncertainty_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_mag_bias_uncertainty_decode_inline(
+    struct mip_filter_data_mag_bias_uncertainty *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x1B, 14);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->bias_uncertainty[i], field->data + 4 * i);
+    }
+    value->valid_flags = mip_get_16(field->data + 12);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_mag_bias_uncertainty_encode_inline(
+    const struct mip_filter_data_mag_bias_uncertainty *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x1B, 14, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 4 * i, &value->bias_uncertainty[i]);
+    }
+    mip_put_16(data + 12, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Compensated acceleration: data (0x82,0x1C).
  *
@@ -1230,15 +2328,55 @@ struct mip_filter_data_comp_accel {
     mip_filter_data_valid_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_COMP_ACCEL 0x821C
 #define MIP_FILTER_DATA_COMP_ACCEL_DESCRIPTOR 0x1C
 #define MIP_FILTER_DATA_COMP_ACCEL_NAME "filter_data.comp_accel"
 
-extern const struct mip_codec mip_filter_data_comp_accel_codec;
-mip_error mip_filter_data_comp_accel_decode(struct mip_filter_data_comp_accel *value,
-                                            const struct mip_field *field);
-mip_error mip_filter_data_comp_accel_encode(const struct mip_filter_data_comp_accel *value,
-                                            struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_comp_accel_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_comp_accel_decode(struct mip_filter_data_comp_accel *value,
+                                                          const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_comp_accel_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_comp_accel_encode(
+    const struct mip_filter_data_comp_accel *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_comp_accel_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_comp_accel_decode_inline(
+    struct mip_filter_data_comp_accel *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x1C, 14);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->accel[i], field->data + 4 * i);
+    }
+    value->valid_flags = mip_get_16(field->data + 12);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_comp_accel_encode_inline(
+    const struct mip_filter_data_comp_accel *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x1C, 14, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 4 * i, &value->accel[i]);
+    }
+    mip_put_16(data + 12, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Standard atmosphere: data (0x82,0x20).
  *
@@ -1273,15 +2411,59 @@ struct mip_filter_data_standard_atmosphere {
     mip_filter_data_valid_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_STANDARD_ATMOSPHERE 0x8220
 #define MIP_FILTER_DATA_STANDARD_ATMOSPHERE_DESCRIPTOR 0x20
 #define MIP_FILTER_DATA_STANDARD_ATMOSPHERE_NAME "filter_data.standard_atmosphere"
 
-extern const struct mip_codec mip_filter_data_standard_atmosphere_codec;
-mip_error mip_filter_data_standard_atmosphere_decode(
-    struct mip_filter_data_standard_atmosphere *value, const struct mip_field *field);
-mip_error mip_filter_data_standard_atmosphere_encode(
-    const struct mip_filter_data_standard_atmosphere *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_standard_atmosphere_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_standard_atmosphere_decode(
+    struct mip_filter_data_standard_atmosphere *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_standard_atmosphere_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_standard_atmosphere_encode(
+    const struct mip_filter_data_standard_atmosphere *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_standard_atmosphere_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_standard_atmosphere_decode_inline(
+    struct mip_filter_data_standard_atmosphere *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x20, 22);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_float(&value->geometric_altitude, field->data);
+    mip_get_float(&value->geopotential_altitude, field->data + 4);
+    mip_get_float(&value->standard_temperature, field->data + 8);
+    mip_get_float(&value->standard_pressure, field->data + 12);
+    mip_get_float(&value->standard_density, field->data + 16);
+    value->valid_flags = mip_get_16(field->data + 20);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_standard_atmosphere_encode_inline(
+    const struct mip_filter_data_standard_atmosphere *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x20, 22, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_float(data, &value->geometric_altitude);
+    mip_put_float(data + 4, &value->geopotential_altitude);
+    mip_put_float(data + 8, &value->standard_temperature);
+    mip_put_float(data + 12, &value->standard_pressure);
+    mip_put_float(data + 16, &value->standard_density);
+    mip_put_16(data + 20, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Pressure altitude: data (0x82,0x21).
  *
@@ -1304,15 +2486,51 @@ struct mip_filter_data_pressure_altitude {
     mip_filter_data_valid_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_PRESSURE_ALTITUDE 0x8221
 #define MIP_FILTER_DATA_PRESSURE_ALTITUDE_DESCRIPTOR 0x21
 #define MIP_FILTER_DATA_PRESSURE_ALTITUDE_NAME "filter_data.pressure_altitude"
 
-extern const struct mip_codec mip_filter_data_pressure_altitude_codec;
-mip_error mip_filter_data_pressure_altitude_decode(struct mip_filter_data_pressure_altitude *value,
-                                                   const struct mip_field *field);
-mip_error mip_filter_data_pressure_altitude_encode(
-    const struct mip_filter_data_pressure_altitude *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_pressure_altitude_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_pressure_altitude_decode(
+    struct mip_filter_data_pressure_altitude *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_pressure_altitude_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_pressure_altitude_encode(
+    const struct mip_filter_data_pressure_altitude *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_pressure_altitude_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_pressure_altitude_decode_inline(
+    struct mip_filter_data_pressure_altitude *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x21, 6);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_float(&value->pressure_altitude, field->data);
+    value->valid_flags = mip_get_16(field->data + 4);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_pressure_altitude_encode_inline(
+    const struct mip_filter_data_pressure_altitude *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x21, 6, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_float(data, &value->pressure_altitude);
+    mip_put_16(data + 4, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Density altitude: data (0x82,0x22).
  *
@@ -1330,15 +2548,51 @@ struct mip_filter_data_density_altitude {
     mip_filter_data_valid_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_DENSITY_ALTITUDE 0x8222
 #define MIP_FILTER_DATA_DENSITY_ALTITUDE_DESCRIPTOR 0x22
 #define MIP_FILTER_DATA_DENSITY_ALTITUDE_NAME "filter_data.density_altitude"
 
-extern const struct mip_codec mip_filter_data_density_altitude_codec;
-mip_error mip_filter_data_density_altitude_decode(struct mip_filter_data_density_altitude *value,
-                                                  const struct mip_field *field);
-mip_error mip_filter_data_density_altitude_encode(
-    const struct mip_filter_data_density_altitude *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_density_altitude_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_density_altitude_decode(
+    struct mip_filter_data_density_altitude *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_density_altitude_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_density_altitude_encode(
+    const struct mip_filter_data_density_altitude *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_density_altitude_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_density_altitude_decode_inline(
+    struct mip_filter_data_density_altitude *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x22, 6);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_float(&value->density_altitude, field->data);
+    value->valid_flags = mip_get_16(field->data + 4);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_density_altitude_encode_inline(
+    const struct mip_filter_data_density_altitude *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x22, 6, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_float(data, &value->density_altitude);
+    mip_put_16(data + 4, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Magnetometer offset: data (0x82,0x25).
  *
@@ -1361,15 +2615,55 @@ struct mip_filter_data_mag_offset {
     mip_filter_data_valid_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_MAG_OFFSET 0x8225
 #define MIP_FILTER_DATA_MAG_OFFSET_DESCRIPTOR 0x25
 #define MIP_FILTER_DATA_MAG_OFFSET_NAME "filter_data.mag_offset"
 
-extern const struct mip_codec mip_filter_data_mag_offset_codec;
-mip_error mip_filter_data_mag_offset_decode(struct mip_filter_data_mag_offset *value,
-                                            const struct mip_field *field);
-mip_error mip_filter_data_mag_offset_encode(const struct mip_filter_data_mag_offset *value,
-                                            struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_mag_offset_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_mag_offset_decode(struct mip_filter_data_mag_offset *value,
+                                                          const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_mag_offset_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_mag_offset_encode(
+    const struct mip_filter_data_mag_offset *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_mag_offset_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_mag_offset_decode_inline(
+    struct mip_filter_data_mag_offset *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x25, 14);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->hard_iron[i], field->data + 4 * i);
+    }
+    value->valid_flags = mip_get_16(field->data + 12);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_mag_offset_encode_inline(
+    const struct mip_filter_data_mag_offset *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x25, 14, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 4 * i, &value->hard_iron[i]);
+    }
+    mip_put_16(data + 12, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Magnetometer matrix: data (0x82,0x26).
  *
@@ -1392,15 +2686,55 @@ struct mip_filter_data_mag_matrix {
     mip_filter_data_valid_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_MAG_MATRIX 0x8226
 #define MIP_FILTER_DATA_MAG_MATRIX_DESCRIPTOR 0x26
 #define MIP_FILTER_DATA_MAG_MATRIX_NAME "filter_data.mag_matrix"
 
-extern const struct mip_codec mip_filter_data_mag_matrix_codec;
-mip_error mip_filter_data_mag_matrix_decode(struct mip_filter_data_mag_matrix *value,
-                                            const struct mip_field *field);
-mip_error mip_filter_data_mag_matrix_encode(const struct mip_filter_data_mag_matrix *value,
-                                            struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_mag_matrix_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_mag_matrix_decode(struct mip_filter_data_mag_matrix *value,
+                                                          const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_mag_matrix_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_mag_matrix_encode(
+    const struct mip_filter_data_mag_matrix *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_mag_matrix_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_mag_matrix_decode_inline(
+    struct mip_filter_data_mag_matrix *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x26, 38);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 9; i++) {
+        mip_get_float(&value->soft_iron[i], field->data + 4 * i);
+    }
+    value->valid_flags = mip_get_16(field->data + 36);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_mag_matrix_encode_inline(
+    const struct mip_filter_data_mag_matrix *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x26, 38, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 9; i++) {
+        mip_put_float(data + 4 * i, &value->soft_iron[i]);
+    }
+    mip_put_16(data + 36, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Magnetometer offset uncertainty: data (0x82,0x28).
  *
@@ -1421,15 +2755,55 @@ struct mip_filter_data_mag_offset_uncertainty {
     mip_filter_data_valid_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_MAG_OFFSET_UNCERTAINTY 0x8228
 #define MIP_FILTER_DATA_MAG_OFFSET_UNCERTAINTY_DESCRIPTOR 0x28
 #define MIP_FILTER_DATA_MAG_OFFSET_UNCERTAINTY_NAME "filter_data.mag_offset_uncertainty"
 
-extern const struct mip_codec mip_filter_data_mag_offset_uncertainty_codec;
-mip_error mip_filter_data_mag_offset_uncertainty_decode(
-    struct mip_filter_data_mag_offset_uncertainty *value, const struct mip_field *field);
-mip_error mip_filter_data_mag_offset_uncertainty_encode(
-    const struct mip_filter_data_mag_offset_uncertainty *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_mag_offset_uncertainty_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_mag_offset_uncertainty_decode(
+    struct mip_filter_data_mag_offset_uncertainty *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_mag_offset_uncertainty_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_mag_offset_uncertainty_encode(
+    const struct mip_filter_data_mag_offset_uncertainty *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_mag_offset_uncertainty_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_mag_offset_uncertainty_decode_inline(
+    struct mip_filter_data_mag_offset_uncertainty *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x28, 14);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->hard_iron_uncertainty[i], field->data + 4 * i);
+    }
+    value->valid_flags = mip_get_16(field->data + 12);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_mag_offset_uncertainty_encode_inline(
+    const struct mip_filter_data_mag_offset_uncertainty *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x28, 14, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 4 * i, &value->hard_iron_uncertainty[i]);
+    }
+    mip_put_16(data + 12, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Magnetometer matrix uncertainty: data (0x82,0x29).
  *
@@ -1450,15 +2824,55 @@ struct mip_filter_data_mag_matrix_uncertainty {
     mip_filter_data_valid_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_MAG_MATRIX_UNCERTAINTY 0x8229
 #define MIP_FILTER_DATA_MAG_MATRIX_UNCERTAINTY_DESCRIPTOR 0x29
 #define MIP_FILTER_DATA_MAG_MATRIX_UNCERTAINTY_NAME "filter_data.mag_matrix_uncertainty"
 
-extern const struct mip_codec mip_filter_data_mag_matrix_uncertainty_codec;
-mip_error mip_filter_data_mag_matrix_uncertainty_decode(
-    struct mip_filter_data_mag_matrix_uncertainty *value, const struct mip_field *field);
-mip_error mip_filter_data_mag_matrix_uncertainty_encode(
-    const struct mip_filter_data_mag_matrix_uncertainty *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_mag_matrix_uncertainty_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_mag_matrix_uncertainty_decode(
+    struct mip_filter_data_mag_matrix_uncertainty *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_mag_matrix_uncertainty_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_mag_matrix_uncertainty_encode(
+    const struct mip_filter_data_mag_matrix_uncertainty *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_mag_matrix_uncertainty_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_mag_matrix_uncertainty_decode_inline(
+    struct mip_filter_data_mag_matrix_uncertainty *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x29, 38);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 9; i++) {
+        mip_get_float(&value->soft_iron_uncertainty[i], field->data + 4 * i);
+    }
+    value->valid_flags = mip_get_16(field->data + 36);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_mag_matrix_uncertainty_encode_inline(
+    const struct mip_filter_data_mag_matrix_uncertainty *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x29, 38, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 9; i++) {
+        mip_put_float(data + 4 * i, &value->soft_iron_uncertainty[i]);
+    }
+    mip_put_16(data + 36, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Magnetometer covariance matrix: data (0x82,0x2A).
  *
@@ -1480,15 +2894,55 @@ struct mip_filter_data_mag_covariance_matrix {
     mip_filter_data_valid_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_MAG_COVARIANCE_MATRIX 0x822A
 #define MIP_FILTER_DATA_MAG_COVARIANCE_MATRIX_DESCRIPTOR 0x2A
 #define MIP_FILTER_DATA_MAG_COVARIANCE_MATRIX_NAME "filter_data.mag_covariance_matrix"
 
-extern const struct mip_codec mip_filter_data_mag_covariance_matrix_codec;
-mip_error mip_filter_data_mag_covariance_matrix_decode(
-    struct mip_filter_data_mag_covariance_matrix *value, const struct mip_field *field);
-mip_error mip_filter_data_mag_covariance_matrix_encode(
-    const struct mip_filter_data_mag_covariance_matrix *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_mag_covariance_matrix_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_mag_covariance_matrix_decode(
+    struct mip_filter_data_mag_covariance_matrix *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_mag_covariance_matrix_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_mag_covariance_matrix_encode(
+    const struct mip_filter_data_mag_covariance_matrix *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_mag_covariance_matrix_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_mag_covariance_matrix_decode_inline(
+    struct mip_filter_data_mag_covariance_matrix *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x2A, 38);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 9; i++) {
+        mip_get_float(&value->covariance[i], field->data + 4 * i);
+    }
+    value->valid_flags = mip_get_16(field->data + 36);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_mag_covariance_matrix_encode_inline(
+    const struct mip_filter_data_mag_covariance_matrix *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x2A, 38, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 9; i++) {
+        mip_put_float(data + 4 * i, &value->covariance[i]);
+    }
+    mip_put_16(data + 36, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Magnetometer residual vector: data (0x82,0x2C).
  *
@@ -1509,15 +2963,55 @@ struct mip_filter_data_mag_residual_vector {
     mip_filter_data_valid_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_MAG_RESIDUAL_VECTOR 0x822C
 #define MIP_FILTER_DATA_MAG_RESIDUAL_VECTOR_DESCRIPTOR 0x2C
 #define MIP_FILTER_DATA_MAG_RESIDUAL_VECTOR_NAME "filter_data.mag_residual_vector"
 
-extern const struct mip_codec mip_filter_data_mag_residual_vector_codec;
-mip_error mip_filter_data_mag_residual_vector_decode(
-    struct mip_filter_data_mag_residual_vector *value, const struct mip_field *field);
-mip_error mip_filter_data_mag_residual_vector_encode(
-    const struct mip_filter_data_mag_residual_vector *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_mag_residual_vector_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_mag_residual_vector_decode(
+    struct mip_filter_data_mag_residual_vector *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_mag_residual_vector_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_mag_residual_vector_encode(
+    const struct mip_filter_data_mag_residual_vector *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_mag_residual_vector_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_mag_residual_vector_decode_inline(
+    struct mip_filter_data_mag_residual_vector *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x2C, 14);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->residual[i], field->data + 4 * i);
+    }
+    value->valid_flags = mip_get_16(field->data + 12);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_mag_residual_vector_encode_inline(
+    const struct mip_filter_data_mag_residual_vector *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x2C, 14, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 4 * i, &value->residual[i]);
+    }
+    mip_put_16(data + 12, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Antenna offset correction: data (0x82,0x30).
  *
@@ -1539,15 +3033,55 @@ struct mip_filter_data_antenna_offset_correction {
     mip_filter_data_valid_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION 0x8230
 #define MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION_DESCRIPTOR 0x30
 #define MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION_NAME "filter_data.antenna_offset_correction"
 
-extern const struct mip_codec mip_filter_data_antenna_offset_correction_codec;
-mip_error mip_filter_data_antenna_offset_correction_decode(
-    struct mip_filter_data_antenna_offset_correction *value, const struct mip_field *field);
-mip_error mip_filter_data_antenna_offset_correction_encode(
-    const struct mip_filter_data_antenna_offset_correction *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_antenna_offset_correction_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_antenna_offset_correction_decode(
+    struct mip_filter_data_antenna_offset_correction *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_antenna_offset_correction_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_antenna_offset_correction_encode(
+    const struct mip_filter_data_antenna_offset_correction *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_antenna_offset_correction_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_antenna_offset_correction_decode_inline(
+    struct mip_filter_data_antenna_offset_correction *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x30, 14);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->offset[i], field->data + 4 * i);
+    }
+    value->valid_flags = mip_get_16(field->data + 12);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_antenna_offset_correction_encode_inline(
+    const struct mip_filter_data_antenna_offset_correction *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x30, 14, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 4 * i, &value->offset[i]);
+    }
+    mip_put_16(data + 12, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Antenna offset correction uncertainty: data (0x82,0x31).
  *
@@ -1567,18 +3101,61 @@ struct mip_filter_data_antenna_offset_correction_uncertainty {
     mip_filter_data_valid_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY 0x8231
 #define MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_DESCRIPTOR 0x31
 #define MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_NAME \
     "filter_data.antenna_offset_correction_uncertainty"
 
-extern const struct mip_codec mip_filter_data_antenna_offset_correction_uncertainty_codec;
-mip_error mip_filter_data_antenna_offset_correction_uncertainty_decode(
-    struct mip_filter_data_antenna_offset_correction_uncertainty *value,
-    const struct mip_field *field);
-mip_error mip_filter_data_antenna_offset_correction_uncertainty_encode(
-    const struct mip_filter_data_antenna_offset_correction_uncertainty *value,
-    struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_antenna_offset_correction_uncertainty_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_antenna_offset_correction_uncertainty_decode(
+    struct mip_filter_data_antenna_offset_correction_uncertainty *value,
+    const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_antenna_offset_correction_uncertainty_codec, value, field,
+                      NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_antenna_offset_correction_uncertainty_encode(
+    const struct mip_filter_data_antenna_offset_correction_uncertainty *value,
+    struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_antenna_offset_correction_uncertainty_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_antenna_offset_correction_uncertainty_decode_inline(
+    struct mip_filter_data_antenna_offset_correction_uncertainty *value,
+    const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x31, 14);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->offset_uncertainty[i], field->data + 4 * i);
+    }
+    value->valid_flags = mip_get_16(field->data + 12);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_antenna_offset_correction_uncertainty_encode_inline(
+    const struct mip_filter_data_antenna_offset_correction_uncertainty *value,
+    struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x31, 14, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 4 * i, &value->offset_uncertainty[i]);
+    }
+    mip_put_16(data + 12, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Clock correction: data (0x82,0x32).
  *
@@ -1604,15 +3181,55 @@ struct mip_filter_data_clock_correction {
     mip_filter_data_valid_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_CLOCK_CORRECTION 0x8232
 #define MIP_FILTER_DATA_CLOCK_CORRECTION_DESCRIPTOR 0x32
 #define MIP_FILTER_DATA_CLOCK_CORRECTION_NAME "filter_data.clock_correction"
 
-extern const struct mip_codec mip_filter_data_clock_correction_codec;
-mip_error mip_filter_data_clock_correction_decode(struct mip_filter_data_clock_correction *value,
-                                                  const struct mip_field *field);
-mip_error mip_filter_data_clock_correction_encode(
-    const struct mip_filter_data_clock_correction *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_clock_correction_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_clock_correction_decode(
+    struct mip_filter_data_clock_correction *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_clock_correction_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_clock_correction_encode(
+    const struct mip_filter_data_clock_correction *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_clock_correction_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_clock_correction_decode_inline(
+    struct mip_filter_data_clock_correction *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x32, 11);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->receiver_id = mip_get_8(field->data);
+    mip_get_float(&value->bias, field->data + 1);
+    mip_get_float(&value->bias_drift, field->data + 5);
+    value->valid_flags = mip_get_16(field->data + 9);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_clock_correction_encode_inline(
+    const struct mip_filter_data_clock_correction *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x32, 11, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->receiver_id);
+    mip_put_float(data + 1, &value->bias);
+    mip_put_float(data + 5, &value->bias_drift);
+    mip_put_16(data + 9, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Clock correction uncertainty: data (0x82,0x33).
  *
@@ -1639,15 +3256,55 @@ struct mip_filter_data_clock_correction_uncertainty {
     mip_filter_data_valid_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_CLOCK_CORRECTION_UNCERTAINTY 0x8233
 #define MIP_FILTER_DATA_CLOCK_CORRECTION_UNCERTAINTY_DESCRIPTOR 0x33
 #define MIP_FILTER_DATA_CLOCK_CORRECTION_UNCERTAINTY_NAME "filter_data.clock_correction_uncertainty"
 
-extern const struct mip_codec mip_filter_data_clock_correction_uncertainty_codec;
-mip_error mip_filter_data_clock_correction_uncertainty_decode(
-    struct mip_filter_data_clock_correction_uncertainty *value, const struct mip_field *field);
-mip_error mip_filter_data_clock_correction_uncertainty_encode(
-    const struct mip_filter_data_clock_correction_uncertainty *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_clock_correction_uncertainty_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_clock_correction_uncertainty_decode(
+    struct mip_filter_data_clock_correction_uncertainty *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_clock_correction_uncertainty_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_clock_correction_uncertainty_encode(
+    const struct mip_filter_data_clock_correction_uncertainty *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_clock_correction_uncertainty_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_clock_correction_uncertainty_decode_inline(
+    struct mip_filter_data_clock_correction_uncertainty *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x33, 11);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->receiver_id = mip_get_8(field->data);
+    mip_get_float(&value->bias_uncertainty, field->data + 1);
+    mip_get_float(&value->bias_drift_uncertainty, field->data + 5);
+    value->valid_flags = mip_get_16(field->data + 9);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_clock_correction_uncertainty_encode_inline(
+    const struct mip_filter_data_clock_correction_uncertainty *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x33, 11, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->receiver_id);
+    mip_put_float(data + 1, &value->bias_uncertainty);
+    mip_put_float(data + 5, &value->bias_drift_uncertainty);
+    mip_put_16(data + 9, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Multi-antenna offset correction: data (0x82,0x34).
  *
@@ -1671,17 +3328,60 @@ struct mip_filter_data_multi_antenna_offset_correction {
     mip_filter_data_valid_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_MULTI_ANTENNA_OFFSET_CORRECTION 0x8234
 #define MIP_FILTER_DATA_MULTI_ANTENNA_OFFSET_CORRECTION_DESCRIPTOR 0x34
 #define MIP_FILTER_DATA_MULTI_ANTENNA_OFFSET_CORRECTION_NAME \
     "filter_data.multi_antenna_offset_correction"
 
-extern const struct mip_codec mip_filter_data_multi_antenna_offset_correction_codec;
-mip_error mip_filter_data_multi_antenna_offset_correction_decode(
-    struct mip_filter_data_multi_antenna_offset_correction *value, const struct mip_field *field);
-mip_error mip_filter_data_multi_antenna_offset_correction_encode(
-    const struct mip_filter_data_multi_antenna_offset_correction *value,
-    struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_multi_antenna_offset_correction_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_multi_antenna_offset_correction_decode(
+    struct mip_filter_data_multi_antenna_offset_correction *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_multi_antenna_offset_correction_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_multi_antenna_offset_correction_encode(
+    const struct mip_filter_data_multi_antenna_offset_correction *value,
+    struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_multi_antenna_offset_correction_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_multi_antenna_offset_correction_decode_inline(
+    struct mip_filter_data_multi_antenna_offset_correction *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x34, 15);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->receiver_id = mip_get_8(field->data);
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->offset[i], field->data + 1 + 4 * i);
+    }
+    value->valid_flags = mip_get_16(field->data + 13);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_multi_antenna_offset_correction_encode_inline(
+    const struct mip_filter_data_multi_antenna_offset_correction *value,
+    struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x34, 15, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->receiver_id);
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 1 + 4 * i, &value->offset[i]);
+    }
+    mip_put_16(data + 13, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Multi-antenna offset correction uncertainty: data (0x82,0x35).
  *
@@ -1703,18 +3403,65 @@ struct mip_filter_data_multi_antenna_offset_correction_uncertainty {
     mip_filter_data_valid_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_MULTI_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY 0x8235
 #define MIP_FILTER_DATA_MULTI_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_DESCRIPTOR 0x35
 #define MIP_FILTER_DATA_MULTI_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_NAME \
     "filter_data.multi_antenna_offset_correction_uncertainty"
 
-extern const struct mip_codec mip_filter_data_multi_antenna_offset_correction_uncertainty_codec;
-mip_error mip_filter_data_multi_antenna_offset_correction_uncertainty_decode(
-    struct mip_filter_data_multi_antenna_offset_correction_uncertainty *value,
-    const struct mip_field *field);
-mip_error mip_filter_data_multi_antenna_offset_correction_uncertainty_encode(
-    const struct mip_filter_data_multi_antenna_offset_correction_uncertainty *value,
-    struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec
+    mip_filter_data_multi_antenna_offset_correction_uncertainty_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_multi_antenna_offset_correction_uncertainty_decode(
+    struct mip_filter_data_multi_antenna_offset_correction_uncertainty *value,
+    const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_multi_antenna_offset_correction_uncertainty_codec, value,
+                      field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_multi_antenna_offset_correction_uncertainty_encode(
+    const struct mip_filter_data_multi_antenna_offset_correction_uncertainty *value,
+    struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_multi_antenna_offset_correction_uncertainty_codec, value,
+                      builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_multi_antenna_offset_correction_uncertainty_decode_inline(
+    struct mip_filter_data_multi_antenna_offset_correction_uncertainty *value,
+    const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x35, 15);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->receiver_id = mip_get_8(field->data);
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->offset_uncertainty[i], field->data + 1 + 4 * i);
+    }
+    value->valid_flags = mip_get_16(field->data + 13);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_multi_antenna_offset_correction_uncertainty_encode_inline(
+    const struct mip_filter_data_multi_antenna_offset_correction_uncertainty *value,
+    struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x35, 15, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->receiver_id);
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 1 + 4 * i, &value->offset_uncertainty[i]);
+    }
+    mip_put_16(data + 13, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * ECEF position uncertainty: data (0x82,0x36).
  *
@@ -1734,15 +3481,55 @@ struct mip_filter_data_ecef_position_uncertainty {
     mip_filter_data_valid_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_ECEF_POSITION_UNCERTAINTY 0x8236
 #define MIP_FILTER_DATA_ECEF_POSITION_UNCERTAINTY_DESCRIPTOR 0x36
 #define MIP_FILTER_DATA_ECEF_POSITION_UNCERTAINTY_NAME "filter_data.ecef_position_uncertainty"
 
-extern const struct mip_codec mip_filter_data_ecef_position_uncertainty_codec;
-mip_error mip_filter_data_ecef_position_uncertainty_decode(
-    struct mip_filter_data_ecef_position_uncertainty *value, const struct mip_field *field);
-mip_error mip_filter_data_ecef_position_uncertainty_encode(
-    const struct mip_filter_data_ecef_position_uncertainty *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_ecef_position_uncertainty_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_ecef_position_uncertainty_decode(
+    struct mip_filter_data_ecef_position_uncertainty *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_ecef_position_uncertainty_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_ecef_position_uncertainty_encode(
+    const struct mip_filter_data_ecef_position_uncertainty *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_ecef_position_uncertainty_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_ecef_position_uncertainty_decode_inline(
+    struct mip_filter_data_ecef_position_uncertainty *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x36, 14);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->position_uncertainty[i], field->data + 4 * i);
+    }
+    value->valid_flags = mip_get_16(field->data + 12);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_ecef_position_uncertainty_encode_inline(
+    const struct mip_filter_data_ecef_position_uncertainty *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x36, 14, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 4 * i, &value->position_uncertainty[i]);
+    }
+    mip_put_16(data + 12, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * ECEF velocity uncertainty: data (0x82,0x37).
  *
@@ -1762,15 +3549,55 @@ struct mip_filter_data_ecef_velocity_uncertainty {
     mip_filter_data_valid_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_ECEF_VELOCITY_UNCERTAINTY 0x8237
 #define MIP_FILTER_DATA_ECEF_VELOCITY_UNCERTAINTY_DESCRIPTOR 0x37
 #define MIP_FILTER_DATA_ECEF_VELOCITY_UNCERTAINTY_NAME "filter_data.ecef_velocity_uncertainty"
 
-extern const struct mip_codec mip_filter_data_ecef_velocity_uncertainty_codec;
-mip_error mip_filter_data_ecef_velocity_uncertainty_decode(
-    struct mip_filter_data_ecef_velocity_uncertainty *value, const struct mip_field *field);
-mip_error mip_filter_data_ecef_velocity_uncertainty_encode(
-    const struct mip_filter_data_ecef_velocity_uncertainty *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_ecef_velocity_uncertainty_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_ecef_velocity_uncertainty_decode(
+    struct mip_filter_data_ecef_velocity_uncertainty *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_ecef_velocity_uncertainty_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_ecef_velocity_uncertainty_encode(
+    const struct mip_filter_data_ecef_velocity_uncertainty *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_ecef_velocity_uncertainty_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_ecef_velocity_uncertainty_decode_inline(
+    struct mip_filter_data_ecef_velocity_uncertainty *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x37, 14);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->velocity_uncertainty[i], field->data + 4 * i);
+    }
+    value->valid_flags = mip_get_16(field->data + 12);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_ecef_velocity_uncertainty_encode_inline(
+    const struct mip_filter_data_ecef_velocity_uncertainty *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x37, 14, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 4 * i, &value->velocity_uncertainty[i]);
+    }
+    mip_put_16(data + 12, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * ECEF position: data (0x82,0x40).
  *
@@ -1790,15 +3617,55 @@ struct mip_filter_data_ecef_position {
     mip_filter_data_valid_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_ECEF_POSITION 0x8240
 #define MIP_FILTER_DATA_ECEF_POSITION_DESCRIPTOR 0x40
 #define MIP_FILTER_DATA_ECEF_POSITION_NAME "filter_data.ecef_position"
 
-extern const struct mip_codec mip_filter_data_ecef_position_codec;
-mip_error mip_filter_data_ecef_position_decode(struct mip_filter_data_ecef_position *value,
-                                               const struct mip_field *field);
-mip_error mip_filter_data_ecef_position_encode(const struct mip_filter_data_ecef_position *value,
-                                               struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_ecef_position_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_ecef_position_decode(
+    struct mip_filter_data_ecef_position *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_ecef_position_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_ecef_position_encode(
+    const struct mip_filter_data_ecef_position *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_ecef_position_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_ecef_position_decode_inline(
+    struct mip_filter_data_ecef_position *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x40, 26);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_double(&value->position[i], field->data + 8 * i);
+    }
+    value->valid_flags = mip_get_16(field->data + 24);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_ecef_position_encode_inline(
+    const struct mip_filter_data_ecef_position *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x40, 26, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_double(data + 8 * i, &value->position[i]);
+    }
+    mip_put_16(data + 24, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * ECEF velocity: data (0x82,0x41).
  *
@@ -1818,15 +3685,55 @@ struct mip_filter_data_ecef_velocity {
     mip_filter_data_valid_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_ECEF_VELOCITY 0x8241
 #define MIP_FILTER_DATA_ECEF_VELOCITY_DESCRIPTOR 0x41
 #define MIP_FILTER_DATA_ECEF_VELOCITY_NAME "filter_data.ecef_velocity"
 
-extern const struct mip_codec mip_filter_data_ecef_velocity_codec;
-mip_error mip_filter_data_ecef_velocity_decode(struct mip_filter_data_ecef_velocity *value,
-                                               const struct mip_field *field);
-mip_error mip_filter_data_ecef_velocity_encode(const struct mip_filter_data_ecef_velocity *value,
-                                               struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_ecef_velocity_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_ecef_velocity_decode(
+    struct mip_filter_data_ecef_velocity *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_ecef_velocity_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_ecef_velocity_encode(
+    const struct mip_filter_data_ecef_velocity *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_ecef_velocity_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_ecef_velocity_decode_inline(
+    struct mip_filter_data_ecef_velocity *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x41, 14);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->velocity[i], field->data + 4 * i);
+    }
+    value->valid_flags = mip_get_16(field->data + 12);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_ecef_velocity_encode_inline(
+    const struct mip_filter_data_ecef_velocity *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x41, 14, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 4 * i, &value->velocity[i]);
+    }
+    mip_put_16(data + 12, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * NED relative position: data (0x82,0x42).
  *
@@ -1846,15 +3753,55 @@ struct mip_filter_data_ned_relative_position {
     mip_filter_data_valid_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_NED_RELATIVE_POSITION 0x8242
 #define MIP_FILTER_DATA_NED_RELATIVE_POSITION_DESCRIPTOR 0x42
 #define MIP_FILTER_DATA_NED_RELATIVE_POSITION_NAME "filter_data.ned_relative_position"
 
-extern const struct mip_codec mip_filter_data_ned_relative_position_codec;
-mip_error mip_filter_data_ned_relative_position_decode(
-    struct mip_filter_data_ned_relative_position *value, const struct mip_field *field);
-mip_error mip_filter_data_ned_relative_position_encode(
-    const struct mip_filter_data_ned_relative_position *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_ned_relative_position_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_ned_relative_position_decode(
+    struct mip_filter_data_ned_relative_position *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_ned_relative_position_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_ned_relative_position_encode(
+    const struct mip_filter_data_ned_relative_position *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_ned_relative_position_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_ned_relative_position_decode_inline(
+    struct mip_filter_data_ned_relative_position *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x42, 26);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_double(&value->relative_position[i], field->data + 8 * i);
+    }
+    value->valid_flags = mip_get_16(field->data + 24);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_ned_relative_position_encode_inline(
+    const struct mip_filter_data_ned_relative_position *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x42, 26, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_double(data + 8 * i, &value->relative_position[i]);
+    }
+    mip_put_16(data + 24, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * GNSS position aiding status: data (0x82,0x43).
  *
@@ -1877,15 +3824,55 @@ struct mip_filter_data_gnss_position_aiding_status {
     uint8_t reserved[8];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_GNSS_POSITION_AIDING_STATUS 0x8243
 #define MIP_FILTER_DATA_GNSS_POSITION_AIDING_STATUS_DESCRIPTOR 0x43
 #define MIP_FILTER_DATA_GNSS_POSITION_AIDING_STATUS_NAME "filter_data.gnss_position_aiding_status"
 
-extern const struct mip_codec mip_filter_data_gnss_position_aiding_status_codec;
-mip_error mip_filter_data_gnss_position_aiding_status_decode(
-    struct mip_filter_data_gnss_position_aiding_status *value, const struct mip_field *field);
-mip_error mip_filter_data_gnss_position_aiding_status_encode(
-    const struct mip_filter_data_gnss_position_aiding_status *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_gnss_position_aiding_status_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_gnss_position_aiding_status_decode(
+    struct mip_filter_data_gnss_position_aiding_status *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_gnss_position_aiding_status_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_gnss_position_aiding_status_encode(
+    const struct mip_filter_data_gnss_position_aiding_status *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_gnss_position_aiding_status_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_gnss_position_aiding_status_decode_inline(
+    struct mip_filter_data_gnss_position_aiding_status *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x43, 15);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->receiver_id = mip_get_8(field->data);
+    mip_get_float(&value->tow, field->data + 1);
+    value->status = mip_get_16(field->data + 5);
+    memcpy(value->reserved, field->data + 7, 8);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_gnss_position_aiding_status_encode_inline(
+    const struct mip_filter_data_gnss_position_aiding_status *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x43, 15, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->receiver_id);
+    mip_put_float(data + 1, &value->tow);
+    mip_put_16(data + 5, value->status);
+    memcpy(data + 7, value->reserved, 8);
+    return MIP_OK;
+}
 /**
  * GNSS attitude aiding status: data (0x82,0x44).
  *
@@ -1910,15 +3897,53 @@ struct mip_filter_data_gnss_attitude_aiding_status {
     uint8_t reserved[8];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_GNSS_ATTITUDE_AIDING_STATUS 0x8244
 #define MIP_FILTER_DATA_GNSS_ATTITUDE_AIDING_STATUS_DESCRIPTOR 0x44
 #define MIP_FILTER_DATA_GNSS_ATTITUDE_AIDING_STATUS_NAME "filter_data.gnss_attitude_aiding_status"
 
-extern const struct mip_codec mip_filter_data_gnss_attitude_aiding_status_codec;
-mip_error mip_filter_data_gnss_attitude_aiding_status_decode(
-    struct mip_filter_data_gnss_attitude_aiding_status *value, const struct mip_field *field);
-mip_error mip_filter_data_gnss_attitude_aiding_status_encode(
-    const struct mip_filter_data_gnss_attitude_aiding_status *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_gnss_attitude_aiding_status_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_gnss_attitude_aiding_status_decode(
+    struct mip_filter_data_gnss_attitude_aiding_status *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_gnss_attitude_aiding_status_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_gnss_attitude_aiding_status_encode(
+    const struct mip_filter_data_gnss_attitude_aiding_status *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_gnss_attitude_aiding_status_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_gnss_attitude_aiding_status_decode_inline(
+    struct mip_filter_data_gnss_attitude_aiding_status *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x44, 14);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_float(&value->tow, field->data);
+    value->status = mip_get_16(field->data + 4);
+    memcpy(value->reserved, field->data + 6, 8);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_gnss_attitude_aiding_status_encode_inline(
+    const struct mip_filter_data_gnss_attitude_aiding_status *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x44, 14, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_float(data, &value->tow);
+    mip_put_16(data + 4, value->status);
+    memcpy(data + 6, value->reserved, 8);
+    return MIP_OK;
+}
 /**
  * Heading aiding status: data (0x82,0x45).
  *
@@ -1937,21 +3962,63 @@ struct mip_filter_data_heading_aiding_status {
      * the measurement or that of its processing.
      */
     float tow;
-    /** Source of the heading. */
-    mip_filter_data_heading_aiding_type type;
+    /** Source of the heading. A value of enum mip_filter_data_heading_aiding_type. */
+    uint8_t type;
     /** Reserved. Reserved. */
     float reserved[2];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_HEADING_AIDING_STATUS 0x8245
 #define MIP_FILTER_DATA_HEADING_AIDING_STATUS_DESCRIPTOR 0x45
 #define MIP_FILTER_DATA_HEADING_AIDING_STATUS_NAME "filter_data.heading_aiding_status"
 
-extern const struct mip_codec mip_filter_data_heading_aiding_status_codec;
-mip_error mip_filter_data_heading_aiding_status_decode(
-    struct mip_filter_data_heading_aiding_status *value, const struct mip_field *field);
-mip_error mip_filter_data_heading_aiding_status_encode(
-    const struct mip_filter_data_heading_aiding_status *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_heading_aiding_status_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_heading_aiding_status_decode(
+    struct mip_filter_data_heading_aiding_status *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_heading_aiding_status_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_heading_aiding_status_encode(
+    const struct mip_filter_data_heading_aiding_status *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_heading_aiding_status_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_heading_aiding_status_decode_inline(
+    struct mip_filter_data_heading_aiding_status *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x45, 13);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_float(&value->tow, field->data);
+    value->type = mip_get_8(field->data + 4);
+    for (size_t i = 0; i < 2; i++) {
+        mip_get_float(&value->reserved[i], field->data + 5 + 4 * i);
+    }
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_heading_aiding_status_encode_inline(
+    const struct mip_filter_data_heading_aiding_status *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x45, 13, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_float(data, &value->tow);
+    mip_put_8(data + 4, value->type);
+    for (size_t i = 0; i < 2; i++) {
+        mip_put_float(data + 5 + 4 * i, &value->reserved[i]);
+    }
+    return MIP_OK;
+}
 /**
  * Aiding measurement summary: data (0x82,0x46).
  *
@@ -1968,21 +4035,61 @@ struct mip_filter_data_aiding_measurement_summary {
     float tow;
     /** Number of the source of the measurement. */
     uint8_t source;
-    /** Kind of measurement. */
-    mip_filter_data_aiding_measurement_type type;
+    /** Kind of measurement. A value of enum mip_filter_data_aiding_measurement_type. */
+    uint8_t type;
     /** What the filter did with it. */
     mip_filter_data_aiding_measurement_indicator indicator;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_SUMMARY 0x8246
 #define MIP_FILTER_DATA_AIDING_MEASUREMENT_SUMMARY_DESCRIPTOR 0x46
 #define MIP_FILTER_DATA_AIDING_MEASUREMENT_SUMMARY_NAME "filter_data.aiding_measurement_summary"
 
-extern const struct mip_codec mip_filter_data_aiding_measurement_summary_codec;
-mip_error mip_filter_data_aiding_measurement_summary_decode(
-    struct mip_filter_data_aiding_measurement_summary *value, const struct mip_field *field);
-mip_error mip_filter_data_aiding_measurement_summary_encode(
-    const struct mip_filter_data_aiding_measurement_summary *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_aiding_measurement_summary_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_aiding_measurement_summary_decode(
+    struct mip_filter_data_aiding_measurement_summary *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_aiding_measurement_summary_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_aiding_measurement_summary_encode(
+    const struct mip_filter_data_aiding_measurement_summary *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_aiding_measurement_summary_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_aiding_measurement_summary_decode_inline(
+    struct mip_filter_data_aiding_measurement_summary *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x46, 7);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_float(&value->tow, field->data);
+    value->source = mip_get_8(field->data + 4);
+    value->type = mip_get_8(field->data + 5);
+    value->indicator = mip_get_8(field->data + 6);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_aiding_measurement_summary_encode_inline(
+    const struct mip_filter_data_aiding_measurement_summary *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x46, 7, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_float(data, &value->tow);
+    mip_put_8(data + 4, value->source);
+    mip_put_8(data + 5, value->type);
+    mip_put_8(data + 6, value->indicator);
+    return MIP_OK;
+}
 /**
  * Odometer scale factor error: data (0x82,0x47).
  *
@@ -2003,15 +4110,51 @@ struct mip_filter_data_odometer_scale_factor_error {
     mip_filter_data_valid_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_ERROR 0x8247
 #define MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_ERROR_DESCRIPTOR 0x47
 #define MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_ERROR_NAME "filter_data.odometer_scale_factor_error"
 
-extern const struct mip_codec mip_filter_data_odometer_scale_factor_error_codec;
-mip_error mip_filter_data_odometer_scale_factor_error_decode(
-    struct mip_filter_data_odometer_scale_factor_error *value, const struct mip_field *field);
-mip_error mip_filter_data_odometer_scale_factor_error_encode(
-    const struct mip_filter_data_odometer_scale_factor_error *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_odometer_scale_factor_error_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_odometer_scale_factor_error_decode(
+    struct mip_filter_data_odometer_scale_factor_error *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_odometer_scale_factor_error_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_odometer_scale_factor_error_encode(
+    const struct mip_filter_data_odometer_scale_factor_error *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_odometer_scale_factor_error_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_odometer_scale_factor_error_decode_inline(
+    struct mip_filter_data_odometer_scale_factor_error *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x47, 6);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_float(&value->scale_factor_error, field->data);
+    value->valid_flags = mip_get_16(field->data + 4);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_odometer_scale_factor_error_encode_inline(
+    const struct mip_filter_data_odometer_scale_factor_error *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x47, 6, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_float(data, &value->scale_factor_error);
+    mip_put_16(data + 4, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Odometer scale factor error uncertainty: data (0x82,0x48).
  *
@@ -2031,18 +4174,58 @@ struct mip_filter_data_odometer_scale_factor_error_uncertainty {
     mip_filter_data_valid_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_ERROR_UNCERTAINTY 0x8248
 #define MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_ERROR_UNCERTAINTY_DESCRIPTOR 0x48
 #define MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_ERROR_UNCERTAINTY_NAME \
     "filter_data.odometer_scale_factor_error_uncertainty"
 
-extern const struct mip_codec mip_filter_data_odometer_scale_factor_error_uncertainty_codec;
-mip_error mip_filter_data_odometer_scale_factor_error_uncertainty_decode(
-    struct mip_filter_data_odometer_scale_factor_error_uncertainty *value,
-    const struct mip_field *field);
-mip_error mip_filter_data_odometer_scale_factor_error_uncertainty_encode(
-    const struct mip_filter_data_odometer_scale_factor_error_uncertainty *value,
-    struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_odometer_scale_factor_error_uncertainty_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_odometer_scale_factor_error_uncertainty_decode(
+    struct mip_filter_data_odometer_scale_factor_error_uncertainty *value,
+    const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_odometer_scale_factor_error_uncertainty_codec, value, field,
+                      NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_odometer_scale_factor_error_uncertainty_encode(
+    const struct mip_filter_data_odometer_scale_factor_error_uncertainty *value,
+    struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_odometer_scale_factor_error_uncertainty_codec, value,
+                      builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_odometer_scale_factor_error_uncertainty_decode_inline(
+    struct mip_filter_data_odometer_scale_factor_error_uncertainty *value,
+    const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x48, 6);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_float(&value->scale_factor_error_uncertainty, field->data);
+    value->valid_flags = mip_get_16(field->data + 4);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_odometer_scale_factor_error_uncertainty_encode_inline(
+    const struct mip_filter_data_odometer_scale_factor_error_uncertainty *value,
+    struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x48, 6, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_float(data, &value->scale_factor_error_uncertainty);
+    mip_put_16(data + 4, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * GNSS dual antenna status: data (0x82,0x49).
  *
@@ -2067,23 +4250,67 @@ struct mip_filter_data_gnss_dual_antenna_status {
      * valid_flags is set.
      */
     float heading_uncertainty;
-    /** Kind of solution. */
-    mip_filter_data_dual_antenna_fix_type fix_type;
+    /** Kind of solution. A value of enum mip_filter_data_dual_antenna_fix_type. */
+    uint8_t fix_type;
     /** What the solution has to work with. */
     mip_filter_data_dual_antenna_status_flags status_flags;
     /** Validity of the values. */
     mip_filter_data_valid_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_GNSS_DUAL_ANTENNA_STATUS 0x8249
 #define MIP_FILTER_DATA_GNSS_DUAL_ANTENNA_STATUS_DESCRIPTOR 0x49
 #define MIP_FILTER_DATA_GNSS_DUAL_ANTENNA_STATUS_NAME "filter_data.gnss_dual_antenna_status"
 
-extern const struct mip_codec mip_filter_data_gnss_dual_antenna_status_codec;
-mip_error mip_filter_data_gnss_dual_antenna_status_decode(
-    struct mip_filter_data_gnss_dual_antenna_status *value, const struct mip_field *field);
-mip_error mip_filter_data_gnss_dual_antenna_status_encode(
-    const struct mip_filter_data_gnss_dual_antenna_status *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_gnss_dual_antenna_status_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_gnss_dual_antenna_status_decode(
+    struct mip_filter_data_gnss_dual_antenna_status *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_gnss_dual_antenna_status_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_gnss_dual_antenna_status_encode(
+    const struct mip_filter_data_gnss_dual_antenna_status *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_gnss_dual_antenna_status_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_gnss_dual_antenna_status_decode_inline(
+    struct mip_filter_data_gnss_dual_antenna_status *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x49, 17);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_float(&value->tow, field->data);
+    mip_get_float(&value->heading, field->data + 4);
+    mip_get_float(&value->heading_uncertainty, field->data + 8);
+    value->fix_type = mip_get_8(field->data + 12);
+    value->status_flags = mip_get_16(field->data + 13);
+    value->valid_flags = mip_get_16(field->data + 15);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_gnss_dual_antenna_status_encode_inline(
+    const struct mip_filter_data_gnss_dual_antenna_status *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x49, 17, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_float(data, &value->tow);
+    mip_put_float(data + 4, &value->heading);
+    mip_put_float(data + 8, &value->heading_uncertainty);
+    mip_put_8(data + 12, value->fix_type);
+    mip_put_16(data + 13, value->status_flags);
+    mip_put_16(data + 15, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Aiding frame configuration error: data (0x82,0x50).
  *
@@ -2102,15 +4329,61 @@ struct mip_filter_data_aiding_frame_config_error {
     float attitude[4];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR 0x8250
 #define MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR_DESCRIPTOR 0x50
 #define MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR_NAME "filter_data.aiding_frame_config_error"
 
-extern const struct mip_codec mip_filter_data_aiding_frame_config_error_codec;
-mip_error mip_filter_data_aiding_frame_config_error_decode(
-    struct mip_filter_data_aiding_frame_config_error *value, const struct mip_field *field);
-mip_error mip_filter_data_aiding_frame_config_error_encode(
-    const struct mip_filter_data_aiding_frame_config_error *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_aiding_frame_config_error_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_aiding_frame_config_error_decode(
+    struct mip_filter_data_aiding_frame_config_error *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_aiding_frame_config_error_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_aiding_frame_config_error_encode(
+    const struct mip_filter_data_aiding_frame_config_error *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_aiding_frame_config_error_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_aiding_frame_config_error_decode_inline(
+    struct mip_filter_data_aiding_frame_config_error *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x50, 29);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->frame_id = mip_get_8(field->data);
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->translation[i], field->data + 1 + 4 * i);
+    }
+    for (size_t i = 0; i < 4; i++) {
+        mip_get_float(&value->attitude[i], field->data + 13 + 4 * i);
+    }
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_aiding_frame_config_error_encode_inline(
+    const struct mip_filter_data_aiding_frame_config_error *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x50, 29, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->frame_id);
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 1 + 4 * i, &value->translation[i]);
+    }
+    for (size_t i = 0; i < 4; i++) {
+        mip_put_float(data + 13 + 4 * i, &value->attitude[i]);
+    }
+    return MIP_OK;
+}
 /**
  * Aiding frame configuration error uncertainty: data (0x82,0x51).
  *
@@ -2129,17 +4402,67 @@ struct mip_filter_data_aiding_frame_config_error_uncertainty {
     float attitude_uncertainty[3];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR_UNCERTAINTY 0x8251
 #define MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR_UNCERTAINTY_DESCRIPTOR 0x51
 #define MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR_UNCERTAINTY_NAME \
     "filter_data.aiding_frame_config_error_uncertainty"
 
-extern const struct mip_codec mip_filter_data_aiding_frame_config_error_uncertainty_codec;
-mip_error mip_filter_data_aiding_frame_config_error_uncertainty_decode(
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_filter_data_aiding_frame_config_error_uncertainty_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_filter_data_aiding_frame_config_error_uncertainty_decode(
     struct mip_filter_data_aiding_frame_config_error_uncertainty *value,
-    const struct mip_field *field);
-mip_error mip_filter_data_aiding_frame_config_error_uncertainty_encode(
+    const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_aiding_frame_config_error_uncertainty_codec, value, field,
+                      NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_filter_data_aiding_frame_config_error_uncertainty_encode(
     const struct mip_filter_data_aiding_frame_config_error_uncertainty *value,
-    struct mip_builder *builder);
+    struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_aiding_frame_config_error_uncertainty_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_filter_data_aiding_frame_config_error_uncertainty_decode_inline(
+    struct mip_filter_data_aiding_frame_config_error_uncertainty *value,
+    const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x82, 0x51, 25);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->frame_id = mip_get_8(field->data);
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->translation_uncertainty[i], field->data + 1 + 4 * i);
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->attitude_uncertainty[i], field->data + 13 + 4 * i);
+    }
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_filter_data_aiding_frame_config_error_uncertainty_encode_inline(
+    const struct mip_filter_data_aiding_frame_config_error_uncertainty *value,
+    struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x82, 0x51, 25, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->frame_id);
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 1 + 4 * i, &value->translation_uncertainty[i]);
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 13 + 4 * i, &value->attitude_uncertainty[i]);
+    }
+    return MIP_OK;
+}
 
 #ifdef __cplusplus
 }

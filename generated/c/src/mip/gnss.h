@@ -33,11 +33,6 @@ struct mip_gnss_receiver_info_entry {
     char description[33];
 };
 
-void mip_gnss_receiver_info_entry_read(struct mip_reader *r,
-                                       struct mip_gnss_receiver_info_entry *v);
-void mip_gnss_receiver_info_entry_write(struct mip_writer *w,
-                                        const struct mip_gnss_receiver_info_entry *v);
-
 /** GPS signals that are enabled. */
 typedef uint8_t mip_gnss_gps_signals;
 /** Bit 0. L1 C/A. */
@@ -46,14 +41,12 @@ typedef uint8_t mip_gnss_gps_signals;
 #define MIP_GNSS_GPS_SIGNALS_L2C 0x02U
 /** Bit 2. L5. */
 #define MIP_GNSS_GPS_SIGNALS_L5 0x04U
-
 /** GLONASS signals that are enabled. */
 typedef uint8_t mip_gnss_glonass_signals;
 /** Bit 0. L1OF. */
 #define MIP_GNSS_GLONASS_SIGNALS_L1OF 0x01U
 /** Bit 1. L2OF. */
 #define MIP_GNSS_GLONASS_SIGNALS_L2OF 0x02U
-
 /** Galileo signals that are enabled. */
 typedef uint8_t mip_gnss_galileo_signals;
 /** Bit 0. E1. */
@@ -62,7 +55,6 @@ typedef uint8_t mip_gnss_galileo_signals;
 #define MIP_GNSS_GALILEO_SIGNALS_E5B 0x02U
 /** Bit 2. E5a. */
 #define MIP_GNSS_GALILEO_SIGNALS_E5A 0x04U
-
 /** BeiDou signals that are enabled. */
 typedef uint8_t mip_gnss_beidou_signals;
 /** Bit 0. B1. */
@@ -71,16 +63,18 @@ typedef uint8_t mip_gnss_beidou_signals;
 #define MIP_GNSS_BEIDOU_SIGNALS_B2 0x02U
 /** Bit 2. B2a. */
 #define MIP_GNSS_BEIDOU_SIGNALS_B2A 0x04U
-
 /** How SPARTN corrections come. */
-typedef uint8_t mip_gnss_spartn_connection;
-/** No connection. */
-#define MIP_GNSS_SPARTN_CONNECTION_NONE 0
-/** By a network. */
-#define MIP_GNSS_SPARTN_CONNECTION_NETWORK 1
-/** By satellite in the L band. */
-#define MIP_GNSS_SPARTN_CONNECTION_L_BAND 2
+enum mip_gnss_spartn_connection {
+    /** No connection. */
+    MIP_GNSS_SPARTN_CONNECTION_NONE = 0,
+    /** By a network. */
+    MIP_GNSS_SPARTN_CONNECTION_NETWORK = 1,
+    /** By satellite in the L band. */
+    MIP_GNSS_SPARTN_CONNECTION_L_BAND = 2
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_gnss_spartn_connection_name(uint8_t value);
 /**
  * Receiver info: command (0x0E,0x01).
  *
@@ -95,15 +89,25 @@ struct mip_gnss_receiver_info {
     uint8_t empty;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_RECEIVER_INFO 0x0E01
 #define MIP_GNSS_RECEIVER_INFO_DESCRIPTOR 0x01
 #define MIP_GNSS_RECEIVER_INFO_NAME "gnss.receiver_info"
 
-extern const struct mip_codec mip_gnss_receiver_info_codec;
-mip_error mip_gnss_receiver_info_decode(struct mip_gnss_receiver_info *value,
-                                        const struct mip_field *field);
-mip_error mip_gnss_receiver_info_encode(const struct mip_gnss_receiver_info *value,
-                                        struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_receiver_info_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_receiver_info_decode(struct mip_gnss_receiver_info *value,
+                                                      const struct mip_field *field) {
+    return mip_decode(&mip_gnss_receiver_info_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_receiver_info_encode(const struct mip_gnss_receiver_info *value,
+                                                      struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_receiver_info_codec, value, builder);
+}
 /**
  * Receiver info response: response (0x0E,0x81).
  *
@@ -118,15 +122,25 @@ struct mip_gnss_receiver_info_response {
     struct mip_gnss_receiver_info_entry receiver_info[7];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_RECEIVER_INFO_RESPONSE 0x0E81
 #define MIP_GNSS_RECEIVER_INFO_RESPONSE_DESCRIPTOR 0x81
 #define MIP_GNSS_RECEIVER_INFO_RESPONSE_NAME "gnss.receiver_info_response"
 
-extern const struct mip_codec mip_gnss_receiver_info_response_codec;
-mip_error mip_gnss_receiver_info_response_decode(struct mip_gnss_receiver_info_response *value,
-                                                 const struct mip_field *field);
-mip_error mip_gnss_receiver_info_response_encode(
-    const struct mip_gnss_receiver_info_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_receiver_info_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_receiver_info_response_decode(
+    struct mip_gnss_receiver_info_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_gnss_receiver_info_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_receiver_info_response_encode(
+    const struct mip_gnss_receiver_info_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_receiver_info_response_codec, value, builder);
+}
 /**
  * Signal configuration: command (0x0E,0x02).
  *
@@ -146,8 +160,8 @@ mip_error mip_gnss_receiver_info_response_encode(
 struct mip_gnss_signal_config {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /** GPS signals. Required for write. */
     mip_gnss_gps_signals gps_enable;
     /** GLONASS signals. Required for write. */
@@ -160,28 +174,86 @@ struct mip_gnss_signal_config {
     uint8_t reserved[4];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_SIGNAL_CONFIG 0x0E02
 #define MIP_GNSS_SIGNAL_CONFIG_DESCRIPTOR 0x02
 #define MIP_GNSS_SIGNAL_CONFIG_NAME "gnss.signal_config"
 
-extern const struct mip_codec mip_gnss_signal_config_codec;
-mip_error mip_gnss_signal_config_decode(struct mip_gnss_signal_config *value,
-                                        const struct mip_field *field);
-mip_error mip_gnss_signal_config_encode(const struct mip_gnss_signal_config *value,
-                                        struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_gnss_signal_config mip_gnss_signal_config_write(mip_gnss_gps_signals gps_enable,
-                                                           mip_gnss_glonass_signals glonass_enable,
-                                                           mip_gnss_galileo_signals galileo_enable,
-                                                           mip_gnss_beidou_signals beidou_enable);
-/** Send the current setting back in a response. */
-struct mip_gnss_signal_config mip_gnss_signal_config_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_gnss_signal_config mip_gnss_signal_config_save(void);
-/** Load the saved setting. */
-struct mip_gnss_signal_config mip_gnss_signal_config_load(void);
-/** Load the factory default setting. */
-struct mip_gnss_signal_config mip_gnss_signal_config_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_signal_config_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_signal_config_decode(struct mip_gnss_signal_config *value,
+                                                      const struct mip_field *field) {
+    return mip_decode(&mip_gnss_signal_config_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_signal_config_encode(const struct mip_gnss_signal_config *value,
+                                                      struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_signal_config_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_gnss_signal_config *mip_gnss_signal_config_write(
+    struct mip_gnss_signal_config *command, mip_gnss_gps_signals gps_enable,
+    mip_gnss_glonass_signals glonass_enable, mip_gnss_galileo_signals galileo_enable,
+    mip_gnss_beidou_signals beidou_enable) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->gps_enable = gps_enable;
+    command->glonass_enable = glonass_enable;
+    command->galileo_enable = galileo_enable;
+    command->beidou_enable = beidou_enable;
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_gnss_signal_config *
+mip_gnss_signal_config_read(struct mip_gnss_signal_config *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_gnss_signal_config *
+mip_gnss_signal_config_save(struct mip_gnss_signal_config *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_gnss_signal_config *
+mip_gnss_signal_config_load(struct mip_gnss_signal_config *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_gnss_signal_config *
+mip_gnss_signal_config_default(struct mip_gnss_signal_config *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * Signal configuration response: response (0x0E,0x82).
  *
@@ -204,15 +276,57 @@ struct mip_gnss_signal_config_response {
     uint8_t reserved[4];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_SIGNAL_CONFIG_RESPONSE 0x0E82
 #define MIP_GNSS_SIGNAL_CONFIG_RESPONSE_DESCRIPTOR 0x82
 #define MIP_GNSS_SIGNAL_CONFIG_RESPONSE_NAME "gnss.signal_config_response"
 
-extern const struct mip_codec mip_gnss_signal_config_response_codec;
-mip_error mip_gnss_signal_config_response_decode(struct mip_gnss_signal_config_response *value,
-                                                 const struct mip_field *field);
-mip_error mip_gnss_signal_config_response_encode(
-    const struct mip_gnss_signal_config_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_signal_config_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_signal_config_response_decode(
+    struct mip_gnss_signal_config_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_gnss_signal_config_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_signal_config_response_encode(
+    const struct mip_gnss_signal_config_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_signal_config_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_signal_config_response_decode_inline(
+    struct mip_gnss_signal_config_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0E, 0x82, 8);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->gps_enable = mip_get_8(field->data);
+    value->glonass_enable = mip_get_8(field->data + 1);
+    value->galileo_enable = mip_get_8(field->data + 2);
+    value->beidou_enable = mip_get_8(field->data + 3);
+    memcpy(value->reserved, field->data + 4, 4);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_signal_config_response_encode_inline(
+    const struct mip_gnss_signal_config_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0E, 0x82, 8, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->gps_enable);
+    mip_put_8(data + 1, value->glonass_enable);
+    mip_put_8(data + 2, value->galileo_enable);
+    mip_put_8(data + 3, value->beidou_enable);
+    memcpy(data + 4, value->reserved, 4);
+    return MIP_OK;
+}
 /**
  * RTK dongle configuration: command (0x0E,0x10).
  *
@@ -227,33 +341,89 @@ mip_error mip_gnss_signal_config_response_encode(
 struct mip_gnss_rtk_dongle_config {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /** 1 enables the dongle, 0 disables it. Range: 0 to 1. Required for write. */
     uint8_t enable;
     /** Reserved: send 0. Required for write. Uncertain: What to send; 0 is assumed. */
     uint8_t reserved[3];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_RTK_DONGLE_CONFIG 0x0E10
 #define MIP_GNSS_RTK_DONGLE_CONFIG_DESCRIPTOR 0x10
 #define MIP_GNSS_RTK_DONGLE_CONFIG_NAME "gnss.rtk_dongle_config"
 
-extern const struct mip_codec mip_gnss_rtk_dongle_config_codec;
-mip_error mip_gnss_rtk_dongle_config_decode(struct mip_gnss_rtk_dongle_config *value,
-                                            const struct mip_field *field);
-mip_error mip_gnss_rtk_dongle_config_encode(const struct mip_gnss_rtk_dongle_config *value,
-                                            struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_gnss_rtk_dongle_config mip_gnss_rtk_dongle_config_write(uint8_t enable);
-/** Send the current setting back in a response. */
-struct mip_gnss_rtk_dongle_config mip_gnss_rtk_dongle_config_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_gnss_rtk_dongle_config mip_gnss_rtk_dongle_config_save(void);
-/** Load the saved setting. */
-struct mip_gnss_rtk_dongle_config mip_gnss_rtk_dongle_config_load(void);
-/** Load the factory default setting. */
-struct mip_gnss_rtk_dongle_config mip_gnss_rtk_dongle_config_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_rtk_dongle_config_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_rtk_dongle_config_decode(struct mip_gnss_rtk_dongle_config *value,
+                                                          const struct mip_field *field) {
+    return mip_decode(&mip_gnss_rtk_dongle_config_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_rtk_dongle_config_encode(
+    const struct mip_gnss_rtk_dongle_config *value, struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_rtk_dongle_config_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_gnss_rtk_dongle_config *
+mip_gnss_rtk_dongle_config_write(struct mip_gnss_rtk_dongle_config *command, uint8_t enable) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->enable = enable;
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_gnss_rtk_dongle_config *
+mip_gnss_rtk_dongle_config_read(struct mip_gnss_rtk_dongle_config *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_gnss_rtk_dongle_config *
+mip_gnss_rtk_dongle_config_save(struct mip_gnss_rtk_dongle_config *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_gnss_rtk_dongle_config *
+mip_gnss_rtk_dongle_config_load(struct mip_gnss_rtk_dongle_config *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_gnss_rtk_dongle_config *
+mip_gnss_rtk_dongle_config_default(struct mip_gnss_rtk_dongle_config *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * RTK dongle configuration response: response (0x0E,0x90).
  *
@@ -269,15 +439,51 @@ struct mip_gnss_rtk_dongle_config_response {
     uint8_t reserved[3];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_RTK_DONGLE_CONFIG_RESPONSE 0x0E90
 #define MIP_GNSS_RTK_DONGLE_CONFIG_RESPONSE_DESCRIPTOR 0x90
 #define MIP_GNSS_RTK_DONGLE_CONFIG_RESPONSE_NAME "gnss.rtk_dongle_config_response"
 
-extern const struct mip_codec mip_gnss_rtk_dongle_config_response_codec;
-mip_error mip_gnss_rtk_dongle_config_response_decode(
-    struct mip_gnss_rtk_dongle_config_response *value, const struct mip_field *field);
-mip_error mip_gnss_rtk_dongle_config_response_encode(
-    const struct mip_gnss_rtk_dongle_config_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_rtk_dongle_config_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_rtk_dongle_config_response_decode(
+    struct mip_gnss_rtk_dongle_config_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_gnss_rtk_dongle_config_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_rtk_dongle_config_response_encode(
+    const struct mip_gnss_rtk_dongle_config_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_rtk_dongle_config_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_rtk_dongle_config_response_decode_inline(
+    struct mip_gnss_rtk_dongle_config_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0E, 0x90, 4);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->enable = mip_get_8(field->data);
+    memcpy(value->reserved, field->data + 1, 3);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_rtk_dongle_config_response_encode_inline(
+    const struct mip_gnss_rtk_dongle_config_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0E, 0x90, 4, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->enable);
+    memcpy(data + 1, value->reserved, 3);
+    return MIP_OK;
+}
 /**
  * SPARTN configuration: command (0x0E,0x20).
  *
@@ -302,12 +508,12 @@ mip_error mip_gnss_rtk_dongle_config_response_encode(
 struct mip_gnss_spartn_config {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /** 1 enables SPARTN corrections, 0 disables them. Range: 0 to 1. Required for write. */
     uint8_t enable;
-    /** How the corrections come. Required for write. */
-    mip_gnss_spartn_connection type;
+    /** How the corrections come. A value of enum mip_gnss_spartn_connection. Required for write. */
+    uint8_t type;
     /** GPS time of week until which the current key is valid. Unit: s. Required for write. */
     uint32_t current_key_tow;
     /** GPS week number until which the current key is valid. Unit: week. Required for write. */
@@ -322,28 +528,90 @@ struct mip_gnss_spartn_config {
     uint8_t next_key[32];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_SPARTN_CONFIG 0x0E20
 #define MIP_GNSS_SPARTN_CONFIG_DESCRIPTOR 0x20
 #define MIP_GNSS_SPARTN_CONFIG_NAME "gnss.spartn_config"
 
-extern const struct mip_codec mip_gnss_spartn_config_codec;
-mip_error mip_gnss_spartn_config_decode(struct mip_gnss_spartn_config *value,
-                                        const struct mip_field *field);
-mip_error mip_gnss_spartn_config_encode(const struct mip_gnss_spartn_config *value,
-                                        struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_gnss_spartn_config mip_gnss_spartn_config_write(
-    uint8_t enable, mip_gnss_spartn_connection type, uint32_t current_key_tow,
-    uint16_t current_key_week, const uint8_t current_key[32], uint32_t next_key_tow,
-    uint16_t next_key_week, const uint8_t next_key[32]);
-/** Send the current setting back in a response. */
-struct mip_gnss_spartn_config mip_gnss_spartn_config_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_gnss_spartn_config mip_gnss_spartn_config_save(void);
-/** Load the saved setting. */
-struct mip_gnss_spartn_config mip_gnss_spartn_config_load(void);
-/** Load the factory default setting. */
-struct mip_gnss_spartn_config mip_gnss_spartn_config_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_spartn_config_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_spartn_config_decode(struct mip_gnss_spartn_config *value,
+                                                      const struct mip_field *field) {
+    return mip_decode(&mip_gnss_spartn_config_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_spartn_config_encode(const struct mip_gnss_spartn_config *value,
+                                                      struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_spartn_config_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_gnss_spartn_config *mip_gnss_spartn_config_write(
+    struct mip_gnss_spartn_config *command, uint8_t enable, enum mip_gnss_spartn_connection type,
+    uint32_t current_key_tow, uint16_t current_key_week, const uint8_t current_key[32],
+    uint32_t next_key_tow, uint16_t next_key_week, const uint8_t next_key[32]) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->enable = enable;
+    command->type = (uint8_t)type;
+    command->current_key_tow = current_key_tow;
+    command->current_key_week = current_key_week;
+    memcpy(command->current_key, current_key, sizeof(command->current_key));
+    command->next_key_tow = next_key_tow;
+    command->next_key_week = next_key_week;
+    memcpy(command->next_key, next_key, sizeof(command->next_key));
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_gnss_spartn_config *
+mip_gnss_spartn_config_read(struct mip_gnss_spartn_config *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_gnss_spartn_config *
+mip_gnss_spartn_config_save(struct mip_gnss_spartn_config *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_gnss_spartn_config *
+mip_gnss_spartn_config_load(struct mip_gnss_spartn_config *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_gnss_spartn_config *
+mip_gnss_spartn_config_default(struct mip_gnss_spartn_config *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * SPARTN configuration response: response (0x0E,0xA0).
  *
@@ -357,8 +625,8 @@ struct mip_gnss_spartn_config mip_gnss_spartn_config_default(void);
 struct mip_gnss_spartn_config_response {
     /** 1 enables SPARTN corrections, 0 disables them. Range: 0 to 1. */
     uint8_t enable;
-    /** How the corrections come. */
-    mip_gnss_spartn_connection type;
+    /** How the corrections come. A value of enum mip_gnss_spartn_connection. */
+    uint8_t type;
     /** GPS time of week until which the current key is valid. Unit: s. */
     uint32_t current_key_tow;
     /** GPS week number until which the current key is valid. Unit: week. */
@@ -373,14 +641,63 @@ struct mip_gnss_spartn_config_response {
     uint8_t next_key[32];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_SPARTN_CONFIG_RESPONSE 0x0EA0
 #define MIP_GNSS_SPARTN_CONFIG_RESPONSE_DESCRIPTOR 0xA0
 #define MIP_GNSS_SPARTN_CONFIG_RESPONSE_NAME "gnss.spartn_config_response"
 
-extern const struct mip_codec mip_gnss_spartn_config_response_codec;
-mip_error mip_gnss_spartn_config_response_decode(struct mip_gnss_spartn_config_response *value,
-                                                 const struct mip_field *field);
-mip_error mip_gnss_spartn_config_response_encode(
-    const struct mip_gnss_spartn_config_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_spartn_config_response_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_spartn_config_response_decode(
+    struct mip_gnss_spartn_config_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_gnss_spartn_config_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_spartn_config_response_encode(
+    const struct mip_gnss_spartn_config_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_spartn_config_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_spartn_config_response_decode_inline(
+    struct mip_gnss_spartn_config_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0E, 0xA0, 78);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->enable = mip_get_8(field->data);
+    value->type = mip_get_8(field->data + 1);
+    value->current_key_tow = mip_get_32(field->data + 2);
+    value->current_key_week = mip_get_16(field->data + 6);
+    memcpy(value->current_key, field->data + 8, 32);
+    value->next_key_tow = mip_get_32(field->data + 40);
+    value->next_key_week = mip_get_16(field->data + 44);
+    memcpy(value->next_key, field->data + 46, 32);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_spartn_config_response_encode_inline(
+    const struct mip_gnss_spartn_config_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0E, 0xA0, 78, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->enable);
+    mip_put_8(data + 1, value->type);
+    mip_put_32(data + 2, value->current_key_tow);
+    mip_put_16(data + 6, value->current_key_week);
+    memcpy(data + 8, value->current_key, 32);
+    mip_put_32(data + 40, value->next_key_tow);
+    mip_put_16(data + 44, value->next_key_week);
+    memcpy(data + 46, value->next_key, 32);
+    return MIP_OK;
+}
 
 #ifdef __cplusplus
 }

@@ -35,7 +35,6 @@ typedef uint16_t mip_gnss_1_llh_position_flags;
 #define MIP_GNSS_1_LLH_POSITION_FLAGS_VERTICAL_ACCURACY 0x0010U
 /** Bits 0 to 4. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_LLH_POSITION_FLAGS_FLAGS 0x001FU
-
 /** Which parts of the position are valid. */
 typedef uint16_t mip_gnss_1_ecef_position_flags;
 /** Bit 0. Position. */
@@ -44,7 +43,6 @@ typedef uint16_t mip_gnss_1_ecef_position_flags;
 #define MIP_GNSS_1_ECEF_POSITION_FLAGS_POSITION_ACCURACY 0x0002U
 /** Bits 0 to 1. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_ECEF_POSITION_FLAGS_FLAGS 0x0003U
-
 /** Which parts of the velocity are valid. */
 typedef uint16_t mip_gnss_1_ned_velocity_flags;
 /** Bit 0. Velocity vector. */
@@ -61,7 +59,6 @@ typedef uint16_t mip_gnss_1_ned_velocity_flags;
 #define MIP_GNSS_1_NED_VELOCITY_FLAGS_HEADING_ACCURACY 0x0020U
 /** Bits 0 to 5. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_NED_VELOCITY_FLAGS_FLAGS 0x003FU
-
 /** Which parts of the velocity are valid. */
 typedef uint16_t mip_gnss_1_ecef_velocity_flags;
 /** Bit 0. Velocity. */
@@ -70,7 +67,6 @@ typedef uint16_t mip_gnss_1_ecef_velocity_flags;
 #define MIP_GNSS_1_ECEF_VELOCITY_FLAGS_VELOCITY_ACCURACY 0x0002U
 /** Bits 0 to 1. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_ECEF_VELOCITY_FLAGS_FLAGS 0x0003U
-
 /** Which dilutions of precision are valid. */
 typedef uint16_t mip_gnss_1_dop_flags;
 /** Bit 0. Geometric. */
@@ -89,7 +85,6 @@ typedef uint16_t mip_gnss_1_dop_flags;
 #define MIP_GNSS_1_DOP_FLAGS_EDOP 0x0040U
 /** Bits 0 to 6. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_DOP_FLAGS_FLAGS 0x007FU
-
 /** How far the UTC time is valid. */
 typedef uint16_t mip_gnss_1_utc_time_flags;
 /** Bit 0. Date and time come from GNSS. */
@@ -98,7 +93,6 @@ typedef uint16_t mip_gnss_1_utc_time_flags;
 #define MIP_GNSS_1_UTC_TIME_FLAGS_LEAP_SECONDS_KNOWN 0x0002U
 /** Bits 0 to 1. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_UTC_TIME_FLAGS_FLAGS 0x0003U
-
 /** Which parts of the time are valid. */
 typedef uint16_t mip_gnss_1_gps_time_flags;
 /** Bit 0. Time of week. */
@@ -107,7 +101,6 @@ typedef uint16_t mip_gnss_1_gps_time_flags;
 #define MIP_GNSS_1_GPS_TIME_FLAGS_WEEK_NUMBER 0x0002U
 /** Bits 0 to 1. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_GPS_TIME_FLAGS_FLAGS 0x0003U
-
 /** Which clock parameters are valid. */
 typedef uint16_t mip_gnss_1_clock_info_flags;
 /** Bit 0. Bias. */
@@ -118,14 +111,12 @@ typedef uint16_t mip_gnss_1_clock_info_flags;
 #define MIP_GNSS_1_CLOCK_INFO_FLAGS_ACCURACY_ESTIMATE 0x0004U
 /** Bits 0 to 2. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_CLOCK_INFO_FLAGS_FLAGS 0x0007U
-
 /** What the fix makes use of. */
 typedef uint16_t mip_gnss_1_fix_flags;
 /** Bit 0. Satellite based augmentation. */
 #define MIP_GNSS_1_FIX_FLAGS_SBAS_USED 0x0001U
 /** Bit 1. Differential corrections. */
 #define MIP_GNSS_1_FIX_FLAGS_DGNSS_USED 0x0002U
-
 /** Which parts of the fix information are valid. */
 typedef uint16_t mip_gnss_1_fix_info_flags;
 /** Bit 0. Type of the fix. */
@@ -136,14 +127,12 @@ typedef uint16_t mip_gnss_1_fix_info_flags;
 #define MIP_GNSS_1_FIX_INFO_FLAGS_FIX_FLAGS 0x0004U
 /** Bits 0 to 2. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_FIX_INFO_FLAGS_FLAGS 0x0007U
-
 /** State of a satellite. */
 typedef uint16_t mip_gnss_1_sv_flags;
 /** Bit 0. The position fix uses it. */
 #define MIP_GNSS_1_SV_FLAGS_USED_FOR_NAVIGATION 0x0001U
 /** Bit 1. It is healthy. */
 #define MIP_GNSS_1_SV_FLAGS_HEALTHY 0x0002U
-
 /** Which parts of the satellite info are valid. */
 typedef uint16_t mip_gnss_1_sv_info_flags;
 /** Bit 0. Channel. */
@@ -160,38 +149,46 @@ typedef uint16_t mip_gnss_1_sv_info_flags;
 #define MIP_GNSS_1_SV_INFO_FLAGS_SV_FLAGS 0x0020U
 /** Bits 0 to 5. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_SV_INFO_FLAGS_FLAGS 0x003FU
-
 /** Whether the receiver works. */
-typedef uint8_t mip_gnss_1_receiver_state;
-/** Off. */
-#define MIP_GNSS_1_RECEIVER_STATE_OFF 0
-/** On. */
-#define MIP_GNSS_1_RECEIVER_STATE_ON 1
-/** Not known. */
-#define MIP_GNSS_1_RECEIVER_STATE_UNKNOWN 2
+enum mip_gnss_1_receiver_state {
+    /** Off. */
+    MIP_GNSS_1_RECEIVER_STATE_OFF = 0,
+    /** On. */
+    MIP_GNSS_1_RECEIVER_STATE_ON = 1,
+    /** Not known. */
+    MIP_GNSS_1_RECEIVER_STATE_UNKNOWN = 2
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_gnss_1_receiver_state_name(uint8_t value);
 /** State of the antenna. */
-typedef uint8_t mip_gnss_1_antenna_state;
-/** Being initialized. */
-#define MIP_GNSS_1_ANTENNA_STATE_INIT 1
-/** Short circuit. */
-#define MIP_GNSS_1_ANTENNA_STATE_SHORT 2
-/** Open circuit, no antenna. */
-#define MIP_GNSS_1_ANTENNA_STATE_OPEN 3
-/** Good. */
-#define MIP_GNSS_1_ANTENNA_STATE_GOOD 4
-/** Not known. */
-#define MIP_GNSS_1_ANTENNA_STATE_UNKNOWN 5
+enum mip_gnss_1_antenna_state {
+    /** Being initialized. */
+    MIP_GNSS_1_ANTENNA_STATE_INIT = 1,
+    /** Short circuit. */
+    MIP_GNSS_1_ANTENNA_STATE_SHORT = 2,
+    /** Open circuit, no antenna. */
+    MIP_GNSS_1_ANTENNA_STATE_OPEN = 3,
+    /** Good. */
+    MIP_GNSS_1_ANTENNA_STATE_GOOD = 4,
+    /** Not known. */
+    MIP_GNSS_1_ANTENNA_STATE_UNKNOWN = 5
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_gnss_1_antenna_state_name(uint8_t value);
 /** Supply of the antenna. */
-typedef uint8_t mip_gnss_1_antenna_power;
-/** Off. */
-#define MIP_GNSS_1_ANTENNA_POWER_OFF 0
-/** On. */
-#define MIP_GNSS_1_ANTENNA_POWER_ON 1
-/** Not known. */
-#define MIP_GNSS_1_ANTENNA_POWER_UNKNOWN 2
+enum mip_gnss_1_antenna_power {
+    /** Off. */
+    MIP_GNSS_1_ANTENNA_POWER_OFF = 0,
+    /** On. */
+    MIP_GNSS_1_ANTENNA_POWER_ON = 1,
+    /** Not known. */
+    MIP_GNSS_1_ANTENNA_POWER_UNKNOWN = 2
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_gnss_1_antenna_power_name(uint8_t value);
 /** Which parts of the hardware status are valid. */
 typedef uint16_t mip_gnss_1_hardware_status_flags;
 /** Bit 0. State of the receiver. */
@@ -202,7 +199,6 @@ typedef uint16_t mip_gnss_1_hardware_status_flags;
 #define MIP_GNSS_1_HARDWARE_STATUS_FLAGS_ANTENNA_POWER 0x0004U
 /** Bits 0 to 2. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_HARDWARE_STATUS_FLAGS_FLAGS 0x0007U
-
 /** Which parts of the state of the corrections are valid. */
 typedef uint16_t mip_gnss_1_dgps_info_flags;
 /** Bit 0. Age. */
@@ -215,7 +211,6 @@ typedef uint16_t mip_gnss_1_dgps_info_flags;
 #define MIP_GNSS_1_DGPS_INFO_FLAGS_NUM_CHANNELS 0x0008U
 /** Bits 0 to 3. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_DGPS_INFO_FLAGS_FLAGS 0x000FU
-
 /** Which parts of a differential correction are valid. */
 typedef uint16_t mip_gnss_1_dgps_channel_flags;
 /** Bit 0. Satellite. */
@@ -228,7 +223,6 @@ typedef uint16_t mip_gnss_1_dgps_channel_flags;
 #define MIP_GNSS_1_DGPS_CHANNEL_FLAGS_RANGE_RATE_CORRECTION 0x0008U
 /** Bits 0 to 3. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_DGPS_CHANNEL_FLAGS_FLAGS 0x000FU
-
 /** Which clock parameters are valid. */
 typedef uint16_t mip_gnss_1_clock_info_2_flags;
 /** Bit 0. Bias. */
@@ -241,25 +235,26 @@ typedef uint16_t mip_gnss_1_clock_info_2_flags;
 #define MIP_GNSS_1_CLOCK_INFO_2_FLAGS_DRIFT_ACCURACY 0x0008U
 /** Bits 0 to 3. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_CLOCK_INFO_2_FLAGS_FLAGS 0x000FU
-
 /** Whether the leap seconds are valid. Bit 0 is not used. */
 typedef uint16_t mip_gnss_1_gps_leap_seconds_flags;
 /** Bit 1. Leap seconds. */
 #define MIP_GNSS_1_GPS_LEAP_SECONDS_FLAGS_LEAP_SECONDS 0x0002U
-
 /** Satellite based augmentation system. */
-typedef uint8_t mip_gnss_1_sbas_system;
-/** Not known. */
-#define MIP_GNSS_1_SBAS_SYSTEM_UNKNOWN 0
-/** North America. */
-#define MIP_GNSS_1_SBAS_SYSTEM_WAAS 1
-/** Europe. */
-#define MIP_GNSS_1_SBAS_SYSTEM_EGNOS 2
-/** Japan. */
-#define MIP_GNSS_1_SBAS_SYSTEM_MSAS 3
-/** India. */
-#define MIP_GNSS_1_SBAS_SYSTEM_GAGAN 4
+enum mip_gnss_1_sbas_system {
+    /** Not known. */
+    MIP_GNSS_1_SBAS_SYSTEM_UNKNOWN = 0,
+    /** North America. */
+    MIP_GNSS_1_SBAS_SYSTEM_WAAS = 1,
+    /** Europe. */
+    MIP_GNSS_1_SBAS_SYSTEM_EGNOS = 2,
+    /** Japan. */
+    MIP_GNSS_1_SBAS_SYSTEM_MSAS = 3,
+    /** India. */
+    MIP_GNSS_1_SBAS_SYSTEM_GAGAN = 4
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_gnss_1_sbas_system_name(uint8_t value);
 /** What the SBAS service offers. */
 typedef uint8_t mip_gnss_1_sbas_status;
 /** Bit 0. Ranging is available. */
@@ -270,7 +265,6 @@ typedef uint8_t mip_gnss_1_sbas_status;
 #define MIP_GNSS_1_SBAS_STATUS_INTEGRITY_AVAILABLE 0x04U
 /** Bit 3. The service is in test mode. */
 #define MIP_GNSS_1_SBAS_STATUS_TEST_MODE 0x08U
-
 /** Which parts of the SBAS status are valid. */
 typedef uint16_t mip_gnss_1_sbas_info_flags;
 /** Bit 0. Time of week. */
@@ -287,7 +281,6 @@ typedef uint16_t mip_gnss_1_sbas_info_flags;
 #define MIP_GNSS_1_SBAS_INFO_FLAGS_SBAS_STATUS 0x0020U
 /** Bits 0 to 5. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_SBAS_INFO_FLAGS_FLAGS 0x003FU
-
 /** Which parts of an SBAS correction are valid. */
 typedef uint16_t mip_gnss_1_sbas_correction_flags;
 /** Bit 0. Indicator of the range error. */
@@ -298,40 +291,48 @@ typedef uint16_t mip_gnss_1_sbas_correction_flags;
 #define MIP_GNSS_1_SBAS_CORRECTION_FLAGS_IONO_CORRECTION 0x0004U
 /** Bits 0 to 2. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_SBAS_CORRECTION_FLAGS_FLAGS 0x0007U
-
 /** Frequency band of GNSS signals. */
-typedef uint8_t mip_gnss_1_rf_band;
-/** Not known. */
-#define MIP_GNSS_1_RF_BAND_UNKNOWN 0
-/** L1. */
-#define MIP_GNSS_1_RF_BAND_L1 1
-/** L2. */
-#define MIP_GNSS_1_RF_BAND_L2 2
-/** L5. */
-#define MIP_GNSS_1_RF_BAND_L5 5
+enum mip_gnss_1_rf_band {
+    /** Not known. */
+    MIP_GNSS_1_RF_BAND_UNKNOWN = 0,
+    /** L1. */
+    MIP_GNSS_1_RF_BAND_L1 = 1,
+    /** L2. */
+    MIP_GNSS_1_RF_BAND_L2 = 2,
+    /** L5. */
+    MIP_GNSS_1_RF_BAND_L5 = 5
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_gnss_1_rf_band_name(uint8_t value);
 /** How much the reception is jammed. */
-typedef uint8_t mip_gnss_1_jamming_state;
-/** Not known. */
-#define MIP_GNSS_1_JAMMING_STATE_UNKNOWN 0
-/** Not at all. */
-#define MIP_GNSS_1_JAMMING_STATE_NONE 1
-/** In part. */
-#define MIP_GNSS_1_JAMMING_STATE_PARTIAL 2
-/** Badly. */
-#define MIP_GNSS_1_JAMMING_STATE_SIGNIFICANT 3
+enum mip_gnss_1_jamming_state {
+    /** Not known. */
+    MIP_GNSS_1_JAMMING_STATE_UNKNOWN = 0,
+    /** Not at all. */
+    MIP_GNSS_1_JAMMING_STATE_NONE = 1,
+    /** In part. */
+    MIP_GNSS_1_JAMMING_STATE_PARTIAL = 2,
+    /** Badly. */
+    MIP_GNSS_1_JAMMING_STATE_SIGNIFICANT = 3
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_gnss_1_jamming_state_name(uint8_t value);
 /** How much the signals are spoofed. */
-typedef uint8_t mip_gnss_1_spoofing_state;
-/** Not known. */
-#define MIP_GNSS_1_SPOOFING_STATE_UNKNOWN 0
-/** Not at all. */
-#define MIP_GNSS_1_SPOOFING_STATE_NONE 1
-/** In part. */
-#define MIP_GNSS_1_SPOOFING_STATE_PARTIAL 2
-/** Badly. */
-#define MIP_GNSS_1_SPOOFING_STATE_SIGNIFICANT 3
+enum mip_gnss_1_spoofing_state {
+    /** Not known. */
+    MIP_GNSS_1_SPOOFING_STATE_UNKNOWN = 0,
+    /** Not at all. */
+    MIP_GNSS_1_SPOOFING_STATE_NONE = 1,
+    /** In part. */
+    MIP_GNSS_1_SPOOFING_STATE_PARTIAL = 2,
+    /** Badly. */
+    MIP_GNSS_1_SPOOFING_STATE_SIGNIFICANT = 3
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_gnss_1_spoofing_state_name(uint8_t value);
 /** Which parts of the detection are valid. */
 typedef uint16_t mip_gnss_1_rf_error_detection_flags;
 /** Bit 0. Band. */
@@ -342,7 +343,6 @@ typedef uint16_t mip_gnss_1_rf_error_detection_flags;
 #define MIP_GNSS_1_RF_ERROR_DETECTION_FLAGS_SPOOFING_STATE 0x0004U
 /** Bits 0 to 2. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_RF_ERROR_DETECTION_FLAGS_FLAGS 0x0007U
-
 /** Which parts of the satellite status are valid. */
 typedef uint16_t mip_gnss_1_satellite_status_flags;
 /** Bit 0. Time of week. */
@@ -361,22 +361,24 @@ typedef uint16_t mip_gnss_1_satellite_status_flags;
 #define MIP_GNSS_1_SATELLITE_STATUS_FLAGS_HEALTH 0x0040U
 /** Bits 0 to 6. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_SATELLITE_STATUS_FLAGS_FLAGS 0x007FU
-
 /** How well a signal is tracked. */
-typedef uint8_t mip_gnss_1_signal_quality;
-/** No signal. */
-#define MIP_GNSS_1_SIGNAL_QUALITY_NONE 0
-/** The signal is searched. */
-#define MIP_GNSS_1_SIGNAL_QUALITY_SEARCHING 1
-/** The signal is acquired. */
-#define MIP_GNSS_1_SIGNAL_QUALITY_ACQUIRED 2
-/** The signal is found but cannot be used. */
-#define MIP_GNSS_1_SIGNAL_QUALITY_UNUSABLE 3
-/** Locked in time. */
-#define MIP_GNSS_1_SIGNAL_QUALITY_TIME_LOCKED 4
-/** Fully locked. */
-#define MIP_GNSS_1_SIGNAL_QUALITY_FULLY_LOCKED 5
+enum mip_gnss_1_signal_quality {
+    /** No signal. */
+    MIP_GNSS_1_SIGNAL_QUALITY_NONE = 0,
+    /** The signal is searched. */
+    MIP_GNSS_1_SIGNAL_QUALITY_SEARCHING = 1,
+    /** The signal is acquired. */
+    MIP_GNSS_1_SIGNAL_QUALITY_ACQUIRED = 2,
+    /** The signal is found but cannot be used. */
+    MIP_GNSS_1_SIGNAL_QUALITY_UNUSABLE = 3,
+    /** Locked in time. */
+    MIP_GNSS_1_SIGNAL_QUALITY_TIME_LOCKED = 4,
+    /** Fully locked. */
+    MIP_GNSS_1_SIGNAL_QUALITY_FULLY_LOCKED = 5
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_gnss_1_signal_quality_name(uint8_t value);
 /** Which parts of the observation are valid. */
 typedef uint16_t mip_gnss_1_raw_flags;
 /** Bit 0. Time of week. */
@@ -413,7 +415,6 @@ typedef uint16_t mip_gnss_1_raw_flags;
 #define MIP_GNSS_1_RAW_FLAGS_LOCK_TIME 0x8000U
 /** Bits 0 to 15. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_RAW_FLAGS_FLAGS 0xFFFFU
-
 /** Properties of a base station, as its RTCM message gives them. */
 typedef uint16_t mip_gnss_1_base_station_indicators;
 /** Bit 0. GPS is supported. */
@@ -434,7 +435,6 @@ typedef uint16_t mip_gnss_1_base_station_indicators;
 #define MIP_GNSS_1_BASE_STATION_INDICATORS_QUARTER_CYCLE_BIT2 0x0080U
 /** Bits 6 to 7. Quarter cycle indicator. Overlaps other bits. */
 #define MIP_GNSS_1_BASE_STATION_INDICATORS_QUARTER_CYCLE_BITS 0x00C0U
-
 /** Which values are valid. */
 typedef uint16_t mip_gnss_1_base_station_info_flags;
 /** Bit 0. Time of week. */
@@ -451,7 +451,6 @@ typedef uint16_t mip_gnss_1_base_station_info_flags;
 #define MIP_GNSS_1_BASE_STATION_INFO_FLAGS_INDICATORS 0x0020U
 /** Bits 0 to 5. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_BASE_STATION_INFO_FLAGS_FLAGS 0x003FU
-
 /** Corrections that came during an epoch. */
 typedef uint16_t mip_gnss_1_rtk_epoch_status;
 /** Bit 0. Antenna location. */
@@ -472,7 +471,6 @@ typedef uint16_t mip_gnss_1_rtk_epoch_status;
 #define MIP_GNSS_1_RTK_EPOCH_STATUS_USING_GLONASS_MSM_MESSAGES 0x0080U
 /** Bit 8. The status of the dongle could not be read. */
 #define MIP_GNSS_1_RTK_EPOCH_STATUS_DONGLE_STATUS_READ_FAILED 0x0100U
-
 /** Which values are valid. */
 typedef uint16_t mip_gnss_1_rtk_corrections_status_flags;
 /** Bit 0. Time of week. */
@@ -493,7 +491,6 @@ typedef uint16_t mip_gnss_1_rtk_corrections_status_flags;
 #define MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_BEIDOU_LATENCY 0x0080U
 /** Bits 0 to 7. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_FLAGS 0x00FFU
-
 /** What an ephemeris of GPS, Galileo or BeiDou holds. */
 typedef uint16_t mip_gnss_1_ephemeris_flags;
 /** Bit 0. The ephemeris is valid. */
@@ -504,21 +501,22 @@ typedef uint16_t mip_gnss_1_ephemeris_flags;
 #define MIP_GNSS_1_EPHEMERIS_FLAGS_ISC_L5 0x0004U
 /** Bits 0 to 2. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_EPHEMERIS_FLAGS_FLAGS 0x0007U
-
 /** Generation of a GLONASS satellite. */
-typedef uint8_t mip_gnss_1_glonass_satellite_type;
-/** GLONASS. */
-#define MIP_GNSS_1_GLONASS_SATELLITE_TYPE_GLONASS 0
-/** GLONASS-M. */
-#define MIP_GNSS_1_GLONASS_SATELLITE_TYPE_GLONASS_M 1
+enum mip_gnss_1_glonass_satellite_type {
+    /** GLONASS. */
+    MIP_GNSS_1_GLONASS_SATELLITE_TYPE_GLONASS = 0,
+    /** GLONASS-M. */
+    MIP_GNSS_1_GLONASS_SATELLITE_TYPE_GLONASS_M = 1
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_gnss_1_glonass_satellite_type_name(uint8_t value);
 /** Whether the ephemeris is valid. */
 typedef uint16_t mip_gnss_1_glonass_ephemeris_flags;
 /** Bit 0. The ephemeris is valid. */
 #define MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS 0x0001U
 /** Bit 0. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_FLAGS 0x0001U
-
 /** Which parts of the model are valid. */
 typedef uint16_t mip_gnss_1_gps_iono_correction_flags;
 /** Bit 0. Time of week. */
@@ -531,7 +529,6 @@ typedef uint16_t mip_gnss_1_gps_iono_correction_flags;
 #define MIP_GNSS_1_GPS_IONO_CORRECTION_FLAGS_BETA 0x0008U
 /** Bits 0 to 3. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_GPS_IONO_CORRECTION_FLAGS_FLAGS 0x000FU
-
 /** Which parts of the model are valid. */
 typedef uint16_t mip_gnss_1_galileo_iono_correction_flags;
 /** Bit 0. Time of week. */
@@ -544,7 +541,6 @@ typedef uint16_t mip_gnss_1_galileo_iono_correction_flags;
 #define MIP_GNSS_1_GALILEO_IONO_CORRECTION_FLAGS_DISTURBANCE_FLAGS 0x0008U
 /** Bits 0 to 3. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_GALILEO_IONO_CORRECTION_FLAGS_FLAGS 0x000FU
-
 /** Which parts of the model are valid. */
 typedef uint16_t mip_gnss_1_beidou_iono_correction_flags;
 /** Bit 0. Time of week. */
@@ -559,7 +555,6 @@ typedef uint16_t mip_gnss_1_beidou_iono_correction_flags;
 #define MIP_GNSS_1_BEIDOU_IONO_CORRECTION_FLAGS_ALPHA_CORRECTION 0x0010U
 /** Bits 0 to 4. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_BEIDOU_IONO_CORRECTION_FLAGS_FLAGS 0x001FU
-
 /**
  * GNSS LLH position: data (0x91,0x03).
  *
@@ -604,15 +599,61 @@ struct mip_gnss_1_llh_position {
     mip_gnss_1_llh_position_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_1_LLH_POSITION 0x9103
 #define MIP_GNSS_1_LLH_POSITION_DESCRIPTOR 0x03
 #define MIP_GNSS_1_LLH_POSITION_NAME "gnss_1.llh_position"
 
-extern const struct mip_codec mip_gnss_1_llh_position_codec;
-mip_error mip_gnss_1_llh_position_decode(struct mip_gnss_1_llh_position *value,
-                                         const struct mip_field *field);
-mip_error mip_gnss_1_llh_position_encode(const struct mip_gnss_1_llh_position *value,
-                                         struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_1_llh_position_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_1_llh_position_decode(struct mip_gnss_1_llh_position *value,
+                                                       const struct mip_field *field) {
+    return mip_decode(&mip_gnss_1_llh_position_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_1_llh_position_encode(const struct mip_gnss_1_llh_position *value,
+                                                       struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_1_llh_position_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_1_llh_position_decode_inline(struct mip_gnss_1_llh_position *value,
+                                                              const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x91, 0x03, 42);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_double(&value->latitude, field->data);
+    mip_get_double(&value->longitude, field->data + 8);
+    mip_get_double(&value->ellipsoid_height, field->data + 16);
+    mip_get_double(&value->msl_height, field->data + 24);
+    mip_get_float(&value->horizontal_accuracy, field->data + 32);
+    mip_get_float(&value->vertical_accuracy, field->data + 36);
+    value->valid_flags = mip_get_16(field->data + 40);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_1_llh_position_encode_inline(
+    const struct mip_gnss_1_llh_position *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x91, 0x03, 42, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_double(data, &value->latitude);
+    mip_put_double(data + 8, &value->longitude);
+    mip_put_double(data + 16, &value->ellipsoid_height);
+    mip_put_double(data + 24, &value->msl_height);
+    mip_put_float(data + 32, &value->horizontal_accuracy);
+    mip_put_float(data + 36, &value->vertical_accuracy);
+    mip_put_16(data + 40, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * GNSS ECEF position: data (0x91,0x04).
  *
@@ -637,15 +678,57 @@ struct mip_gnss_1_ecef_position {
     mip_gnss_1_ecef_position_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_1_ECEF_POSITION 0x9104
 #define MIP_GNSS_1_ECEF_POSITION_DESCRIPTOR 0x04
 #define MIP_GNSS_1_ECEF_POSITION_NAME "gnss_1.ecef_position"
 
-extern const struct mip_codec mip_gnss_1_ecef_position_codec;
-mip_error mip_gnss_1_ecef_position_decode(struct mip_gnss_1_ecef_position *value,
-                                          const struct mip_field *field);
-mip_error mip_gnss_1_ecef_position_encode(const struct mip_gnss_1_ecef_position *value,
-                                          struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_1_ecef_position_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_1_ecef_position_decode(struct mip_gnss_1_ecef_position *value,
+                                                        const struct mip_field *field) {
+    return mip_decode(&mip_gnss_1_ecef_position_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_1_ecef_position_encode(
+    const struct mip_gnss_1_ecef_position *value, struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_1_ecef_position_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_1_ecef_position_decode_inline(
+    struct mip_gnss_1_ecef_position *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x91, 0x04, 30);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_double(&value->position[i], field->data + 8 * i);
+    }
+    mip_get_float(&value->position_accuracy, field->data + 24);
+    value->valid_flags = mip_get_16(field->data + 28);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_1_ecef_position_encode_inline(
+    const struct mip_gnss_1_ecef_position *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x91, 0x04, 30, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_double(data + 8 * i, &value->position[i]);
+    }
+    mip_put_float(data + 24, &value->position_accuracy);
+    mip_put_16(data + 28, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * NED velocity: data (0x91,0x05).
  *
@@ -690,15 +773,65 @@ struct mip_gnss_1_ned_velocity {
     mip_gnss_1_ned_velocity_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_1_NED_VELOCITY 0x9105
 #define MIP_GNSS_1_NED_VELOCITY_DESCRIPTOR 0x05
 #define MIP_GNSS_1_NED_VELOCITY_NAME "gnss_1.ned_velocity"
 
-extern const struct mip_codec mip_gnss_1_ned_velocity_codec;
-mip_error mip_gnss_1_ned_velocity_decode(struct mip_gnss_1_ned_velocity *value,
-                                         const struct mip_field *field);
-mip_error mip_gnss_1_ned_velocity_encode(const struct mip_gnss_1_ned_velocity *value,
-                                         struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_1_ned_velocity_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_1_ned_velocity_decode(struct mip_gnss_1_ned_velocity *value,
+                                                       const struct mip_field *field) {
+    return mip_decode(&mip_gnss_1_ned_velocity_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_1_ned_velocity_encode(const struct mip_gnss_1_ned_velocity *value,
+                                                       struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_1_ned_velocity_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_1_ned_velocity_decode_inline(struct mip_gnss_1_ned_velocity *value,
+                                                              const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x91, 0x05, 34);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->velocity[i], field->data + 4 * i);
+    }
+    mip_get_float(&value->speed, field->data + 12);
+    mip_get_float(&value->ground_speed, field->data + 16);
+    mip_get_float(&value->heading, field->data + 20);
+    mip_get_float(&value->speed_accuracy, field->data + 24);
+    mip_get_float(&value->heading_accuracy, field->data + 28);
+    value->valid_flags = mip_get_16(field->data + 32);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_1_ned_velocity_encode_inline(
+    const struct mip_gnss_1_ned_velocity *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x91, 0x05, 34, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 4 * i, &value->velocity[i]);
+    }
+    mip_put_float(data + 12, &value->speed);
+    mip_put_float(data + 16, &value->ground_speed);
+    mip_put_float(data + 20, &value->heading);
+    mip_put_float(data + 24, &value->speed_accuracy);
+    mip_put_float(data + 28, &value->heading_accuracy);
+    mip_put_16(data + 32, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * GNSS ECEF velocity: data (0x91,0x06).
  *
@@ -723,15 +856,57 @@ struct mip_gnss_1_ecef_velocity {
     mip_gnss_1_ecef_velocity_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_1_ECEF_VELOCITY 0x9106
 #define MIP_GNSS_1_ECEF_VELOCITY_DESCRIPTOR 0x06
 #define MIP_GNSS_1_ECEF_VELOCITY_NAME "gnss_1.ecef_velocity"
 
-extern const struct mip_codec mip_gnss_1_ecef_velocity_codec;
-mip_error mip_gnss_1_ecef_velocity_decode(struct mip_gnss_1_ecef_velocity *value,
-                                          const struct mip_field *field);
-mip_error mip_gnss_1_ecef_velocity_encode(const struct mip_gnss_1_ecef_velocity *value,
-                                          struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_1_ecef_velocity_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_1_ecef_velocity_decode(struct mip_gnss_1_ecef_velocity *value,
+                                                        const struct mip_field *field) {
+    return mip_decode(&mip_gnss_1_ecef_velocity_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_1_ecef_velocity_encode(
+    const struct mip_gnss_1_ecef_velocity *value, struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_1_ecef_velocity_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_1_ecef_velocity_decode_inline(
+    struct mip_gnss_1_ecef_velocity *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x91, 0x06, 18);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->velocity[i], field->data + 4 * i);
+    }
+    mip_get_float(&value->velocity_accuracy, field->data + 12);
+    value->valid_flags = mip_get_16(field->data + 16);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_1_ecef_velocity_encode_inline(
+    const struct mip_gnss_1_ecef_velocity *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x91, 0x06, 18, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 4 * i, &value->velocity[i]);
+    }
+    mip_put_float(data + 12, &value->velocity_accuracy);
+    mip_put_16(data + 16, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * DOP: data (0x91,0x07).
  *
@@ -760,13 +935,63 @@ struct mip_gnss_1_dop {
     mip_gnss_1_dop_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_1_DOP 0x9107
 #define MIP_GNSS_1_DOP_DESCRIPTOR 0x07
 #define MIP_GNSS_1_DOP_NAME "gnss_1.dop"
 
-extern const struct mip_codec mip_gnss_1_dop_codec;
-mip_error mip_gnss_1_dop_decode(struct mip_gnss_1_dop *value, const struct mip_field *field);
-mip_error mip_gnss_1_dop_encode(const struct mip_gnss_1_dop *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_1_dop_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_1_dop_decode(struct mip_gnss_1_dop *value,
+                                              const struct mip_field *field) {
+    return mip_decode(&mip_gnss_1_dop_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_1_dop_encode(const struct mip_gnss_1_dop *value,
+                                              struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_1_dop_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_1_dop_decode_inline(struct mip_gnss_1_dop *value,
+                                                     const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x91, 0x07, 30);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_float(&value->gdop, field->data);
+    mip_get_float(&value->pdop, field->data + 4);
+    mip_get_float(&value->hdop, field->data + 8);
+    mip_get_float(&value->vdop, field->data + 12);
+    mip_get_float(&value->tdop, field->data + 16);
+    mip_get_float(&value->ndop, field->data + 20);
+    mip_get_float(&value->edop, field->data + 24);
+    value->valid_flags = mip_get_16(field->data + 28);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_1_dop_encode_inline(const struct mip_gnss_1_dop *value,
+                                                     struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x91, 0x07, 30, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_float(data, &value->gdop);
+    mip_put_float(data + 4, &value->pdop);
+    mip_put_float(data + 8, &value->hdop);
+    mip_put_float(data + 12, &value->vdop);
+    mip_put_float(data + 16, &value->tdop);
+    mip_put_float(data + 20, &value->ndop);
+    mip_put_float(data + 24, &value->edop);
+    mip_put_16(data + 28, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * UTC time: data (0x91,0x08).
  *
@@ -813,15 +1038,63 @@ struct mip_gnss_1_utc_time {
     mip_gnss_1_utc_time_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_1_UTC_TIME 0x9108
 #define MIP_GNSS_1_UTC_TIME_DESCRIPTOR 0x08
 #define MIP_GNSS_1_UTC_TIME_NAME "gnss_1.utc_time"
 
-extern const struct mip_codec mip_gnss_1_utc_time_codec;
-mip_error mip_gnss_1_utc_time_decode(struct mip_gnss_1_utc_time *value,
-                                     const struct mip_field *field);
-mip_error mip_gnss_1_utc_time_encode(const struct mip_gnss_1_utc_time *value,
-                                     struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_1_utc_time_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_1_utc_time_decode(struct mip_gnss_1_utc_time *value,
+                                                   const struct mip_field *field) {
+    return mip_decode(&mip_gnss_1_utc_time_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_1_utc_time_encode(const struct mip_gnss_1_utc_time *value,
+                                                   struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_1_utc_time_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_1_utc_time_decode_inline(struct mip_gnss_1_utc_time *value,
+                                                          const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x91, 0x08, 13);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->year = mip_get_16(field->data);
+    value->month = mip_get_8(field->data + 2);
+    value->day = mip_get_8(field->data + 3);
+    value->hour = mip_get_8(field->data + 4);
+    value->min = mip_get_8(field->data + 5);
+    value->sec = mip_get_8(field->data + 6);
+    value->msec = mip_get_32(field->data + 7);
+    value->valid_flags = mip_get_16(field->data + 11);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_1_utc_time_encode_inline(const struct mip_gnss_1_utc_time *value,
+                                                          struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x91, 0x08, 13, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_16(data, value->year);
+    mip_put_8(data + 2, value->month);
+    mip_put_8(data + 3, value->day);
+    mip_put_8(data + 4, value->hour);
+    mip_put_8(data + 5, value->min);
+    mip_put_8(data + 6, value->sec);
+    mip_put_32(data + 7, value->msec);
+    mip_put_16(data + 11, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * GPS time: data (0x91,0x09).
  *
@@ -843,15 +1116,53 @@ struct mip_gnss_1_gps_time {
     mip_gnss_1_gps_time_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_1_GPS_TIME 0x9109
 #define MIP_GNSS_1_GPS_TIME_DESCRIPTOR 0x09
 #define MIP_GNSS_1_GPS_TIME_NAME "gnss_1.gps_time"
 
-extern const struct mip_codec mip_gnss_1_gps_time_codec;
-mip_error mip_gnss_1_gps_time_decode(struct mip_gnss_1_gps_time *value,
-                                     const struct mip_field *field);
-mip_error mip_gnss_1_gps_time_encode(const struct mip_gnss_1_gps_time *value,
-                                     struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_1_gps_time_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_1_gps_time_decode(struct mip_gnss_1_gps_time *value,
+                                                   const struct mip_field *field) {
+    return mip_decode(&mip_gnss_1_gps_time_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_1_gps_time_encode(const struct mip_gnss_1_gps_time *value,
+                                                   struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_1_gps_time_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_1_gps_time_decode_inline(struct mip_gnss_1_gps_time *value,
+                                                          const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x91, 0x09, 12);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_double(&value->tow, field->data);
+    value->week_number = mip_get_16(field->data + 8);
+    value->valid_flags = mip_get_16(field->data + 10);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_1_gps_time_encode_inline(const struct mip_gnss_1_gps_time *value,
+                                                          struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x91, 0x09, 12, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_double(data, &value->tow);
+    mip_put_16(data + 8, value->week_number);
+    mip_put_16(data + 10, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Clock info: data (0x91,0x0A).
  *
@@ -882,15 +1193,55 @@ struct mip_gnss_1_clock_info {
     mip_gnss_1_clock_info_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_1_CLOCK_INFO 0x910A
 #define MIP_GNSS_1_CLOCK_INFO_DESCRIPTOR 0x0A
 #define MIP_GNSS_1_CLOCK_INFO_NAME "gnss_1.clock_info"
 
-extern const struct mip_codec mip_gnss_1_clock_info_codec;
-mip_error mip_gnss_1_clock_info_decode(struct mip_gnss_1_clock_info *value,
-                                       const struct mip_field *field);
-mip_error mip_gnss_1_clock_info_encode(const struct mip_gnss_1_clock_info *value,
-                                       struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_1_clock_info_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_1_clock_info_decode(struct mip_gnss_1_clock_info *value,
+                                                     const struct mip_field *field) {
+    return mip_decode(&mip_gnss_1_clock_info_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_1_clock_info_encode(const struct mip_gnss_1_clock_info *value,
+                                                     struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_1_clock_info_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_1_clock_info_decode_inline(struct mip_gnss_1_clock_info *value,
+                                                            const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x91, 0x0A, 26);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_double(&value->bias, field->data);
+    mip_get_double(&value->drift, field->data + 8);
+    mip_get_double(&value->accuracy_estimate, field->data + 16);
+    value->valid_flags = mip_get_16(field->data + 24);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_1_clock_info_encode_inline(
+    const struct mip_gnss_1_clock_info *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x91, 0x0A, 26, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_double(data, &value->bias);
+    mip_put_double(data + 8, &value->drift);
+    mip_put_double(data + 16, &value->accuracy_estimate);
+    mip_put_16(data + 24, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Fix info: data (0x91,0x0B).
  *
@@ -901,8 +1252,11 @@ mip_error mip_gnss_1_clock_info_encode(const struct mip_gnss_1_clock_info *value
  * - 3dm-cv7-gnss-ins: Fix Info (0x91,0x0B)
  */
 struct mip_gnss_1_fix_info {
-    /** Type of the fix. Valid if MIP_GNSS_1_FIX_INFO_FLAGS_FIX_TYPE in valid_flags is set. */
-    mip_gnss_fix_type fix_type;
+    /**
+     * Type of the fix. A value of enum mip_gnss_fix_type. Valid if
+     * MIP_GNSS_1_FIX_INFO_FLAGS_FIX_TYPE in valid_flags is set.
+     */
+    uint8_t fix_type;
     /**
      * Number of satellites of the fix. Unit: 1. Valid if MIP_GNSS_1_FIX_INFO_FLAGS_NUM_SV in
      * valid_flags is set.
@@ -914,15 +1268,55 @@ struct mip_gnss_1_fix_info {
     mip_gnss_1_fix_info_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_1_FIX_INFO 0x910B
 #define MIP_GNSS_1_FIX_INFO_DESCRIPTOR 0x0B
 #define MIP_GNSS_1_FIX_INFO_NAME "gnss_1.fix_info"
 
-extern const struct mip_codec mip_gnss_1_fix_info_codec;
-mip_error mip_gnss_1_fix_info_decode(struct mip_gnss_1_fix_info *value,
-                                     const struct mip_field *field);
-mip_error mip_gnss_1_fix_info_encode(const struct mip_gnss_1_fix_info *value,
-                                     struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_1_fix_info_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_1_fix_info_decode(struct mip_gnss_1_fix_info *value,
+                                                   const struct mip_field *field) {
+    return mip_decode(&mip_gnss_1_fix_info_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_1_fix_info_encode(const struct mip_gnss_1_fix_info *value,
+                                                   struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_1_fix_info_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_1_fix_info_decode_inline(struct mip_gnss_1_fix_info *value,
+                                                          const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x91, 0x0B, 6);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->fix_type = mip_get_8(field->data);
+    value->num_sv = mip_get_8(field->data + 1);
+    value->fix_flags = mip_get_16(field->data + 2);
+    value->valid_flags = mip_get_16(field->data + 4);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_1_fix_info_encode_inline(const struct mip_gnss_1_fix_info *value,
+                                                          struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x91, 0x0B, 6, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->fix_type);
+    mip_put_8(data + 1, value->num_sv);
+    mip_put_16(data + 2, value->fix_flags);
+    mip_put_16(data + 4, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Satellite info: data (0x91,0x0C).
  *
@@ -961,15 +1355,61 @@ struct mip_gnss_1_sv_info {
     mip_gnss_1_sv_info_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_1_SV_INFO 0x910C
 #define MIP_GNSS_1_SV_INFO_DESCRIPTOR 0x0C
 #define MIP_GNSS_1_SV_INFO_NAME "gnss_1.sv_info"
 
-extern const struct mip_codec mip_gnss_1_sv_info_codec;
-mip_error mip_gnss_1_sv_info_decode(struct mip_gnss_1_sv_info *value,
-                                    const struct mip_field *field);
-mip_error mip_gnss_1_sv_info_encode(const struct mip_gnss_1_sv_info *value,
-                                    struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_1_sv_info_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_1_sv_info_decode(struct mip_gnss_1_sv_info *value,
+                                                  const struct mip_field *field) {
+    return mip_decode(&mip_gnss_1_sv_info_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_1_sv_info_encode(const struct mip_gnss_1_sv_info *value,
+                                                  struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_1_sv_info_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_1_sv_info_decode_inline(struct mip_gnss_1_sv_info *value,
+                                                         const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x91, 0x0C, 12);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->channel = mip_get_8(field->data);
+    value->satellite_id = mip_get_8(field->data + 1);
+    value->carrier_noise_ratio = mip_get_16(field->data + 2);
+    value->azimuth = (int16_t)mip_get_16(field->data + 4);
+    value->elevation = (int16_t)mip_get_16(field->data + 6);
+    value->sv_flags = mip_get_16(field->data + 8);
+    value->valid_flags = mip_get_16(field->data + 10);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_1_sv_info_encode_inline(const struct mip_gnss_1_sv_info *value,
+                                                         struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x91, 0x0C, 12, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->channel);
+    mip_put_8(data + 1, value->satellite_id);
+    mip_put_16(data + 2, value->carrier_noise_ratio);
+    mip_put_16(data + 4, (uint16_t)value->azimuth);
+    mip_put_16(data + 6, (uint16_t)value->elevation);
+    mip_put_16(data + 8, value->sv_flags);
+    mip_put_16(data + 10, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * GNSS hardware status: data (0x91,0x0D).
  *
@@ -981,33 +1421,73 @@ mip_error mip_gnss_1_sv_info_encode(const struct mip_gnss_1_sv_info *value,
  */
 struct mip_gnss_1_hardware_status {
     /**
-     * State of the receiver. Valid if MIP_GNSS_1_HARDWARE_STATUS_FLAGS_SENSOR_STATE in valid_flags
-     * is set.
+     * State of the receiver. A value of enum mip_gnss_1_receiver_state. Valid if
+     * MIP_GNSS_1_HARDWARE_STATUS_FLAGS_SENSOR_STATE in valid_flags is set.
      */
-    mip_gnss_1_receiver_state receiver_state;
+    uint8_t receiver_state;
     /**
-     * State of the antenna. Valid if MIP_GNSS_1_HARDWARE_STATUS_FLAGS_ANTENNA_STATE in valid_flags
-     * is set.
+     * State of the antenna. A value of enum mip_gnss_1_antenna_state. Valid if
+     * MIP_GNSS_1_HARDWARE_STATUS_FLAGS_ANTENNA_STATE in valid_flags is set.
      */
-    mip_gnss_1_antenna_state antenna_state;
+    uint8_t antenna_state;
     /**
-     * Supply of the antenna. Valid if MIP_GNSS_1_HARDWARE_STATUS_FLAGS_ANTENNA_POWER in valid_flags
-     * is set.
+     * Supply of the antenna. A value of enum mip_gnss_1_antenna_power. Valid if
+     * MIP_GNSS_1_HARDWARE_STATUS_FLAGS_ANTENNA_POWER in valid_flags is set.
      */
-    mip_gnss_1_antenna_power antenna_power;
+    uint8_t antenna_power;
     /** Which values are valid. */
     mip_gnss_1_hardware_status_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_1_HARDWARE_STATUS 0x910D
 #define MIP_GNSS_1_HARDWARE_STATUS_DESCRIPTOR 0x0D
 #define MIP_GNSS_1_HARDWARE_STATUS_NAME "gnss_1.hardware_status"
 
-extern const struct mip_codec mip_gnss_1_hardware_status_codec;
-mip_error mip_gnss_1_hardware_status_decode(struct mip_gnss_1_hardware_status *value,
-                                            const struct mip_field *field);
-mip_error mip_gnss_1_hardware_status_encode(const struct mip_gnss_1_hardware_status *value,
-                                            struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_1_hardware_status_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_1_hardware_status_decode(struct mip_gnss_1_hardware_status *value,
+                                                          const struct mip_field *field) {
+    return mip_decode(&mip_gnss_1_hardware_status_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_1_hardware_status_encode(
+    const struct mip_gnss_1_hardware_status *value, struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_1_hardware_status_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_1_hardware_status_decode_inline(
+    struct mip_gnss_1_hardware_status *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x91, 0x0D, 5);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->receiver_state = mip_get_8(field->data);
+    value->antenna_state = mip_get_8(field->data + 1);
+    value->antenna_power = mip_get_8(field->data + 2);
+    value->valid_flags = mip_get_16(field->data + 3);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_1_hardware_status_encode_inline(
+    const struct mip_gnss_1_hardware_status *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x91, 0x0D, 5, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->receiver_state);
+    mip_put_8(data + 1, value->antenna_state);
+    mip_put_8(data + 2, value->antenna_power);
+    mip_put_16(data + 3, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * DGPS info: data (0x91,0x0E).
  *
@@ -1047,15 +1527,57 @@ struct mip_gnss_1_dgps_info {
     mip_gnss_1_dgps_info_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_1_DGPS_INFO 0x910E
 #define MIP_GNSS_1_DGPS_INFO_DESCRIPTOR 0x0E
 #define MIP_GNSS_1_DGPS_INFO_NAME "gnss_1.dgps_info"
 
-extern const struct mip_codec mip_gnss_1_dgps_info_codec;
-mip_error mip_gnss_1_dgps_info_decode(struct mip_gnss_1_dgps_info *value,
-                                      const struct mip_field *field);
-mip_error mip_gnss_1_dgps_info_encode(const struct mip_gnss_1_dgps_info *value,
-                                      struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_1_dgps_info_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_1_dgps_info_decode(struct mip_gnss_1_dgps_info *value,
+                                                    const struct mip_field *field) {
+    return mip_decode(&mip_gnss_1_dgps_info_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_1_dgps_info_encode(const struct mip_gnss_1_dgps_info *value,
+                                                    struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_1_dgps_info_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_1_dgps_info_decode_inline(struct mip_gnss_1_dgps_info *value,
+                                                           const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x91, 0x0E, 12);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_float(&value->age, field->data);
+    value->base_station_id = (int16_t)mip_get_16(field->data + 4);
+    value->base_station_status = (int16_t)mip_get_16(field->data + 6);
+    value->num_channels = mip_get_16(field->data + 8);
+    value->valid_flags = mip_get_16(field->data + 10);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_1_dgps_info_encode_inline(const struct mip_gnss_1_dgps_info *value,
+                                                           struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x91, 0x0E, 12, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_float(data, &value->age);
+    mip_put_16(data + 4, (uint16_t)value->base_station_id);
+    mip_put_16(data + 6, (uint16_t)value->base_station_status);
+    mip_put_16(data + 8, value->num_channels);
+    mip_put_16(data + 10, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * DGPS channel: data (0x91,0x0F).
  *
@@ -1092,15 +1614,57 @@ struct mip_gnss_1_dgps_channel {
     mip_gnss_1_dgps_channel_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_1_DGPS_CHANNEL 0x910F
 #define MIP_GNSS_1_DGPS_CHANNEL_DESCRIPTOR 0x0F
 #define MIP_GNSS_1_DGPS_CHANNEL_NAME "gnss_1.dgps_channel"
 
-extern const struct mip_codec mip_gnss_1_dgps_channel_codec;
-mip_error mip_gnss_1_dgps_channel_decode(struct mip_gnss_1_dgps_channel *value,
-                                         const struct mip_field *field);
-mip_error mip_gnss_1_dgps_channel_encode(const struct mip_gnss_1_dgps_channel *value,
-                                         struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_1_dgps_channel_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_1_dgps_channel_decode(struct mip_gnss_1_dgps_channel *value,
+                                                       const struct mip_field *field) {
+    return mip_decode(&mip_gnss_1_dgps_channel_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_1_dgps_channel_encode(const struct mip_gnss_1_dgps_channel *value,
+                                                       struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_1_dgps_channel_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_1_dgps_channel_decode_inline(struct mip_gnss_1_dgps_channel *value,
+                                                              const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x91, 0x0F, 15);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->satellite_id = mip_get_8(field->data);
+    mip_get_float(&value->age, field->data + 1);
+    mip_get_float(&value->range_correction, field->data + 5);
+    mip_get_float(&value->range_rate_correction, field->data + 9);
+    value->valid_flags = mip_get_16(field->data + 13);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_1_dgps_channel_encode_inline(
+    const struct mip_gnss_1_dgps_channel *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x91, 0x0F, 15, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->satellite_id);
+    mip_put_float(data + 1, &value->age);
+    mip_put_float(data + 5, &value->range_correction);
+    mip_put_float(data + 9, &value->range_rate_correction);
+    mip_put_16(data + 13, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Clock info 2: data (0x91,0x10).
  *
@@ -1137,15 +1701,57 @@ struct mip_gnss_1_clock_info_2 {
     mip_gnss_1_clock_info_2_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_1_CLOCK_INFO_2 0x9110
 #define MIP_GNSS_1_CLOCK_INFO_2_DESCRIPTOR 0x10
 #define MIP_GNSS_1_CLOCK_INFO_2_NAME "gnss_1.clock_info_2"
 
-extern const struct mip_codec mip_gnss_1_clock_info_2_codec;
-mip_error mip_gnss_1_clock_info_2_decode(struct mip_gnss_1_clock_info_2 *value,
-                                         const struct mip_field *field);
-mip_error mip_gnss_1_clock_info_2_encode(const struct mip_gnss_1_clock_info_2 *value,
-                                         struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_1_clock_info_2_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_1_clock_info_2_decode(struct mip_gnss_1_clock_info_2 *value,
+                                                       const struct mip_field *field) {
+    return mip_decode(&mip_gnss_1_clock_info_2_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_1_clock_info_2_encode(const struct mip_gnss_1_clock_info_2 *value,
+                                                       struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_1_clock_info_2_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_1_clock_info_2_decode_inline(struct mip_gnss_1_clock_info_2 *value,
+                                                              const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x91, 0x10, 34);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_double(&value->bias, field->data);
+    mip_get_double(&value->drift, field->data + 8);
+    mip_get_double(&value->bias_accuracy_estimate, field->data + 16);
+    mip_get_double(&value->drift_accuracy_estimate, field->data + 24);
+    value->valid_flags = mip_get_16(field->data + 32);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_1_clock_info_2_encode_inline(
+    const struct mip_gnss_1_clock_info_2 *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x91, 0x10, 34, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_double(data, &value->bias);
+    mip_put_double(data + 8, &value->drift);
+    mip_put_double(data + 16, &value->bias_accuracy_estimate);
+    mip_put_double(data + 24, &value->drift_accuracy_estimate);
+    mip_put_16(data + 32, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * GPS leap seconds: data (0x91,0x11).
  *
@@ -1165,15 +1771,51 @@ struct mip_gnss_1_gps_leap_seconds {
     mip_gnss_1_gps_leap_seconds_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_1_GPS_LEAP_SECONDS 0x9111
 #define MIP_GNSS_1_GPS_LEAP_SECONDS_DESCRIPTOR 0x11
 #define MIP_GNSS_1_GPS_LEAP_SECONDS_NAME "gnss_1.gps_leap_seconds"
 
-extern const struct mip_codec mip_gnss_1_gps_leap_seconds_codec;
-mip_error mip_gnss_1_gps_leap_seconds_decode(struct mip_gnss_1_gps_leap_seconds *value,
-                                             const struct mip_field *field);
-mip_error mip_gnss_1_gps_leap_seconds_encode(const struct mip_gnss_1_gps_leap_seconds *value,
-                                             struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_1_gps_leap_seconds_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_1_gps_leap_seconds_decode(
+    struct mip_gnss_1_gps_leap_seconds *value, const struct mip_field *field) {
+    return mip_decode(&mip_gnss_1_gps_leap_seconds_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_1_gps_leap_seconds_encode(
+    const struct mip_gnss_1_gps_leap_seconds *value, struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_1_gps_leap_seconds_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_1_gps_leap_seconds_decode_inline(
+    struct mip_gnss_1_gps_leap_seconds *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x91, 0x11, 3);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->leap_seconds = mip_get_8(field->data);
+    value->valid_flags = mip_get_16(field->data + 1);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_1_gps_leap_seconds_encode_inline(
+    const struct mip_gnss_1_gps_leap_seconds *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x91, 0x11, 3, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->leap_seconds);
+    mip_put_16(data + 1, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * SBAS info: data (0x91,0x12).
  *
@@ -1191,8 +1833,11 @@ struct mip_gnss_1_sbas_info {
      * is set.
      */
     uint16_t week_number;
-    /** System in use. Valid if MIP_GNSS_1_SBAS_INFO_FLAGS_SBAS_SYSTEM in valid_flags is set. */
-    mip_gnss_1_sbas_system sbas_system;
+    /**
+     * System in use. A value of enum mip_gnss_1_sbas_system. Valid if
+     * MIP_GNSS_1_SBAS_INFO_FLAGS_SBAS_SYSTEM in valid_flags is set.
+     */
+    uint8_t sbas_system;
     /** SBAS satellite. Valid if MIP_GNSS_1_SBAS_INFO_FLAGS_SBAS_ID in valid_flags is set. */
     uint8_t sbas_id;
     /**
@@ -1208,15 +1853,61 @@ struct mip_gnss_1_sbas_info {
     mip_gnss_1_sbas_info_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_1_SBAS_INFO 0x9112
 #define MIP_GNSS_1_SBAS_INFO_DESCRIPTOR 0x12
 #define MIP_GNSS_1_SBAS_INFO_NAME "gnss_1.sbas_info"
 
-extern const struct mip_codec mip_gnss_1_sbas_info_codec;
-mip_error mip_gnss_1_sbas_info_decode(struct mip_gnss_1_sbas_info *value,
-                                      const struct mip_field *field);
-mip_error mip_gnss_1_sbas_info_encode(const struct mip_gnss_1_sbas_info *value,
-                                      struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_1_sbas_info_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_1_sbas_info_decode(struct mip_gnss_1_sbas_info *value,
+                                                    const struct mip_field *field) {
+    return mip_decode(&mip_gnss_1_sbas_info_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_1_sbas_info_encode(const struct mip_gnss_1_sbas_info *value,
+                                                    struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_1_sbas_info_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_1_sbas_info_decode_inline(struct mip_gnss_1_sbas_info *value,
+                                                           const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x91, 0x12, 16);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_double(&value->tow, field->data);
+    value->week_number = mip_get_16(field->data + 8);
+    value->sbas_system = mip_get_8(field->data + 10);
+    value->sbas_id = mip_get_8(field->data + 11);
+    value->count = mip_get_8(field->data + 12);
+    value->sbas_status = mip_get_8(field->data + 13);
+    value->valid_flags = mip_get_16(field->data + 14);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_1_sbas_info_encode_inline(const struct mip_gnss_1_sbas_info *value,
+                                                           struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x91, 0x12, 16, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_double(data, &value->tow);
+    mip_put_16(data + 8, value->week_number);
+    mip_put_8(data + 10, value->sbas_system);
+    mip_put_8(data + 11, value->sbas_id);
+    mip_put_8(data + 12, value->count);
+    mip_put_8(data + 13, value->sbas_status);
+    mip_put_16(data + 14, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * SBAS correction: data (0x91,0x13).
  *
@@ -1240,8 +1931,8 @@ struct mip_gnss_1_sbas_correction {
     double tow;
     /** GPS week number. Unit: week. */
     uint16_t week_number;
-    /** Constellation. */
-    mip_gnss_constellation gnss_id;
+    /** Constellation. A value of enum mip_gnss_constellation. */
+    uint8_t gnss_id;
     /** Satellite within the constellation. */
     uint8_t satellite_id;
     /**
@@ -1264,15 +1955,67 @@ struct mip_gnss_1_sbas_correction {
     mip_gnss_1_sbas_correction_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_1_SBAS_CORRECTION 0x9113
 #define MIP_GNSS_1_SBAS_CORRECTION_DESCRIPTOR 0x13
 #define MIP_GNSS_1_SBAS_CORRECTION_NAME "gnss_1.sbas_correction"
 
-extern const struct mip_codec mip_gnss_1_sbas_correction_codec;
-mip_error mip_gnss_1_sbas_correction_decode(struct mip_gnss_1_sbas_correction *value,
-                                            const struct mip_field *field);
-mip_error mip_gnss_1_sbas_correction_encode(const struct mip_gnss_1_sbas_correction *value,
-                                            struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_1_sbas_correction_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_1_sbas_correction_decode(struct mip_gnss_1_sbas_correction *value,
+                                                          const struct mip_field *field) {
+    return mip_decode(&mip_gnss_1_sbas_correction_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_1_sbas_correction_encode(
+    const struct mip_gnss_1_sbas_correction *value, struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_1_sbas_correction_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_1_sbas_correction_decode_inline(
+    struct mip_gnss_1_sbas_correction *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x91, 0x13, 25);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->index = mip_get_8(field->data);
+    value->count = mip_get_8(field->data + 1);
+    mip_get_double(&value->tow, field->data + 2);
+    value->week_number = mip_get_16(field->data + 10);
+    value->gnss_id = mip_get_8(field->data + 12);
+    value->satellite_id = mip_get_8(field->data + 13);
+    value->udrei = mip_get_8(field->data + 14);
+    mip_get_float(&value->pseudorange_correction, field->data + 15);
+    mip_get_float(&value->iono_correction, field->data + 19);
+    value->valid_flags = mip_get_16(field->data + 23);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_1_sbas_correction_encode_inline(
+    const struct mip_gnss_1_sbas_correction *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x91, 0x13, 25, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->index);
+    mip_put_8(data + 1, value->count);
+    mip_put_double(data + 2, &value->tow);
+    mip_put_16(data + 10, value->week_number);
+    mip_put_8(data + 12, value->gnss_id);
+    mip_put_8(data + 13, value->satellite_id);
+    mip_put_8(data + 14, value->udrei);
+    mip_put_float(data + 15, &value->pseudorange_correction);
+    mip_put_float(data + 19, &value->iono_correction);
+    mip_put_16(data + 23, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * RF error detection: data (0x91,0x14).
  *
@@ -1283,31 +2026,78 @@ mip_error mip_gnss_1_sbas_correction_encode(const struct mip_gnss_1_sbas_correct
  * - mip-sdk-4: Rf Error Detection (0x81,0x14)
  */
 struct mip_gnss_1_rf_error_detection {
-    /** Band. Valid if MIP_GNSS_1_RF_ERROR_DETECTION_FLAGS_RF_BAND in valid_flags is set. */
-    mip_gnss_1_rf_band rf_band;
     /**
-     * Jamming. Valid if MIP_GNSS_1_RF_ERROR_DETECTION_FLAGS_JAMMING_STATE in valid_flags is set.
+     * Band. A value of enum mip_gnss_1_rf_band. Valid if
+     * MIP_GNSS_1_RF_ERROR_DETECTION_FLAGS_RF_BAND in valid_flags is set.
      */
-    mip_gnss_1_jamming_state jamming_state;
+    uint8_t rf_band;
     /**
-     * Spoofing. Valid if MIP_GNSS_1_RF_ERROR_DETECTION_FLAGS_SPOOFING_STATE in valid_flags is set.
+     * Jamming. A value of enum mip_gnss_1_jamming_state. Valid if
+     * MIP_GNSS_1_RF_ERROR_DETECTION_FLAGS_JAMMING_STATE in valid_flags is set.
      */
-    mip_gnss_1_spoofing_state spoofing_state;
+    uint8_t jamming_state;
+    /**
+     * Spoofing. A value of enum mip_gnss_1_spoofing_state. Valid if
+     * MIP_GNSS_1_RF_ERROR_DETECTION_FLAGS_SPOOFING_STATE in valid_flags is set.
+     */
+    uint8_t spoofing_state;
     /** Reserved. */
     uint8_t reserved[4];
     /** Which values are valid. */
     mip_gnss_1_rf_error_detection_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_1_RF_ERROR_DETECTION 0x9114
 #define MIP_GNSS_1_RF_ERROR_DETECTION_DESCRIPTOR 0x14
 #define MIP_GNSS_1_RF_ERROR_DETECTION_NAME "gnss_1.rf_error_detection"
 
-extern const struct mip_codec mip_gnss_1_rf_error_detection_codec;
-mip_error mip_gnss_1_rf_error_detection_decode(struct mip_gnss_1_rf_error_detection *value,
-                                               const struct mip_field *field);
-mip_error mip_gnss_1_rf_error_detection_encode(const struct mip_gnss_1_rf_error_detection *value,
-                                               struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_1_rf_error_detection_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_1_rf_error_detection_decode(
+    struct mip_gnss_1_rf_error_detection *value, const struct mip_field *field) {
+    return mip_decode(&mip_gnss_1_rf_error_detection_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_1_rf_error_detection_encode(
+    const struct mip_gnss_1_rf_error_detection *value, struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_1_rf_error_detection_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_1_rf_error_detection_decode_inline(
+    struct mip_gnss_1_rf_error_detection *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x91, 0x14, 9);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->rf_band = mip_get_8(field->data);
+    value->jamming_state = mip_get_8(field->data + 1);
+    value->spoofing_state = mip_get_8(field->data + 2);
+    memcpy(value->reserved, field->data + 3, 4);
+    value->valid_flags = mip_get_16(field->data + 7);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_1_rf_error_detection_encode_inline(
+    const struct mip_gnss_1_rf_error_detection *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x91, 0x14, 9, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->rf_band);
+    mip_put_8(data + 1, value->jamming_state);
+    mip_put_8(data + 2, value->spoofing_state);
+    memcpy(data + 3, value->reserved, 4);
+    mip_put_16(data + 7, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Satellite status: data (0x91,0x20).
  *
@@ -1334,8 +2124,11 @@ struct mip_gnss_1_satellite_status {
      * valid_flags is set.
      */
     uint16_t week_number;
-    /** Constellation. Valid if MIP_GNSS_1_SATELLITE_STATUS_FLAGS_GNSS_ID in valid_flags is set. */
-    mip_gnss_constellation gnss_id;
+    /**
+     * Constellation. A value of enum mip_gnss_constellation. Valid if
+     * MIP_GNSS_1_SATELLITE_STATUS_FLAGS_GNSS_ID in valid_flags is set.
+     */
+    uint8_t gnss_id;
     /**
      * Satellite within the constellation. Valid if MIP_GNSS_1_SATELLITE_STATUS_FLAGS_SATELLITE_ID
      * in valid_flags is set.
@@ -1360,15 +2153,67 @@ struct mip_gnss_1_satellite_status {
     mip_gnss_1_satellite_status_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_1_SATELLITE_STATUS 0x9120
 #define MIP_GNSS_1_SATELLITE_STATUS_DESCRIPTOR 0x20
 #define MIP_GNSS_1_SATELLITE_STATUS_NAME "gnss_1.satellite_status"
 
-extern const struct mip_codec mip_gnss_1_satellite_status_codec;
-mip_error mip_gnss_1_satellite_status_decode(struct mip_gnss_1_satellite_status *value,
-                                             const struct mip_field *field);
-mip_error mip_gnss_1_satellite_status_encode(const struct mip_gnss_1_satellite_status *value,
-                                             struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_1_satellite_status_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_1_satellite_status_decode(
+    struct mip_gnss_1_satellite_status *value, const struct mip_field *field) {
+    return mip_decode(&mip_gnss_1_satellite_status_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_1_satellite_status_encode(
+    const struct mip_gnss_1_satellite_status *value, struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_1_satellite_status_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_1_satellite_status_decode_inline(
+    struct mip_gnss_1_satellite_status *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x91, 0x20, 25);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->index = mip_get_8(field->data);
+    value->count = mip_get_8(field->data + 1);
+    mip_get_double(&value->tow, field->data + 2);
+    value->week_number = mip_get_16(field->data + 10);
+    value->gnss_id = mip_get_8(field->data + 12);
+    value->satellite_id = mip_get_8(field->data + 13);
+    mip_get_float(&value->elevation, field->data + 14);
+    mip_get_float(&value->azimuth, field->data + 18);
+    value->health = mip_get_8(field->data + 22);
+    value->valid_flags = mip_get_16(field->data + 23);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_1_satellite_status_encode_inline(
+    const struct mip_gnss_1_satellite_status *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x91, 0x20, 25, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->index);
+    mip_put_8(data + 1, value->count);
+    mip_put_double(data + 2, &value->tow);
+    mip_put_16(data + 10, value->week_number);
+    mip_put_8(data + 12, value->gnss_id);
+    mip_put_8(data + 13, value->satellite_id);
+    mip_put_float(data + 14, &value->elevation);
+    mip_put_float(data + 18, &value->azimuth);
+    mip_put_8(data + 22, value->health);
+    mip_put_16(data + 23, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Raw: data (0x91,0x22).
  *
@@ -1403,24 +2248,31 @@ struct mip_gnss_1_raw {
      * valid_flags is set.
      */
     uint8_t tracking_channel;
-    /** Constellation. Valid if MIP_GNSS_1_RAW_FLAGS_GNSS_ID in valid_flags is set. */
-    mip_gnss_constellation gnss_id;
+    /**
+     * Constellation. A value of enum mip_gnss_constellation. Valid if MIP_GNSS_1_RAW_FLAGS_GNSS_ID
+     * in valid_flags is set.
+     */
+    uint8_t gnss_id;
     /**
      * Satellite within the constellation. Valid if MIP_GNSS_1_RAW_FLAGS_SATELLITE_ID in valid_flags
      * is set.
      */
     uint8_t satellite_id;
-    /** Signal. Valid if MIP_GNSS_1_RAW_FLAGS_SIGNAL_ID in valid_flags is set. */
-    mip_gnss_signal signal_id;
+    /**
+     * Signal. A value of enum mip_gnss_signal. Valid if MIP_GNSS_1_RAW_FLAGS_SIGNAL_ID in
+     * valid_flags is set.
+     */
+    uint8_t signal_id;
     /**
      * Carrier to noise density ratio. Unit: dB-Hz. Valid if MIP_GNSS_1_RAW_FLAGS_SIGNAL_STRENGTH in
      * valid_flags is set.
      */
     float signal_strength;
     /**
-     * How well the signal is tracked. Valid if MIP_GNSS_1_RAW_FLAGS_QUALITY in valid_flags is set.
+     * How well the signal is tracked. A value of enum mip_gnss_1_signal_quality. Valid if
+     * MIP_GNSS_1_RAW_FLAGS_QUALITY in valid_flags is set.
      */
-    mip_gnss_1_signal_quality quality;
+    uint8_t quality;
     /** Pseudorange. Unit: m. Valid if MIP_GNSS_1_RAW_FLAGS_PSEUDORANGE in valid_flags is set. */
     double pseudorange;
     /**
@@ -1454,13 +2306,85 @@ struct mip_gnss_1_raw {
     mip_gnss_1_raw_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_1_RAW 0x9122
 #define MIP_GNSS_1_RAW_DESCRIPTOR 0x22
 #define MIP_GNSS_1_RAW_NAME "gnss_1.raw"
 
-extern const struct mip_codec mip_gnss_1_raw_codec;
-mip_error mip_gnss_1_raw_decode(struct mip_gnss_1_raw *value, const struct mip_field *field);
-mip_error mip_gnss_1_raw_encode(const struct mip_gnss_1_raw *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_1_raw_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_1_raw_decode(struct mip_gnss_1_raw *value,
+                                              const struct mip_field *field) {
+    return mip_decode(&mip_gnss_1_raw_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_1_raw_encode(const struct mip_gnss_1_raw *value,
+                                              struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_1_raw_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_1_raw_decode_inline(struct mip_gnss_1_raw *value,
+                                                     const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x91, 0x22, 61);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->index = mip_get_8(field->data);
+    value->count = mip_get_8(field->data + 1);
+    mip_get_double(&value->tow, field->data + 2);
+    value->week_number = mip_get_16(field->data + 10);
+    value->receiver_id = mip_get_16(field->data + 12);
+    value->tracking_channel = mip_get_8(field->data + 14);
+    value->gnss_id = mip_get_8(field->data + 15);
+    value->satellite_id = mip_get_8(field->data + 16);
+    value->signal_id = mip_get_8(field->data + 17);
+    mip_get_float(&value->signal_strength, field->data + 18);
+    value->quality = mip_get_8(field->data + 22);
+    mip_get_double(&value->pseudorange, field->data + 23);
+    mip_get_double(&value->carrier_phase, field->data + 31);
+    mip_get_float(&value->doppler, field->data + 39);
+    mip_get_float(&value->range_uncertainty, field->data + 43);
+    mip_get_float(&value->phase_uncertainty, field->data + 47);
+    mip_get_float(&value->doppler_uncertainty, field->data + 51);
+    mip_get_float(&value->lock_time, field->data + 55);
+    value->valid_flags = mip_get_16(field->data + 59);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_1_raw_encode_inline(const struct mip_gnss_1_raw *value,
+                                                     struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x91, 0x22, 61, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->index);
+    mip_put_8(data + 1, value->count);
+    mip_put_double(data + 2, &value->tow);
+    mip_put_16(data + 10, value->week_number);
+    mip_put_16(data + 12, value->receiver_id);
+    mip_put_8(data + 14, value->tracking_channel);
+    mip_put_8(data + 15, value->gnss_id);
+    mip_put_8(data + 16, value->satellite_id);
+    mip_put_8(data + 17, value->signal_id);
+    mip_put_float(data + 18, &value->signal_strength);
+    mip_put_8(data + 22, value->quality);
+    mip_put_double(data + 23, &value->pseudorange);
+    mip_put_double(data + 31, &value->carrier_phase);
+    mip_put_float(data + 39, &value->doppler);
+    mip_put_float(data + 43, &value->range_uncertainty);
+    mip_put_float(data + 47, &value->phase_uncertainty);
+    mip_put_float(data + 51, &value->doppler_uncertainty);
+    mip_put_float(data + 55, &value->lock_time);
+    mip_put_16(data + 59, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Base station info: data (0x91,0x30).
  *
@@ -1505,15 +2429,65 @@ struct mip_gnss_1_base_station_info {
     mip_gnss_1_base_station_info_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_1_BASE_STATION_INFO 0x9130
 #define MIP_GNSS_1_BASE_STATION_INFO_DESCRIPTOR 0x30
 #define MIP_GNSS_1_BASE_STATION_INFO_NAME "gnss_1.base_station_info"
 
-extern const struct mip_codec mip_gnss_1_base_station_info_codec;
-mip_error mip_gnss_1_base_station_info_decode(struct mip_gnss_1_base_station_info *value,
-                                              const struct mip_field *field);
-mip_error mip_gnss_1_base_station_info_encode(const struct mip_gnss_1_base_station_info *value,
-                                              struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_1_base_station_info_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_1_base_station_info_decode(
+    struct mip_gnss_1_base_station_info *value, const struct mip_field *field) {
+    return mip_decode(&mip_gnss_1_base_station_info_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_1_base_station_info_encode(
+    const struct mip_gnss_1_base_station_info *value, struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_1_base_station_info_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_1_base_station_info_decode_inline(
+    struct mip_gnss_1_base_station_info *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x91, 0x30, 44);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_double(&value->tow, field->data);
+    value->week_number = mip_get_16(field->data + 8);
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_double(&value->ecef_position[i], field->data + 10 + 8 * i);
+    }
+    mip_get_float(&value->height, field->data + 34);
+    value->station_id = mip_get_16(field->data + 38);
+    value->indicators = mip_get_16(field->data + 40);
+    value->valid_flags = mip_get_16(field->data + 42);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_1_base_station_info_encode_inline(
+    const struct mip_gnss_1_base_station_info *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x91, 0x30, 44, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_double(data, &value->tow);
+    mip_put_16(data + 8, value->week_number);
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_double(data + 10 + 8 * i, &value->ecef_position[i]);
+    }
+    mip_put_float(data + 34, &value->height);
+    mip_put_16(data + 38, value->station_id);
+    mip_put_16(data + 40, value->indicators);
+    mip_put_16(data + 42, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * RTK corrections status: data (0x91,0x31).
  *
@@ -1572,15 +2546,71 @@ struct mip_gnss_1_rtk_corrections_status {
     mip_gnss_1_rtk_corrections_status_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_1_RTK_CORRECTIONS_STATUS 0x9131
 #define MIP_GNSS_1_RTK_CORRECTIONS_STATUS_DESCRIPTOR 0x31
 #define MIP_GNSS_1_RTK_CORRECTIONS_STATUS_NAME "gnss_1.rtk_corrections_status"
 
-extern const struct mip_codec mip_gnss_1_rtk_corrections_status_codec;
-mip_error mip_gnss_1_rtk_corrections_status_decode(struct mip_gnss_1_rtk_corrections_status *value,
-                                                   const struct mip_field *field);
-mip_error mip_gnss_1_rtk_corrections_status_encode(
-    const struct mip_gnss_1_rtk_corrections_status *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_1_rtk_corrections_status_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_1_rtk_corrections_status_decode(
+    struct mip_gnss_1_rtk_corrections_status *value, const struct mip_field *field) {
+    return mip_decode(&mip_gnss_1_rtk_corrections_status_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_1_rtk_corrections_status_encode(
+    const struct mip_gnss_1_rtk_corrections_status *value, struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_1_rtk_corrections_status_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_1_rtk_corrections_status_decode_inline(
+    struct mip_gnss_1_rtk_corrections_status *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x91, 0x31, 50);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_double(&value->tow, field->data);
+    value->week_number = mip_get_16(field->data + 8);
+    value->epoch_status = mip_get_16(field->data + 10);
+    value->dongle_status = mip_get_32(field->data + 12);
+    mip_get_float(&value->gps_correction_latency, field->data + 16);
+    mip_get_float(&value->glonass_correction_latency, field->data + 20);
+    mip_get_float(&value->galileo_correction_latency, field->data + 24);
+    mip_get_float(&value->beidou_correction_latency, field->data + 28);
+    for (size_t i = 0; i < 4; i++) {
+        value->reserved[i] = mip_get_32(field->data + 32 + 4 * i);
+    }
+    value->valid_flags = mip_get_16(field->data + 48);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_1_rtk_corrections_status_encode_inline(
+    const struct mip_gnss_1_rtk_corrections_status *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x91, 0x31, 50, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_double(data, &value->tow);
+    mip_put_16(data + 8, value->week_number);
+    mip_put_16(data + 10, value->epoch_status);
+    mip_put_32(data + 12, value->dongle_status);
+    mip_put_float(data + 16, &value->gps_correction_latency);
+    mip_put_float(data + 20, &value->glonass_correction_latency);
+    mip_put_float(data + 24, &value->galileo_correction_latency);
+    mip_put_float(data + 28, &value->beidou_correction_latency);
+    for (size_t i = 0; i < 4; i++) {
+        mip_put_32(data + 32 + 4 * i, value->reserved[i]);
+    }
+    mip_put_16(data + 48, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * GPS ephemeris: data (0x91,0x61).
  *
@@ -1738,15 +2768,115 @@ struct mip_gnss_1_gps_ephemeris {
     mip_gnss_1_ephemeris_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_1_GPS_EPHEMERIS 0x9161
 #define MIP_GNSS_1_GPS_EPHEMERIS_DESCRIPTOR 0x61
 #define MIP_GNSS_1_GPS_EPHEMERIS_NAME "gnss_1.gps_ephemeris"
 
-extern const struct mip_codec mip_gnss_1_gps_ephemeris_codec;
-mip_error mip_gnss_1_gps_ephemeris_decode(struct mip_gnss_1_gps_ephemeris *value,
-                                          const struct mip_field *field);
-mip_error mip_gnss_1_gps_ephemeris_encode(const struct mip_gnss_1_gps_ephemeris *value,
-                                          struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_1_gps_ephemeris_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_1_gps_ephemeris_decode(struct mip_gnss_1_gps_ephemeris *value,
+                                                        const struct mip_field *field) {
+    return mip_decode(&mip_gnss_1_gps_ephemeris_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_1_gps_ephemeris_encode(
+    const struct mip_gnss_1_gps_ephemeris *value, struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_1_gps_ephemeris_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_1_gps_ephemeris_decode_inline(
+    struct mip_gnss_1_gps_ephemeris *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x91, 0x61, 218);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->index = mip_get_8(field->data);
+    value->count = mip_get_8(field->data + 1);
+    mip_get_double(&value->tow, field->data + 2);
+    value->week_number = mip_get_16(field->data + 10);
+    value->satellite_id = mip_get_8(field->data + 12);
+    value->health = mip_get_8(field->data + 13);
+    value->iodc = mip_get_8(field->data + 14);
+    value->iode = mip_get_8(field->data + 15);
+    mip_get_double(&value->t_oc, field->data + 16);
+    mip_get_double(&value->af0, field->data + 24);
+    mip_get_double(&value->af1, field->data + 32);
+    mip_get_double(&value->af2, field->data + 40);
+    mip_get_double(&value->t_gd, field->data + 48);
+    mip_get_double(&value->isc_l1ca, field->data + 56);
+    mip_get_double(&value->isc_l2c, field->data + 64);
+    mip_get_double(&value->t_oe, field->data + 72);
+    mip_get_double(&value->a, field->data + 80);
+    mip_get_double(&value->a_dot, field->data + 88);
+    mip_get_double(&value->mean_anomaly, field->data + 96);
+    mip_get_double(&value->delta_mean_motion, field->data + 104);
+    mip_get_double(&value->delta_mean_motion_dot, field->data + 112);
+    mip_get_double(&value->eccentricity, field->data + 120);
+    mip_get_double(&value->argument_of_perigee, field->data + 128);
+    mip_get_double(&value->omega, field->data + 136);
+    mip_get_double(&value->omega_dot, field->data + 144);
+    mip_get_double(&value->inclination, field->data + 152);
+    mip_get_double(&value->inclination_dot, field->data + 160);
+    mip_get_double(&value->c_ic, field->data + 168);
+    mip_get_double(&value->c_is, field->data + 176);
+    mip_get_double(&value->c_uc, field->data + 184);
+    mip_get_double(&value->c_us, field->data + 192);
+    mip_get_double(&value->c_rc, field->data + 200);
+    mip_get_double(&value->c_rs, field->data + 208);
+    value->valid_flags = mip_get_16(field->data + 216);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_1_gps_ephemeris_encode_inline(
+    const struct mip_gnss_1_gps_ephemeris *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x91, 0x61, 218, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->index);
+    mip_put_8(data + 1, value->count);
+    mip_put_double(data + 2, &value->tow);
+    mip_put_16(data + 10, value->week_number);
+    mip_put_8(data + 12, value->satellite_id);
+    mip_put_8(data + 13, value->health);
+    mip_put_8(data + 14, value->iodc);
+    mip_put_8(data + 15, value->iode);
+    mip_put_double(data + 16, &value->t_oc);
+    mip_put_double(data + 24, &value->af0);
+    mip_put_double(data + 32, &value->af1);
+    mip_put_double(data + 40, &value->af2);
+    mip_put_double(data + 48, &value->t_gd);
+    mip_put_double(data + 56, &value->isc_l1ca);
+    mip_put_double(data + 64, &value->isc_l2c);
+    mip_put_double(data + 72, &value->t_oe);
+    mip_put_double(data + 80, &value->a);
+    mip_put_double(data + 88, &value->a_dot);
+    mip_put_double(data + 96, &value->mean_anomaly);
+    mip_put_double(data + 104, &value->delta_mean_motion);
+    mip_put_double(data + 112, &value->delta_mean_motion_dot);
+    mip_put_double(data + 120, &value->eccentricity);
+    mip_put_double(data + 128, &value->argument_of_perigee);
+    mip_put_double(data + 136, &value->omega);
+    mip_put_double(data + 144, &value->omega_dot);
+    mip_put_double(data + 152, &value->inclination);
+    mip_put_double(data + 160, &value->inclination_dot);
+    mip_put_double(data + 168, &value->c_ic);
+    mip_put_double(data + 176, &value->c_is);
+    mip_put_double(data + 184, &value->c_uc);
+    mip_put_double(data + 192, &value->c_us);
+    mip_put_double(data + 200, &value->c_rc);
+    mip_put_double(data + 208, &value->c_rs);
+    mip_put_16(data + 216, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * GLONASS ephemeris: data (0x91,0x62).
  *
@@ -1787,10 +2917,10 @@ struct mip_gnss_1_glonass_ephemeris {
      */
     uint32_t tb;
     /**
-     * Generation of the satellite (M). Valid if MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in
-     * valid_flags is set.
+     * Generation of the satellite (M). A value of enum mip_gnss_1_glonass_satellite_type. Valid if
+     * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
-    mip_gnss_1_glonass_satellite_type satellite_type;
+    uint8_t satellite_type;
     /**
      * Relative deviation of the carrier frequency from its nominal value. Unit: 1. Valid if
      * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
@@ -1870,15 +3000,109 @@ struct mip_gnss_1_glonass_ephemeris {
     mip_gnss_1_glonass_ephemeris_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_1_GLONASS_EPHEMERIS 0x9162
 #define MIP_GNSS_1_GLONASS_EPHEMERIS_DESCRIPTOR 0x62
 #define MIP_GNSS_1_GLONASS_EPHEMERIS_NAME "gnss_1.glonass_ephemeris"
 
-extern const struct mip_codec mip_gnss_1_glonass_ephemeris_codec;
-mip_error mip_gnss_1_glonass_ephemeris_decode(struct mip_gnss_1_glonass_ephemeris *value,
-                                              const struct mip_field *field);
-mip_error mip_gnss_1_glonass_ephemeris_encode(const struct mip_gnss_1_glonass_ephemeris *value,
-                                              struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_1_glonass_ephemeris_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_1_glonass_ephemeris_decode(
+    struct mip_gnss_1_glonass_ephemeris *value, const struct mip_field *field) {
+    return mip_decode(&mip_gnss_1_glonass_ephemeris_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_1_glonass_ephemeris_encode(
+    const struct mip_gnss_1_glonass_ephemeris *value, struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_1_glonass_ephemeris_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_1_glonass_ephemeris_decode_inline(
+    struct mip_gnss_1_glonass_ephemeris *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x91, 0x62, 102);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->index = mip_get_8(field->data);
+    value->count = mip_get_8(field->data + 1);
+    mip_get_double(&value->tow, field->data + 2);
+    value->week_number = mip_get_16(field->data + 10);
+    value->satellite_id = mip_get_8(field->data + 12);
+    value->frequency_number = (int8_t)mip_get_8(field->data + 13);
+    value->tk = mip_get_32(field->data + 14);
+    value->tb = mip_get_32(field->data + 18);
+    value->satellite_type = mip_get_8(field->data + 22);
+    mip_get_double(&value->gamma, field->data + 23);
+    mip_get_double(&value->tau_n, field->data + 31);
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_double(&value->position[i], field->data + 39 + 8 * i);
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->velocity[i], field->data + 63 + 4 * i);
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->accel[i], field->data + 75 + 4 * i);
+    }
+    value->health = mip_get_8(field->data + 87);
+    value->p = mip_get_8(field->data + 88);
+    value->nt = mip_get_8(field->data + 89);
+    mip_get_float(&value->delta_tau_n, field->data + 90);
+    value->ft = mip_get_8(field->data + 94);
+    value->en = mip_get_8(field->data + 95);
+    value->p1 = mip_get_8(field->data + 96);
+    value->p2 = mip_get_8(field->data + 97);
+    value->p3 = mip_get_8(field->data + 98);
+    value->p4 = mip_get_8(field->data + 99);
+    value->valid_flags = mip_get_16(field->data + 100);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_1_glonass_ephemeris_encode_inline(
+    const struct mip_gnss_1_glonass_ephemeris *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x91, 0x62, 102, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->index);
+    mip_put_8(data + 1, value->count);
+    mip_put_double(data + 2, &value->tow);
+    mip_put_16(data + 10, value->week_number);
+    mip_put_8(data + 12, value->satellite_id);
+    mip_put_8(data + 13, (uint8_t)value->frequency_number);
+    mip_put_32(data + 14, value->tk);
+    mip_put_32(data + 18, value->tb);
+    mip_put_8(data + 22, value->satellite_type);
+    mip_put_double(data + 23, &value->gamma);
+    mip_put_double(data + 31, &value->tau_n);
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_double(data + 39 + 8 * i, &value->position[i]);
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 63 + 4 * i, &value->velocity[i]);
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 75 + 4 * i, &value->accel[i]);
+    }
+    mip_put_8(data + 87, value->health);
+    mip_put_8(data + 88, value->p);
+    mip_put_8(data + 89, value->nt);
+    mip_put_float(data + 90, &value->delta_tau_n);
+    mip_put_8(data + 94, value->ft);
+    mip_put_8(data + 95, value->en);
+    mip_put_8(data + 96, value->p1);
+    mip_put_8(data + 97, value->p2);
+    mip_put_8(data + 98, value->p3);
+    mip_put_8(data + 99, value->p4);
+    mip_put_16(data + 100, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Galileo ephemeris: data (0x91,0x63).
  *
@@ -2039,15 +3263,115 @@ struct mip_gnss_1_galileo_ephemeris {
     mip_gnss_1_ephemeris_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_1_GALILEO_EPHEMERIS 0x9163
 #define MIP_GNSS_1_GALILEO_EPHEMERIS_DESCRIPTOR 0x63
 #define MIP_GNSS_1_GALILEO_EPHEMERIS_NAME "gnss_1.galileo_ephemeris"
 
-extern const struct mip_codec mip_gnss_1_galileo_ephemeris_codec;
-mip_error mip_gnss_1_galileo_ephemeris_decode(struct mip_gnss_1_galileo_ephemeris *value,
-                                              const struct mip_field *field);
-mip_error mip_gnss_1_galileo_ephemeris_encode(const struct mip_gnss_1_galileo_ephemeris *value,
-                                              struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_1_galileo_ephemeris_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_1_galileo_ephemeris_decode(
+    struct mip_gnss_1_galileo_ephemeris *value, const struct mip_field *field) {
+    return mip_decode(&mip_gnss_1_galileo_ephemeris_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_1_galileo_ephemeris_encode(
+    const struct mip_gnss_1_galileo_ephemeris *value, struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_1_galileo_ephemeris_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_1_galileo_ephemeris_decode_inline(
+    struct mip_gnss_1_galileo_ephemeris *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x91, 0x63, 218);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->index = mip_get_8(field->data);
+    value->count = mip_get_8(field->data + 1);
+    mip_get_double(&value->tow, field->data + 2);
+    value->week_number = mip_get_16(field->data + 10);
+    value->satellite_id = mip_get_8(field->data + 12);
+    value->health = mip_get_8(field->data + 13);
+    value->iodc = mip_get_8(field->data + 14);
+    value->iode = mip_get_8(field->data + 15);
+    mip_get_double(&value->t_oc, field->data + 16);
+    mip_get_double(&value->af0, field->data + 24);
+    mip_get_double(&value->af1, field->data + 32);
+    mip_get_double(&value->af2, field->data + 40);
+    mip_get_double(&value->t_gd, field->data + 48);
+    mip_get_double(&value->isc_l1ca, field->data + 56);
+    mip_get_double(&value->isc_l2c, field->data + 64);
+    mip_get_double(&value->t_oe, field->data + 72);
+    mip_get_double(&value->a, field->data + 80);
+    mip_get_double(&value->a_dot, field->data + 88);
+    mip_get_double(&value->mean_anomaly, field->data + 96);
+    mip_get_double(&value->delta_mean_motion, field->data + 104);
+    mip_get_double(&value->delta_mean_motion_dot, field->data + 112);
+    mip_get_double(&value->eccentricity, field->data + 120);
+    mip_get_double(&value->argument_of_perigee, field->data + 128);
+    mip_get_double(&value->omega, field->data + 136);
+    mip_get_double(&value->omega_dot, field->data + 144);
+    mip_get_double(&value->inclination, field->data + 152);
+    mip_get_double(&value->inclination_dot, field->data + 160);
+    mip_get_double(&value->c_ic, field->data + 168);
+    mip_get_double(&value->c_is, field->data + 176);
+    mip_get_double(&value->c_uc, field->data + 184);
+    mip_get_double(&value->c_us, field->data + 192);
+    mip_get_double(&value->c_rc, field->data + 200);
+    mip_get_double(&value->c_rs, field->data + 208);
+    value->valid_flags = mip_get_16(field->data + 216);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_1_galileo_ephemeris_encode_inline(
+    const struct mip_gnss_1_galileo_ephemeris *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x91, 0x63, 218, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->index);
+    mip_put_8(data + 1, value->count);
+    mip_put_double(data + 2, &value->tow);
+    mip_put_16(data + 10, value->week_number);
+    mip_put_8(data + 12, value->satellite_id);
+    mip_put_8(data + 13, value->health);
+    mip_put_8(data + 14, value->iodc);
+    mip_put_8(data + 15, value->iode);
+    mip_put_double(data + 16, &value->t_oc);
+    mip_put_double(data + 24, &value->af0);
+    mip_put_double(data + 32, &value->af1);
+    mip_put_double(data + 40, &value->af2);
+    mip_put_double(data + 48, &value->t_gd);
+    mip_put_double(data + 56, &value->isc_l1ca);
+    mip_put_double(data + 64, &value->isc_l2c);
+    mip_put_double(data + 72, &value->t_oe);
+    mip_put_double(data + 80, &value->a);
+    mip_put_double(data + 88, &value->a_dot);
+    mip_put_double(data + 96, &value->mean_anomaly);
+    mip_put_double(data + 104, &value->delta_mean_motion);
+    mip_put_double(data + 112, &value->delta_mean_motion_dot);
+    mip_put_double(data + 120, &value->eccentricity);
+    mip_put_double(data + 128, &value->argument_of_perigee);
+    mip_put_double(data + 136, &value->omega);
+    mip_put_double(data + 144, &value->omega_dot);
+    mip_put_double(data + 152, &value->inclination);
+    mip_put_double(data + 160, &value->inclination_dot);
+    mip_put_double(data + 168, &value->c_ic);
+    mip_put_double(data + 176, &value->c_is);
+    mip_put_double(data + 184, &value->c_uc);
+    mip_put_double(data + 192, &value->c_us);
+    mip_put_double(data + 200, &value->c_rc);
+    mip_put_double(data + 208, &value->c_rs);
+    mip_put_16(data + 216, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * BeiDou ephemeris: data (0x91,0x64).
  *
@@ -2208,15 +3532,115 @@ struct mip_gnss_1_beidou_ephemeris {
     mip_gnss_1_ephemeris_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_1_BEIDOU_EPHEMERIS 0x9164
 #define MIP_GNSS_1_BEIDOU_EPHEMERIS_DESCRIPTOR 0x64
 #define MIP_GNSS_1_BEIDOU_EPHEMERIS_NAME "gnss_1.beidou_ephemeris"
 
-extern const struct mip_codec mip_gnss_1_beidou_ephemeris_codec;
-mip_error mip_gnss_1_beidou_ephemeris_decode(struct mip_gnss_1_beidou_ephemeris *value,
-                                             const struct mip_field *field);
-mip_error mip_gnss_1_beidou_ephemeris_encode(const struct mip_gnss_1_beidou_ephemeris *value,
-                                             struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_1_beidou_ephemeris_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_1_beidou_ephemeris_decode(
+    struct mip_gnss_1_beidou_ephemeris *value, const struct mip_field *field) {
+    return mip_decode(&mip_gnss_1_beidou_ephemeris_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_1_beidou_ephemeris_encode(
+    const struct mip_gnss_1_beidou_ephemeris *value, struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_1_beidou_ephemeris_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_1_beidou_ephemeris_decode_inline(
+    struct mip_gnss_1_beidou_ephemeris *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x91, 0x64, 218);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->index = mip_get_8(field->data);
+    value->count = mip_get_8(field->data + 1);
+    mip_get_double(&value->tow, field->data + 2);
+    value->week_number = mip_get_16(field->data + 10);
+    value->satellite_id = mip_get_8(field->data + 12);
+    value->health = mip_get_8(field->data + 13);
+    value->iodc = mip_get_8(field->data + 14);
+    value->iode = mip_get_8(field->data + 15);
+    mip_get_double(&value->t_oc, field->data + 16);
+    mip_get_double(&value->af0, field->data + 24);
+    mip_get_double(&value->af1, field->data + 32);
+    mip_get_double(&value->af2, field->data + 40);
+    mip_get_double(&value->t_gd, field->data + 48);
+    mip_get_double(&value->isc_l1ca, field->data + 56);
+    mip_get_double(&value->isc_l2c, field->data + 64);
+    mip_get_double(&value->t_oe, field->data + 72);
+    mip_get_double(&value->a, field->data + 80);
+    mip_get_double(&value->a_dot, field->data + 88);
+    mip_get_double(&value->mean_anomaly, field->data + 96);
+    mip_get_double(&value->delta_mean_motion, field->data + 104);
+    mip_get_double(&value->delta_mean_motion_dot, field->data + 112);
+    mip_get_double(&value->eccentricity, field->data + 120);
+    mip_get_double(&value->argument_of_perigee, field->data + 128);
+    mip_get_double(&value->omega, field->data + 136);
+    mip_get_double(&value->omega_dot, field->data + 144);
+    mip_get_double(&value->inclination, field->data + 152);
+    mip_get_double(&value->inclination_dot, field->data + 160);
+    mip_get_double(&value->c_ic, field->data + 168);
+    mip_get_double(&value->c_is, field->data + 176);
+    mip_get_double(&value->c_uc, field->data + 184);
+    mip_get_double(&value->c_us, field->data + 192);
+    mip_get_double(&value->c_rc, field->data + 200);
+    mip_get_double(&value->c_rs, field->data + 208);
+    value->valid_flags = mip_get_16(field->data + 216);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_1_beidou_ephemeris_encode_inline(
+    const struct mip_gnss_1_beidou_ephemeris *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x91, 0x64, 218, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->index);
+    mip_put_8(data + 1, value->count);
+    mip_put_double(data + 2, &value->tow);
+    mip_put_16(data + 10, value->week_number);
+    mip_put_8(data + 12, value->satellite_id);
+    mip_put_8(data + 13, value->health);
+    mip_put_8(data + 14, value->iodc);
+    mip_put_8(data + 15, value->iode);
+    mip_put_double(data + 16, &value->t_oc);
+    mip_put_double(data + 24, &value->af0);
+    mip_put_double(data + 32, &value->af1);
+    mip_put_double(data + 40, &value->af2);
+    mip_put_double(data + 48, &value->t_gd);
+    mip_put_double(data + 56, &value->isc_l1ca);
+    mip_put_double(data + 64, &value->isc_l2c);
+    mip_put_double(data + 72, &value->t_oe);
+    mip_put_double(data + 80, &value->a);
+    mip_put_double(data + 88, &value->a_dot);
+    mip_put_double(data + 96, &value->mean_anomaly);
+    mip_put_double(data + 104, &value->delta_mean_motion);
+    mip_put_double(data + 112, &value->delta_mean_motion_dot);
+    mip_put_double(data + 120, &value->eccentricity);
+    mip_put_double(data + 128, &value->argument_of_perigee);
+    mip_put_double(data + 136, &value->omega);
+    mip_put_double(data + 144, &value->omega_dot);
+    mip_put_double(data + 152, &value->inclination);
+    mip_put_double(data + 160, &value->inclination_dot);
+    mip_put_double(data + 168, &value->c_ic);
+    mip_put_double(data + 176, &value->c_is);
+    mip_put_double(data + 184, &value->c_uc);
+    mip_put_double(data + 192, &value->c_us);
+    mip_put_double(data + 200, &value->c_rc);
+    mip_put_double(data + 208, &value->c_rs);
+    mip_put_16(data + 216, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * GPS ionospheric correction: data (0x91,0x71).
  *
@@ -2251,15 +3675,65 @@ struct mip_gnss_1_gps_iono_correction {
     mip_gnss_1_gps_iono_correction_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_1_GPS_IONO_CORRECTION 0x9171
 #define MIP_GNSS_1_GPS_IONO_CORRECTION_DESCRIPTOR 0x71
 #define MIP_GNSS_1_GPS_IONO_CORRECTION_NAME "gnss_1.gps_iono_correction"
 
-extern const struct mip_codec mip_gnss_1_gps_iono_correction_codec;
-mip_error mip_gnss_1_gps_iono_correction_decode(struct mip_gnss_1_gps_iono_correction *value,
-                                                const struct mip_field *field);
-mip_error mip_gnss_1_gps_iono_correction_encode(const struct mip_gnss_1_gps_iono_correction *value,
-                                                struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_1_gps_iono_correction_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_1_gps_iono_correction_decode(
+    struct mip_gnss_1_gps_iono_correction *value, const struct mip_field *field) {
+    return mip_decode(&mip_gnss_1_gps_iono_correction_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_1_gps_iono_correction_encode(
+    const struct mip_gnss_1_gps_iono_correction *value, struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_1_gps_iono_correction_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_1_gps_iono_correction_decode_inline(
+    struct mip_gnss_1_gps_iono_correction *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x91, 0x71, 76);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_double(&value->tow, field->data);
+    value->week_number = mip_get_16(field->data + 8);
+    for (size_t i = 0; i < 4; i++) {
+        mip_get_double(&value->alpha[i], field->data + 10 + 8 * i);
+    }
+    for (size_t i = 0; i < 4; i++) {
+        mip_get_double(&value->beta[i], field->data + 42 + 8 * i);
+    }
+    value->valid_flags = mip_get_16(field->data + 74);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_1_gps_iono_correction_encode_inline(
+    const struct mip_gnss_1_gps_iono_correction *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x91, 0x71, 76, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_double(data, &value->tow);
+    mip_put_16(data + 8, value->week_number);
+    for (size_t i = 0; i < 4; i++) {
+        mip_put_double(data + 10 + 8 * i, &value->alpha[i]);
+    }
+    for (size_t i = 0; i < 4; i++) {
+        mip_put_double(data + 42 + 8 * i, &value->beta[i]);
+    }
+    mip_put_16(data + 74, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Galileo ionospheric correction: data (0x91,0x73).
  *
@@ -2296,15 +3770,61 @@ struct mip_gnss_1_galileo_iono_correction {
     mip_gnss_1_galileo_iono_correction_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_1_GALILEO_IONO_CORRECTION 0x9173
 #define MIP_GNSS_1_GALILEO_IONO_CORRECTION_DESCRIPTOR 0x73
 #define MIP_GNSS_1_GALILEO_IONO_CORRECTION_NAME "gnss_1.galileo_iono_correction"
 
-extern const struct mip_codec mip_gnss_1_galileo_iono_correction_codec;
-mip_error mip_gnss_1_galileo_iono_correction_decode(
-    struct mip_gnss_1_galileo_iono_correction *value, const struct mip_field *field);
-mip_error mip_gnss_1_galileo_iono_correction_encode(
-    const struct mip_gnss_1_galileo_iono_correction *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_1_galileo_iono_correction_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_1_galileo_iono_correction_decode(
+    struct mip_gnss_1_galileo_iono_correction *value, const struct mip_field *field) {
+    return mip_decode(&mip_gnss_1_galileo_iono_correction_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_1_galileo_iono_correction_encode(
+    const struct mip_gnss_1_galileo_iono_correction *value, struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_1_galileo_iono_correction_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_1_galileo_iono_correction_decode_inline(
+    struct mip_gnss_1_galileo_iono_correction *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x91, 0x73, 37);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_double(&value->tow, field->data);
+    value->week_number = mip_get_16(field->data + 8);
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_double(&value->alpha[i], field->data + 10 + 8 * i);
+    }
+    value->disturbance_flags = mip_get_8(field->data + 34);
+    value->valid_flags = mip_get_16(field->data + 35);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_1_galileo_iono_correction_encode_inline(
+    const struct mip_gnss_1_galileo_iono_correction *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x91, 0x73, 37, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_double(data, &value->tow);
+    mip_put_16(data + 8, value->week_number);
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_double(data + 10 + 8 * i, &value->alpha[i]);
+    }
+    mip_put_8(data + 34, value->disturbance_flags);
+    mip_put_16(data + 35, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * BeiDou ionospheric correction: data (0x91,0x74).
  *
@@ -2346,14 +3866,71 @@ struct mip_gnss_1_beidou_iono_correction {
     mip_gnss_1_beidou_iono_correction_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_1_BEIDOU_IONO_CORRECTION 0x9174
 #define MIP_GNSS_1_BEIDOU_IONO_CORRECTION_DESCRIPTOR 0x74
 #define MIP_GNSS_1_BEIDOU_IONO_CORRECTION_NAME "gnss_1.beidou_iono_correction"
 
-extern const struct mip_codec mip_gnss_1_beidou_iono_correction_codec;
-mip_error mip_gnss_1_beidou_iono_correction_decode(struct mip_gnss_1_beidou_iono_correction *value,
-                                                   const struct mip_field *field);
-mip_error mip_gnss_1_beidou_iono_correction_encode(
-    const struct mip_gnss_1_beidou_iono_correction *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_1_beidou_iono_correction_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_1_beidou_iono_correction_decode(
+    struct mip_gnss_1_beidou_iono_correction *value, const struct mip_field *field) {
+    return mip_decode(&mip_gnss_1_beidou_iono_correction_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_1_beidou_iono_correction_encode(
+    const struct mip_gnss_1_beidou_iono_correction *value, struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_1_beidou_iono_correction_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_1_beidou_iono_correction_decode_inline(
+    struct mip_gnss_1_beidou_iono_correction *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x91, 0x74, 148);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_double(&value->tow, field->data);
+    value->week_number = mip_get_16(field->data + 8);
+    for (size_t i = 0; i < 4; i++) {
+        mip_get_double(&value->alpha[i], field->data + 10 + 8 * i);
+    }
+    for (size_t i = 0; i < 4; i++) {
+        mip_get_double(&value->beta[i], field->data + 42 + 8 * i);
+    }
+    for (size_t i = 0; i < 9; i++) {
+        mip_get_double(&value->alpha_correction[i], field->data + 74 + 8 * i);
+    }
+    value->valid_flags = mip_get_16(field->data + 146);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_1_beidou_iono_correction_encode_inline(
+    const struct mip_gnss_1_beidou_iono_correction *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x91, 0x74, 148, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_double(data, &value->tow);
+    mip_put_16(data + 8, value->week_number);
+    for (size_t i = 0; i < 4; i++) {
+        mip_put_double(data + 10 + 8 * i, &value->alpha[i]);
+    }
+    for (size_t i = 0; i < 4; i++) {
+        mip_put_double(data + 42 + 8 * i, &value->beta[i]);
+    }
+    for (size_t i = 0; i < 9; i++) {
+        mip_put_double(data + 74 + 8 * i, &value->alpha_correction[i]);
+    }
+    mip_put_16(data + 146, value->valid_flags);
+    return MIP_OK;
+}
 
 #ifdef __cplusplus
 }

@@ -32,13 +32,96 @@ extern "C" {
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
-#define mip_gnss_corrections_llh_position mip_gnss_1_llh_position
-#define mip_gnss_corrections_llh_position_codec mip_gnss_1_llh_position_codec
-#define mip_gnss_corrections_llh_position_decode mip_gnss_1_llh_position_decode
-#define mip_gnss_corrections_llh_position_encode mip_gnss_1_llh_position_encode
+struct mip_gnss_corrections_llh_position {
+    /**
+     * Latitude. Unit: deg. Frame: llh. Valid if MIP_GNSS_1_LLH_POSITION_FLAGS_LAT_LON in
+     * valid_flags is set.
+     */
+    double latitude;
+    /**
+     * Longitude. Unit: deg. Frame: llh. Valid if MIP_GNSS_1_LLH_POSITION_FLAGS_LAT_LON in
+     * valid_flags is set.
+     */
+    double longitude;
+    /**
+     * Height above the ellipsoid. Unit: m. Frame: llh. Valid if
+     * MIP_GNSS_1_LLH_POSITION_FLAGS_ELLIPSOID_HEIGHT in valid_flags is set.
+     */
+    double ellipsoid_height;
+    /**
+     * Height above mean sea level. Unit: m. Valid if MIP_GNSS_1_LLH_POSITION_FLAGS_MSL_HEIGHT in
+     * valid_flags is set.
+     */
+    double msl_height;
+    /**
+     * Horizontal accuracy. Unit: m. Valid if MIP_GNSS_1_LLH_POSITION_FLAGS_HORIZONTAL_ACCURACY in
+     * valid_flags is set.
+     */
+    float horizontal_accuracy;
+    /**
+     * Vertical accuracy. Unit: m. Valid if MIP_GNSS_1_LLH_POSITION_FLAGS_VERTICAL_ACCURACY in
+     * valid_flags is set.
+     */
+    float vertical_accuracy;
+    /** Which values are valid. */
+    mip_gnss_1_llh_position_flags valid_flags;
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_CORRECTIONS_LLH_POSITION 0x9303
 #define MIP_GNSS_CORRECTIONS_LLH_POSITION_DESCRIPTOR 0x03
 #define MIP_GNSS_CORRECTIONS_LLH_POSITION_NAME "gnss_corrections.llh_position"
 
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_corrections_llh_position_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_corrections_llh_position_decode(
+    struct mip_gnss_corrections_llh_position *value, const struct mip_field *field) {
+    return mip_decode(&mip_gnss_corrections_llh_position_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_corrections_llh_position_encode(
+    const struct mip_gnss_corrections_llh_position *value, struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_corrections_llh_position_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_corrections_llh_position_decode_inline(
+    struct mip_gnss_corrections_llh_position *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x93, 0x03, 42);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_double(&value->latitude, field->data);
+    mip_get_double(&value->longitude, field->data + 8);
+    mip_get_double(&value->ellipsoid_height, field->data + 16);
+    mip_get_double(&value->msl_height, field->data + 24);
+    mip_get_float(&value->horizontal_accuracy, field->data + 32);
+    mip_get_float(&value->vertical_accuracy, field->data + 36);
+    value->valid_flags = mip_get_16(field->data + 40);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_corrections_llh_position_encode_inline(
+    const struct mip_gnss_corrections_llh_position *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x93, 0x03, 42, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_double(data, &value->latitude);
+    mip_put_double(data + 8, &value->longitude);
+    mip_put_double(data + 16, &value->ellipsoid_height);
+    mip_put_double(data + 24, &value->msl_height);
+    mip_put_float(data + 32, &value->horizontal_accuracy);
+    mip_put_float(data + 36, &value->vertical_accuracy);
+    mip_put_16(data + 40, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * GNSS ECEF position: data (0x93,0x04).
  *
@@ -49,13 +132,72 @@ extern "C" {
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
-#define mip_gnss_corrections_ecef_position mip_gnss_1_ecef_position
-#define mip_gnss_corrections_ecef_position_codec mip_gnss_1_ecef_position_codec
-#define mip_gnss_corrections_ecef_position_decode mip_gnss_1_ecef_position_decode
-#define mip_gnss_corrections_ecef_position_encode mip_gnss_1_ecef_position_encode
+struct mip_gnss_corrections_ecef_position {
+    /**
+     * Position. Elements: x, y, z. Unit: m. Frame: ecef. Valid if
+     * MIP_GNSS_1_ECEF_POSITION_FLAGS_POSITION in valid_flags is set.
+     */
+    double position[3];
+    /**
+     * Accuracy of the position. Unit: m. Valid if MIP_GNSS_1_ECEF_POSITION_FLAGS_POSITION_ACCURACY
+     * in valid_flags is set.
+     */
+    float position_accuracy;
+    /** Which values are valid. */
+    mip_gnss_1_ecef_position_flags valid_flags;
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_CORRECTIONS_ECEF_POSITION 0x9304
 #define MIP_GNSS_CORRECTIONS_ECEF_POSITION_DESCRIPTOR 0x04
 #define MIP_GNSS_CORRECTIONS_ECEF_POSITION_NAME "gnss_corrections.ecef_position"
 
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_corrections_ecef_position_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_corrections_ecef_position_decode(
+    struct mip_gnss_corrections_ecef_position *value, const struct mip_field *field) {
+    return mip_decode(&mip_gnss_corrections_ecef_position_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_corrections_ecef_position_encode(
+    const struct mip_gnss_corrections_ecef_position *value, struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_corrections_ecef_position_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_corrections_ecef_position_decode_inline(
+    struct mip_gnss_corrections_ecef_position *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x93, 0x04, 30);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_double(&value->position[i], field->data + 8 * i);
+    }
+    mip_get_float(&value->position_accuracy, field->data + 24);
+    value->valid_flags = mip_get_16(field->data + 28);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_corrections_ecef_position_encode_inline(
+    const struct mip_gnss_corrections_ecef_position *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x93, 0x04, 30, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_double(data + 8 * i, &value->position[i]);
+    }
+    mip_put_float(data + 24, &value->position_accuracy);
+    mip_put_16(data + 28, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * NED velocity: data (0x93,0x05).
  *
@@ -66,13 +208,100 @@ extern "C" {
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
-#define mip_gnss_corrections_ned_velocity mip_gnss_1_ned_velocity
-#define mip_gnss_corrections_ned_velocity_codec mip_gnss_1_ned_velocity_codec
-#define mip_gnss_corrections_ned_velocity_decode mip_gnss_1_ned_velocity_decode
-#define mip_gnss_corrections_ned_velocity_encode mip_gnss_1_ned_velocity_encode
+struct mip_gnss_corrections_ned_velocity {
+    /**
+     * Velocity. Elements: x, y, z. Unit: m/s. Frame: ned. Valid if
+     * MIP_GNSS_1_NED_VELOCITY_FLAGS_VELOCITY in valid_flags is set.
+     */
+    float velocity[3];
+    /**
+     * Speed in space. Unit: m/s. Valid if MIP_GNSS_1_NED_VELOCITY_FLAGS_SPEED_3D in valid_flags is
+     * set.
+     */
+    float speed;
+    /**
+     * Speed over ground. Unit: m/s. Valid if MIP_GNSS_1_NED_VELOCITY_FLAGS_GROUND_SPEED in
+     * valid_flags is set.
+     */
+    float ground_speed;
+    /**
+     * Direction of the motion over ground. Unit: deg. Frame: ned. Valid if
+     * MIP_GNSS_1_NED_VELOCITY_FLAGS_HEADING in valid_flags is set.
+     */
+    float heading;
+    /**
+     * Accuracy of the speed. Unit: m/s. Valid if MIP_GNSS_1_NED_VELOCITY_FLAGS_SPEED_ACCURACY in
+     * valid_flags is set.
+     */
+    float speed_accuracy;
+    /**
+     * Accuracy of the heading. Unit: deg. Valid if MIP_GNSS_1_NED_VELOCITY_FLAGS_HEADING_ACCURACY
+     * in valid_flags is set.
+     */
+    float heading_accuracy;
+    /** Which values are valid. */
+    mip_gnss_1_ned_velocity_flags valid_flags;
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_CORRECTIONS_NED_VELOCITY 0x9305
 #define MIP_GNSS_CORRECTIONS_NED_VELOCITY_DESCRIPTOR 0x05
 #define MIP_GNSS_CORRECTIONS_NED_VELOCITY_NAME "gnss_corrections.ned_velocity"
 
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_corrections_ned_velocity_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_corrections_ned_velocity_decode(
+    struct mip_gnss_corrections_ned_velocity *value, const struct mip_field *field) {
+    return mip_decode(&mip_gnss_corrections_ned_velocity_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_corrections_ned_velocity_encode(
+    const struct mip_gnss_corrections_ned_velocity *value, struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_corrections_ned_velocity_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_corrections_ned_velocity_decode_inline(
+    struct mip_gnss_corrections_ned_velocity *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x93, 0x05, 34);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->velocity[i], field->data + 4 * i);
+    }
+    mip_get_float(&value->speed, field->data + 12);
+    mip_get_float(&value->ground_speed, field->data + 16);
+    mip_get_float(&value->heading, field->data + 20);
+    mip_get_float(&value->speed_accuracy, field->data + 24);
+    mip_get_float(&value->heading_accuracy, field->data + 28);
+    value->valid_flags = mip_get_16(field->data + 32);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_corrections_ned_velocity_encode_inline(
+    const struct mip_gnss_corrections_ned_velocity *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x93, 0x05, 34, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 4 * i, &value->velocity[i]);
+    }
+    mip_put_float(data + 12, &value->speed);
+    mip_put_float(data + 16, &value->ground_speed);
+    mip_put_float(data + 20, &value->heading);
+    mip_put_float(data + 24, &value->speed_accuracy);
+    mip_put_float(data + 28, &value->heading_accuracy);
+    mip_put_16(data + 32, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * GNSS ECEF velocity: data (0x93,0x06).
  *
@@ -83,13 +312,72 @@ extern "C" {
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
-#define mip_gnss_corrections_ecef_velocity mip_gnss_1_ecef_velocity
-#define mip_gnss_corrections_ecef_velocity_codec mip_gnss_1_ecef_velocity_codec
-#define mip_gnss_corrections_ecef_velocity_decode mip_gnss_1_ecef_velocity_decode
-#define mip_gnss_corrections_ecef_velocity_encode mip_gnss_1_ecef_velocity_encode
+struct mip_gnss_corrections_ecef_velocity {
+    /**
+     * Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Valid if
+     * MIP_GNSS_1_ECEF_VELOCITY_FLAGS_VELOCITY in valid_flags is set.
+     */
+    float velocity[3];
+    /**
+     * Accuracy of the velocity. Unit: m/s. Valid if
+     * MIP_GNSS_1_ECEF_VELOCITY_FLAGS_VELOCITY_ACCURACY in valid_flags is set.
+     */
+    float velocity_accuracy;
+    /** Which values are valid. */
+    mip_gnss_1_ecef_velocity_flags valid_flags;
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_CORRECTIONS_ECEF_VELOCITY 0x9306
 #define MIP_GNSS_CORRECTIONS_ECEF_VELOCITY_DESCRIPTOR 0x06
 #define MIP_GNSS_CORRECTIONS_ECEF_VELOCITY_NAME "gnss_corrections.ecef_velocity"
 
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_corrections_ecef_velocity_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_corrections_ecef_velocity_decode(
+    struct mip_gnss_corrections_ecef_velocity *value, const struct mip_field *field) {
+    return mip_decode(&mip_gnss_corrections_ecef_velocity_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_corrections_ecef_velocity_encode(
+    const struct mip_gnss_corrections_ecef_velocity *value, struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_corrections_ecef_velocity_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_corrections_ecef_velocity_decode_inline(
+    struct mip_gnss_corrections_ecef_velocity *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x93, 0x06, 18);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->velocity[i], field->data + 4 * i);
+    }
+    mip_get_float(&value->velocity_accuracy, field->data + 12);
+    value->valid_flags = mip_get_16(field->data + 16);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_corrections_ecef_velocity_encode_inline(
+    const struct mip_gnss_corrections_ecef_velocity *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x93, 0x06, 18, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 4 * i, &value->velocity[i]);
+    }
+    mip_put_float(data + 12, &value->velocity_accuracy);
+    mip_put_16(data + 16, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * DOP: data (0x93,0x07).
  *
@@ -100,13 +388,82 @@ extern "C" {
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
-#define mip_gnss_corrections_dop mip_gnss_1_dop
-#define mip_gnss_corrections_dop_codec mip_gnss_1_dop_codec
-#define mip_gnss_corrections_dop_decode mip_gnss_1_dop_decode
-#define mip_gnss_corrections_dop_encode mip_gnss_1_dop_encode
+struct mip_gnss_corrections_dop {
+    /** Geometric dilution. Unit: 1. Valid if MIP_GNSS_1_DOP_FLAGS_GDOP in valid_flags is set. */
+    float gdop;
+    /** Position dilution. Unit: 1. Valid if MIP_GNSS_1_DOP_FLAGS_PDOP in valid_flags is set. */
+    float pdop;
+    /** Horizontal dilution. Unit: 1. Valid if MIP_GNSS_1_DOP_FLAGS_HDOP in valid_flags is set. */
+    float hdop;
+    /** Vertical dilution. Unit: 1. Valid if MIP_GNSS_1_DOP_FLAGS_VDOP in valid_flags is set. */
+    float vdop;
+    /** Time dilution. Unit: 1. Valid if MIP_GNSS_1_DOP_FLAGS_TDOP in valid_flags is set. */
+    float tdop;
+    /** Northing dilution. Unit: 1. Valid if MIP_GNSS_1_DOP_FLAGS_NDOP in valid_flags is set. */
+    float ndop;
+    /** Easting dilution. Unit: 1. Valid if MIP_GNSS_1_DOP_FLAGS_EDOP in valid_flags is set. */
+    float edop;
+    /** Which values are valid. */
+    mip_gnss_1_dop_flags valid_flags;
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_CORRECTIONS_DOP 0x9307
 #define MIP_GNSS_CORRECTIONS_DOP_DESCRIPTOR 0x07
 #define MIP_GNSS_CORRECTIONS_DOP_NAME "gnss_corrections.dop"
 
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_corrections_dop_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_corrections_dop_decode(struct mip_gnss_corrections_dop *value,
+                                                        const struct mip_field *field) {
+    return mip_decode(&mip_gnss_corrections_dop_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_corrections_dop_encode(
+    const struct mip_gnss_corrections_dop *value, struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_corrections_dop_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_corrections_dop_decode_inline(
+    struct mip_gnss_corrections_dop *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x93, 0x07, 30);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_float(&value->gdop, field->data);
+    mip_get_float(&value->pdop, field->data + 4);
+    mip_get_float(&value->hdop, field->data + 8);
+    mip_get_float(&value->vdop, field->data + 12);
+    mip_get_float(&value->tdop, field->data + 16);
+    mip_get_float(&value->ndop, field->data + 20);
+    mip_get_float(&value->edop, field->data + 24);
+    value->valid_flags = mip_get_16(field->data + 28);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_corrections_dop_encode_inline(
+    const struct mip_gnss_corrections_dop *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x93, 0x07, 30, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_float(data, &value->gdop);
+    mip_put_float(data + 4, &value->pdop);
+    mip_put_float(data + 8, &value->hdop);
+    mip_put_float(data + 12, &value->vdop);
+    mip_put_float(data + 16, &value->tdop);
+    mip_put_float(data + 20, &value->ndop);
+    mip_put_float(data + 24, &value->edop);
+    mip_put_16(data + 28, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * UTC time: data (0x93,0x08).
  *
@@ -117,13 +474,100 @@ extern "C" {
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
-#define mip_gnss_corrections_utc_time mip_gnss_1_utc_time
-#define mip_gnss_corrections_utc_time_codec mip_gnss_1_utc_time_codec
-#define mip_gnss_corrections_utc_time_decode mip_gnss_1_utc_time_decode
-#define mip_gnss_corrections_utc_time_encode mip_gnss_1_utc_time_encode
+struct mip_gnss_corrections_utc_time {
+    /** Year. Valid if MIP_GNSS_1_UTC_TIME_FLAGS_GNSS_DATE_TIME in valid_flags is set. */
+    uint16_t year;
+    /**
+     * Month. Range: 1 to 12. Valid if MIP_GNSS_1_UTC_TIME_FLAGS_GNSS_DATE_TIME in valid_flags is
+     * set.
+     */
+    uint8_t month;
+    /**
+     * Day of the month. Range: 1 to 31. Valid if MIP_GNSS_1_UTC_TIME_FLAGS_GNSS_DATE_TIME in
+     * valid_flags is set.
+     */
+    uint8_t day;
+    /**
+     * Hour. Range: 0 to 23. Valid if MIP_GNSS_1_UTC_TIME_FLAGS_GNSS_DATE_TIME in valid_flags is
+     * set.
+     */
+    uint8_t hour;
+    /**
+     * Minute. Range: 0 to 59. Valid if MIP_GNSS_1_UTC_TIME_FLAGS_GNSS_DATE_TIME in valid_flags is
+     * set.
+     */
+    uint8_t min;
+    /**
+     * Second. Unit: s. Range: 0 to 59. Valid if MIP_GNSS_1_UTC_TIME_FLAGS_GNSS_DATE_TIME in
+     * valid_flags is set.
+     */
+    uint8_t sec;
+    /**
+     * Fraction of the second. Unit: ms. Range: 0 to 999. Valid if
+     * MIP_GNSS_1_UTC_TIME_FLAGS_GNSS_DATE_TIME in valid_flags is set.
+     */
+    uint32_t msec;
+    /** How far the time is valid. */
+    mip_gnss_1_utc_time_flags valid_flags;
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_CORRECTIONS_UTC_TIME 0x9308
 #define MIP_GNSS_CORRECTIONS_UTC_TIME_DESCRIPTOR 0x08
 #define MIP_GNSS_CORRECTIONS_UTC_TIME_NAME "gnss_corrections.utc_time"
 
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_corrections_utc_time_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_corrections_utc_time_decode(
+    struct mip_gnss_corrections_utc_time *value, const struct mip_field *field) {
+    return mip_decode(&mip_gnss_corrections_utc_time_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_corrections_utc_time_encode(
+    const struct mip_gnss_corrections_utc_time *value, struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_corrections_utc_time_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_corrections_utc_time_decode_inline(
+    struct mip_gnss_corrections_utc_time *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x93, 0x08, 13);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->year = mip_get_16(field->data);
+    value->month = mip_get_8(field->data + 2);
+    value->day = mip_get_8(field->data + 3);
+    value->hour = mip_get_8(field->data + 4);
+    value->min = mip_get_8(field->data + 5);
+    value->sec = mip_get_8(field->data + 6);
+    value->msec = mip_get_32(field->data + 7);
+    value->valid_flags = mip_get_16(field->data + 11);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_corrections_utc_time_encode_inline(
+    const struct mip_gnss_corrections_utc_time *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x93, 0x08, 13, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_16(data, value->year);
+    mip_put_8(data + 2, value->month);
+    mip_put_8(data + 3, value->day);
+    mip_put_8(data + 4, value->hour);
+    mip_put_8(data + 5, value->min);
+    mip_put_8(data + 6, value->sec);
+    mip_put_32(data + 7, value->msec);
+    mip_put_16(data + 11, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * GPS time: data (0x93,0x09).
  *
@@ -134,13 +578,65 @@ extern "C" {
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
-#define mip_gnss_corrections_gps_time mip_gnss_1_gps_time
-#define mip_gnss_corrections_gps_time_codec mip_gnss_1_gps_time_codec
-#define mip_gnss_corrections_gps_time_decode mip_gnss_1_gps_time_decode
-#define mip_gnss_corrections_gps_time_encode mip_gnss_1_gps_time_encode
+struct mip_gnss_corrections_gps_time {
+    /** GPS time of week. Unit: s. Valid if MIP_GNSS_1_GPS_TIME_FLAGS_TOW in valid_flags is set. */
+    double tow;
+    /**
+     * GPS week number. Unit: week. Valid if MIP_GNSS_1_GPS_TIME_FLAGS_WEEK_NUMBER in valid_flags is
+     * set.
+     */
+    uint16_t week_number;
+    /** Which values are valid. */
+    mip_gnss_1_gps_time_flags valid_flags;
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_CORRECTIONS_GPS_TIME 0x9309
 #define MIP_GNSS_CORRECTIONS_GPS_TIME_DESCRIPTOR 0x09
 #define MIP_GNSS_CORRECTIONS_GPS_TIME_NAME "gnss_corrections.gps_time"
 
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_corrections_gps_time_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_corrections_gps_time_decode(
+    struct mip_gnss_corrections_gps_time *value, const struct mip_field *field) {
+    return mip_decode(&mip_gnss_corrections_gps_time_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_corrections_gps_time_encode(
+    const struct mip_gnss_corrections_gps_time *value, struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_corrections_gps_time_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_corrections_gps_time_decode_inline(
+    struct mip_gnss_corrections_gps_time *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x93, 0x09, 12);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_double(&value->tow, field->data);
+    value->week_number = mip_get_16(field->data + 8);
+    value->valid_flags = mip_get_16(field->data + 10);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_corrections_gps_time_encode_inline(
+    const struct mip_gnss_corrections_gps_time *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x93, 0x09, 12, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_double(data, &value->tow);
+    mip_put_16(data + 8, value->week_number);
+    mip_put_16(data + 10, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Clock info: data (0x93,0x0A).
  *
@@ -153,13 +649,74 @@ extern "C" {
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
-#define mip_gnss_corrections_clock_info mip_gnss_1_clock_info
-#define mip_gnss_corrections_clock_info_codec mip_gnss_1_clock_info_codec
-#define mip_gnss_corrections_clock_info_decode mip_gnss_1_clock_info_decode
-#define mip_gnss_corrections_clock_info_encode mip_gnss_1_clock_info_encode
+struct mip_gnss_corrections_clock_info {
+    /**
+     * Bias of the clock. Unit: s. Valid if MIP_GNSS_1_CLOCK_INFO_FLAGS_BIAS in valid_flags is set.
+     */
+    double bias;
+    /**
+     * Drift of the clock. Unit: s/s. Valid if MIP_GNSS_1_CLOCK_INFO_FLAGS_DRIFT in valid_flags is
+     * set.
+     */
+    double drift;
+    /**
+     * Estimated accuracy. Unit: s. Valid if MIP_GNSS_1_CLOCK_INFO_FLAGS_ACCURACY_ESTIMATE in
+     * valid_flags is set.
+     */
+    double accuracy_estimate;
+    /** Which values are valid. */
+    mip_gnss_1_clock_info_flags valid_flags;
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_CORRECTIONS_CLOCK_INFO 0x930A
 #define MIP_GNSS_CORRECTIONS_CLOCK_INFO_DESCRIPTOR 0x0A
 #define MIP_GNSS_CORRECTIONS_CLOCK_INFO_NAME "gnss_corrections.clock_info"
 
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_corrections_clock_info_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_corrections_clock_info_decode(
+    struct mip_gnss_corrections_clock_info *value, const struct mip_field *field) {
+    return mip_decode(&mip_gnss_corrections_clock_info_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_corrections_clock_info_encode(
+    const struct mip_gnss_corrections_clock_info *value, struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_corrections_clock_info_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_corrections_clock_info_decode_inline(
+    struct mip_gnss_corrections_clock_info *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x93, 0x0A, 26);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_double(&value->bias, field->data);
+    mip_get_double(&value->drift, field->data + 8);
+    mip_get_double(&value->accuracy_estimate, field->data + 16);
+    value->valid_flags = mip_get_16(field->data + 24);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_corrections_clock_info_encode_inline(
+    const struct mip_gnss_corrections_clock_info *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x93, 0x0A, 26, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_double(data, &value->bias);
+    mip_put_double(data + 8, &value->drift);
+    mip_put_double(data + 16, &value->accuracy_estimate);
+    mip_put_16(data + 24, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Fix info: data (0x93,0x0B).
  *
@@ -170,13 +727,72 @@ extern "C" {
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
-#define mip_gnss_corrections_fix_info mip_gnss_1_fix_info
-#define mip_gnss_corrections_fix_info_codec mip_gnss_1_fix_info_codec
-#define mip_gnss_corrections_fix_info_decode mip_gnss_1_fix_info_decode
-#define mip_gnss_corrections_fix_info_encode mip_gnss_1_fix_info_encode
+struct mip_gnss_corrections_fix_info {
+    /**
+     * Type of the fix. A value of enum mip_gnss_fix_type. Valid if
+     * MIP_GNSS_1_FIX_INFO_FLAGS_FIX_TYPE in valid_flags is set.
+     */
+    uint8_t fix_type;
+    /**
+     * Number of satellites of the fix. Unit: 1. Valid if MIP_GNSS_1_FIX_INFO_FLAGS_NUM_SV in
+     * valid_flags is set.
+     */
+    uint8_t num_sv;
+    /** Aids of the fix. Valid if MIP_GNSS_1_FIX_INFO_FLAGS_FIX_FLAGS in valid_flags is set. */
+    mip_gnss_1_fix_flags fix_flags;
+    /** Which values are valid. */
+    mip_gnss_1_fix_info_flags valid_flags;
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_CORRECTIONS_FIX_INFO 0x930B
 #define MIP_GNSS_CORRECTIONS_FIX_INFO_DESCRIPTOR 0x0B
 #define MIP_GNSS_CORRECTIONS_FIX_INFO_NAME "gnss_corrections.fix_info"
 
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_corrections_fix_info_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_corrections_fix_info_decode(
+    struct mip_gnss_corrections_fix_info *value, const struct mip_field *field) {
+    return mip_decode(&mip_gnss_corrections_fix_info_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_corrections_fix_info_encode(
+    const struct mip_gnss_corrections_fix_info *value, struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_corrections_fix_info_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_corrections_fix_info_decode_inline(
+    struct mip_gnss_corrections_fix_info *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x93, 0x0B, 6);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->fix_type = mip_get_8(field->data);
+    value->num_sv = mip_get_8(field->data + 1);
+    value->fix_flags = mip_get_16(field->data + 2);
+    value->valid_flags = mip_get_16(field->data + 4);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_corrections_fix_info_encode_inline(
+    const struct mip_gnss_corrections_fix_info *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x93, 0x0B, 6, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->fix_type);
+    mip_put_8(data + 1, value->num_sv);
+    mip_put_16(data + 2, value->fix_flags);
+    mip_put_16(data + 4, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Satellite info: data (0x93,0x0C).
  *
@@ -189,13 +805,87 @@ extern "C" {
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
-#define mip_gnss_corrections_sv_info mip_gnss_1_sv_info
-#define mip_gnss_corrections_sv_info_codec mip_gnss_1_sv_info_codec
-#define mip_gnss_corrections_sv_info_decode mip_gnss_1_sv_info_decode
-#define mip_gnss_corrections_sv_info_encode mip_gnss_1_sv_info_encode
+struct mip_gnss_corrections_sv_info {
+    /**
+     * Channel of the receiver that tracks the satellite. Valid if MIP_GNSS_1_SV_INFO_FLAGS_CHANNEL
+     * in valid_flags is set.
+     */
+    uint8_t channel;
+    /**
+     * Number of the satellite. Valid if MIP_GNSS_1_SV_INFO_FLAGS_SATELLITE_ID in valid_flags is
+     * set.
+     */
+    uint8_t satellite_id;
+    /**
+     * Carrier to noise density ratio. Unit: dB-Hz. Valid if
+     * MIP_GNSS_1_SV_INFO_FLAGS_CARRIER_NOISE_RATIO in valid_flags is set.
+     */
+    uint16_t carrier_noise_ratio;
+    /** Azimuth. Unit: deg. Valid if MIP_GNSS_1_SV_INFO_FLAGS_AZIMUTH in valid_flags is set. */
+    int16_t azimuth;
+    /** Elevation. Unit: deg. Valid if MIP_GNSS_1_SV_INFO_FLAGS_ELEVATION in valid_flags is set. */
+    int16_t elevation;
+    /** State of the satellite. Valid if MIP_GNSS_1_SV_INFO_FLAGS_SV_FLAGS in valid_flags is set. */
+    mip_gnss_1_sv_flags sv_flags;
+    /** Which values are valid. */
+    mip_gnss_1_sv_info_flags valid_flags;
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_CORRECTIONS_SV_INFO 0x930C
 #define MIP_GNSS_CORRECTIONS_SV_INFO_DESCRIPTOR 0x0C
 #define MIP_GNSS_CORRECTIONS_SV_INFO_NAME "gnss_corrections.sv_info"
 
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_corrections_sv_info_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_corrections_sv_info_decode(
+    struct mip_gnss_corrections_sv_info *value, const struct mip_field *field) {
+    return mip_decode(&mip_gnss_corrections_sv_info_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_corrections_sv_info_encode(
+    const struct mip_gnss_corrections_sv_info *value, struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_corrections_sv_info_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_corrections_sv_info_decode_inline(
+    struct mip_gnss_corrections_sv_info *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x93, 0x0C, 12);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->channel = mip_get_8(field->data);
+    value->satellite_id = mip_get_8(field->data + 1);
+    value->carrier_noise_ratio = mip_get_16(field->data + 2);
+    value->azimuth = (int16_t)mip_get_16(field->data + 4);
+    value->elevation = (int16_t)mip_get_16(field->data + 6);
+    value->sv_flags = mip_get_16(field->data + 8);
+    value->valid_flags = mip_get_16(field->data + 10);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_corrections_sv_info_encode_inline(
+    const struct mip_gnss_corrections_sv_info *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x93, 0x0C, 12, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->channel);
+    mip_put_8(data + 1, value->satellite_id);
+    mip_put_16(data + 2, value->carrier_noise_ratio);
+    mip_put_16(data + 4, (uint16_t)value->azimuth);
+    mip_put_16(data + 6, (uint16_t)value->elevation);
+    mip_put_16(data + 8, value->sv_flags);
+    mip_put_16(data + 10, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * GNSS hardware status: data (0x93,0x0D).
  *
@@ -206,13 +896,75 @@ extern "C" {
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
-#define mip_gnss_corrections_hardware_status mip_gnss_1_hardware_status
-#define mip_gnss_corrections_hardware_status_codec mip_gnss_1_hardware_status_codec
-#define mip_gnss_corrections_hardware_status_decode mip_gnss_1_hardware_status_decode
-#define mip_gnss_corrections_hardware_status_encode mip_gnss_1_hardware_status_encode
+struct mip_gnss_corrections_hardware_status {
+    /**
+     * State of the receiver. A value of enum mip_gnss_1_receiver_state. Valid if
+     * MIP_GNSS_1_HARDWARE_STATUS_FLAGS_SENSOR_STATE in valid_flags is set.
+     */
+    uint8_t receiver_state;
+    /**
+     * State of the antenna. A value of enum mip_gnss_1_antenna_state. Valid if
+     * MIP_GNSS_1_HARDWARE_STATUS_FLAGS_ANTENNA_STATE in valid_flags is set.
+     */
+    uint8_t antenna_state;
+    /**
+     * Supply of the antenna. A value of enum mip_gnss_1_antenna_power. Valid if
+     * MIP_GNSS_1_HARDWARE_STATUS_FLAGS_ANTENNA_POWER in valid_flags is set.
+     */
+    uint8_t antenna_power;
+    /** Which values are valid. */
+    mip_gnss_1_hardware_status_flags valid_flags;
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_CORRECTIONS_HARDWARE_STATUS 0x930D
 #define MIP_GNSS_CORRECTIONS_HARDWARE_STATUS_DESCRIPTOR 0x0D
 #define MIP_GNSS_CORRECTIONS_HARDWARE_STATUS_NAME "gnss_corrections.hardware_status"
 
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_corrections_hardware_status_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_corrections_hardware_status_decode(
+    struct mip_gnss_corrections_hardware_status *value, const struct mip_field *field) {
+    return mip_decode(&mip_gnss_corrections_hardware_status_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_corrections_hardware_status_encode(
+    const struct mip_gnss_corrections_hardware_status *value, struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_corrections_hardware_status_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_corrections_hardware_status_decode_inline(
+    struct mip_gnss_corrections_hardware_status *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x93, 0x0D, 5);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->receiver_state = mip_get_8(field->data);
+    value->antenna_state = mip_get_8(field->data + 1);
+    value->antenna_power = mip_get_8(field->data + 2);
+    value->valid_flags = mip_get_16(field->data + 3);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_corrections_hardware_status_encode_inline(
+    const struct mip_gnss_corrections_hardware_status *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x93, 0x0D, 5, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->receiver_state);
+    mip_put_8(data + 1, value->antenna_state);
+    mip_put_8(data + 2, value->antenna_power);
+    mip_put_16(data + 3, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * DGPS info: data (0x93,0x0E).
  *
@@ -226,13 +978,83 @@ extern "C" {
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
-#define mip_gnss_corrections_dgps_info mip_gnss_1_dgps_info
-#define mip_gnss_corrections_dgps_info_codec mip_gnss_1_dgps_info_codec
-#define mip_gnss_corrections_dgps_info_decode mip_gnss_1_dgps_info_decode
-#define mip_gnss_corrections_dgps_info_encode mip_gnss_1_dgps_info_encode
+struct mip_gnss_corrections_dgps_info {
+    /**
+     * Age of the corrections. Unit: s. Valid if MIP_GNSS_1_DGPS_INFO_FLAGS_AGE in valid_flags is
+     * set. Uncertain: The unit, which follows from mip_gnss_1_dgps_channel.
+     */
+    float age;
+    /**
+     * Number of the base station. Valid if MIP_GNSS_1_DGPS_INFO_FLAGS_BASE_STATION_ID in
+     * valid_flags is set.
+     */
+    int16_t base_station_id;
+    /**
+     * State of the base station: 0 to 5 are factors of the user differential range error, which are
+     * 1.0, 0.75, 0.5, 0.3, 0.2 and 0.1; 6 is not monitored, 7 not working. Valid if
+     * MIP_GNSS_1_DGPS_INFO_FLAGS_BASE_STATION_STATUS in valid_flags is set.
+     */
+    int16_t base_station_status;
+    /**
+     * Number of channels that have corrections. Unit: 1. Valid if
+     * MIP_GNSS_1_DGPS_INFO_FLAGS_NUM_CHANNELS in valid_flags is set.
+     */
+    uint16_t num_channels;
+    /** Which values are valid. */
+    mip_gnss_1_dgps_info_flags valid_flags;
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_CORRECTIONS_DGPS_INFO 0x930E
 #define MIP_GNSS_CORRECTIONS_DGPS_INFO_DESCRIPTOR 0x0E
 #define MIP_GNSS_CORRECTIONS_DGPS_INFO_NAME "gnss_corrections.dgps_info"
 
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_corrections_dgps_info_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_corrections_dgps_info_decode(
+    struct mip_gnss_corrections_dgps_info *value, const struct mip_field *field) {
+    return mip_decode(&mip_gnss_corrections_dgps_info_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_corrections_dgps_info_encode(
+    const struct mip_gnss_corrections_dgps_info *value, struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_corrections_dgps_info_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_corrections_dgps_info_decode_inline(
+    struct mip_gnss_corrections_dgps_info *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x93, 0x0E, 12);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_float(&value->age, field->data);
+    value->base_station_id = (int16_t)mip_get_16(field->data + 4);
+    value->base_station_status = (int16_t)mip_get_16(field->data + 6);
+    value->num_channels = mip_get_16(field->data + 8);
+    value->valid_flags = mip_get_16(field->data + 10);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_corrections_dgps_info_encode_inline(
+    const struct mip_gnss_corrections_dgps_info *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x93, 0x0E, 12, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_float(data, &value->age);
+    mip_put_16(data + 4, (uint16_t)value->base_station_id);
+    mip_put_16(data + 6, (uint16_t)value->base_station_status);
+    mip_put_16(data + 8, value->num_channels);
+    mip_put_16(data + 10, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * DGPS channel: data (0x93,0x0F).
  *
@@ -245,13 +1067,82 @@ extern "C" {
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
-#define mip_gnss_corrections_dgps_channel mip_gnss_1_dgps_channel
-#define mip_gnss_corrections_dgps_channel_codec mip_gnss_1_dgps_channel_codec
-#define mip_gnss_corrections_dgps_channel_decode mip_gnss_1_dgps_channel_decode
-#define mip_gnss_corrections_dgps_channel_encode mip_gnss_1_dgps_channel_encode
+struct mip_gnss_corrections_dgps_channel {
+    /**
+     * Number of the satellite. Valid if MIP_GNSS_1_DGPS_CHANNEL_FLAGS_SATELLITE_ID in valid_flags
+     * is set.
+     */
+    uint8_t satellite_id;
+    /**
+     * Age of the correction. Unit: s. Valid if MIP_GNSS_1_DGPS_CHANNEL_FLAGS_AGE in valid_flags is
+     * set.
+     */
+    float age;
+    /**
+     * Correction of the range. Unit: m. Valid if MIP_GNSS_1_DGPS_CHANNEL_FLAGS_RANGE_CORRECTION in
+     * valid_flags is set.
+     */
+    float range_correction;
+    /**
+     * Correction of the range rate. Unit: m/s. Valid if
+     * MIP_GNSS_1_DGPS_CHANNEL_FLAGS_RANGE_RATE_CORRECTION in valid_flags is set.
+     */
+    float range_rate_correction;
+    /** Which values are valid. */
+    mip_gnss_1_dgps_channel_flags valid_flags;
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_CORRECTIONS_DGPS_CHANNEL 0x930F
 #define MIP_GNSS_CORRECTIONS_DGPS_CHANNEL_DESCRIPTOR 0x0F
 #define MIP_GNSS_CORRECTIONS_DGPS_CHANNEL_NAME "gnss_corrections.dgps_channel"
 
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_corrections_dgps_channel_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_corrections_dgps_channel_decode(
+    struct mip_gnss_corrections_dgps_channel *value, const struct mip_field *field) {
+    return mip_decode(&mip_gnss_corrections_dgps_channel_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_corrections_dgps_channel_encode(
+    const struct mip_gnss_corrections_dgps_channel *value, struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_corrections_dgps_channel_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_corrections_dgps_channel_decode_inline(
+    struct mip_gnss_corrections_dgps_channel *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x93, 0x0F, 15);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->satellite_id = mip_get_8(field->data);
+    mip_get_float(&value->age, field->data + 1);
+    mip_get_float(&value->range_correction, field->data + 5);
+    mip_get_float(&value->range_rate_correction, field->data + 9);
+    value->valid_flags = mip_get_16(field->data + 13);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_corrections_dgps_channel_encode_inline(
+    const struct mip_gnss_corrections_dgps_channel *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x93, 0x0F, 15, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->satellite_id);
+    mip_put_float(data + 1, &value->age);
+    mip_put_float(data + 5, &value->range_correction);
+    mip_put_float(data + 9, &value->range_rate_correction);
+    mip_put_16(data + 13, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Clock info 2: data (0x93,0x10).
  *
@@ -264,13 +1155,82 @@ extern "C" {
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
-#define mip_gnss_corrections_clock_info_2 mip_gnss_1_clock_info_2
-#define mip_gnss_corrections_clock_info_2_codec mip_gnss_1_clock_info_2_codec
-#define mip_gnss_corrections_clock_info_2_decode mip_gnss_1_clock_info_2_decode
-#define mip_gnss_corrections_clock_info_2_encode mip_gnss_1_clock_info_2_encode
+struct mip_gnss_corrections_clock_info_2 {
+    /**
+     * Bias of the clock. Unit: s. Valid if MIP_GNSS_1_CLOCK_INFO_2_FLAGS_BIAS in valid_flags is
+     * set.
+     */
+    double bias;
+    /**
+     * Drift of the clock. Unit: s/s. Valid if MIP_GNSS_1_CLOCK_INFO_2_FLAGS_DRIFT in valid_flags is
+     * set.
+     */
+    double drift;
+    /**
+     * Accuracy of the bias. Unit: s. Valid if MIP_GNSS_1_CLOCK_INFO_2_FLAGS_BIAS_ACCURACY in
+     * valid_flags is set.
+     */
+    double bias_accuracy_estimate;
+    /**
+     * Accuracy of the drift. Unit: s/s. Valid if MIP_GNSS_1_CLOCK_INFO_2_FLAGS_DRIFT_ACCURACY in
+     * valid_flags is set.
+     */
+    double drift_accuracy_estimate;
+    /** Which values are valid. */
+    mip_gnss_1_clock_info_2_flags valid_flags;
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_CORRECTIONS_CLOCK_INFO_2 0x9310
 #define MIP_GNSS_CORRECTIONS_CLOCK_INFO_2_DESCRIPTOR 0x10
 #define MIP_GNSS_CORRECTIONS_CLOCK_INFO_2_NAME "gnss_corrections.clock_info_2"
 
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_corrections_clock_info_2_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_corrections_clock_info_2_decode(
+    struct mip_gnss_corrections_clock_info_2 *value, const struct mip_field *field) {
+    return mip_decode(&mip_gnss_corrections_clock_info_2_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_corrections_clock_info_2_encode(
+    const struct mip_gnss_corrections_clock_info_2 *value, struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_corrections_clock_info_2_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_corrections_clock_info_2_decode_inline(
+    struct mip_gnss_corrections_clock_info_2 *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x93, 0x10, 34);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_double(&value->bias, field->data);
+    mip_get_double(&value->drift, field->data + 8);
+    mip_get_double(&value->bias_accuracy_estimate, field->data + 16);
+    mip_get_double(&value->drift_accuracy_estimate, field->data + 24);
+    value->valid_flags = mip_get_16(field->data + 32);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_corrections_clock_info_2_encode_inline(
+    const struct mip_gnss_corrections_clock_info_2 *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x93, 0x10, 34, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_double(data, &value->bias);
+    mip_put_double(data + 8, &value->drift);
+    mip_put_double(data + 16, &value->bias_accuracy_estimate);
+    mip_put_double(data + 24, &value->drift_accuracy_estimate);
+    mip_put_16(data + 32, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * GPS leap seconds: data (0x93,0x11).
  *
@@ -281,13 +1241,61 @@ extern "C" {
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
-#define mip_gnss_corrections_gps_leap_seconds mip_gnss_1_gps_leap_seconds
-#define mip_gnss_corrections_gps_leap_seconds_codec mip_gnss_1_gps_leap_seconds_codec
-#define mip_gnss_corrections_gps_leap_seconds_decode mip_gnss_1_gps_leap_seconds_decode
-#define mip_gnss_corrections_gps_leap_seconds_encode mip_gnss_1_gps_leap_seconds_encode
+struct mip_gnss_corrections_gps_leap_seconds {
+    /**
+     * GPS time minus UTC. Unit: s. Valid if MIP_GNSS_1_GPS_LEAP_SECONDS_FLAGS_LEAP_SECONDS in
+     * valid_flags is set.
+     */
+    uint8_t leap_seconds;
+    /** Whether the value is valid. */
+    mip_gnss_1_gps_leap_seconds_flags valid_flags;
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_CORRECTIONS_GPS_LEAP_SECONDS 0x9311
 #define MIP_GNSS_CORRECTIONS_GPS_LEAP_SECONDS_DESCRIPTOR 0x11
 #define MIP_GNSS_CORRECTIONS_GPS_LEAP_SECONDS_NAME "gnss_corrections.gps_leap_seconds"
 
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_corrections_gps_leap_seconds_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_corrections_gps_leap_seconds_decode(
+    struct mip_gnss_corrections_gps_leap_seconds *value, const struct mip_field *field) {
+    return mip_decode(&mip_gnss_corrections_gps_leap_seconds_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_corrections_gps_leap_seconds_encode(
+    const struct mip_gnss_corrections_gps_leap_seconds *value, struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_corrections_gps_leap_seconds_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_corrections_gps_leap_seconds_decode_inline(
+    struct mip_gnss_corrections_gps_leap_seconds *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x93, 0x11, 3);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->leap_seconds = mip_get_8(field->data);
+    value->valid_flags = mip_get_16(field->data + 1);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_corrections_gps_leap_seconds_encode_inline(
+    const struct mip_gnss_corrections_gps_leap_seconds *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x93, 0x11, 3, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->leap_seconds);
+    mip_put_16(data + 1, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * SBAS info: data (0x93,0x12).
  *
@@ -298,13 +1306,89 @@ extern "C" {
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
-#define mip_gnss_corrections_sbas_info mip_gnss_1_sbas_info
-#define mip_gnss_corrections_sbas_info_codec mip_gnss_1_sbas_info_codec
-#define mip_gnss_corrections_sbas_info_decode mip_gnss_1_sbas_info_decode
-#define mip_gnss_corrections_sbas_info_encode mip_gnss_1_sbas_info_encode
+struct mip_gnss_corrections_sbas_info {
+    /** GPS time of week. Unit: s. Valid if MIP_GNSS_1_SBAS_INFO_FLAGS_TOW in valid_flags is set. */
+    double tow;
+    /**
+     * GPS week number. Unit: week. Valid if MIP_GNSS_1_SBAS_INFO_FLAGS_WEEK_NUMBER in valid_flags
+     * is set.
+     */
+    uint16_t week_number;
+    /**
+     * System in use. A value of enum mip_gnss_1_sbas_system. Valid if
+     * MIP_GNSS_1_SBAS_INFO_FLAGS_SBAS_SYSTEM in valid_flags is set.
+     */
+    uint8_t sbas_system;
+    /** SBAS satellite. Valid if MIP_GNSS_1_SBAS_INFO_FLAGS_SBAS_ID in valid_flags is set. */
+    uint8_t sbas_id;
+    /**
+     * Number of SBAS corrections. Unit: 1. Valid if MIP_GNSS_1_SBAS_INFO_FLAGS_COUNT in valid_flags
+     * is set.
+     */
+    uint8_t count;
+    /**
+     * Status of the service. Valid if MIP_GNSS_1_SBAS_INFO_FLAGS_SBAS_STATUS in valid_flags is set.
+     */
+    mip_gnss_1_sbas_status sbas_status;
+    /** Which values are valid. */
+    mip_gnss_1_sbas_info_flags valid_flags;
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_CORRECTIONS_SBAS_INFO 0x9312
 #define MIP_GNSS_CORRECTIONS_SBAS_INFO_DESCRIPTOR 0x12
 #define MIP_GNSS_CORRECTIONS_SBAS_INFO_NAME "gnss_corrections.sbas_info"
 
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_corrections_sbas_info_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_corrections_sbas_info_decode(
+    struct mip_gnss_corrections_sbas_info *value, const struct mip_field *field) {
+    return mip_decode(&mip_gnss_corrections_sbas_info_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_corrections_sbas_info_encode(
+    const struct mip_gnss_corrections_sbas_info *value, struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_corrections_sbas_info_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_corrections_sbas_info_decode_inline(
+    struct mip_gnss_corrections_sbas_info *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x93, 0x12, 16);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_double(&value->tow, field->data);
+    value->week_number = mip_get_16(field->data + 8);
+    value->sbas_system = mip_get_8(field->data + 10);
+    value->sbas_id = mip_get_8(field->data + 11);
+    value->count = mip_get_8(field->data + 12);
+    value->sbas_status = mip_get_8(field->data + 13);
+    value->valid_flags = mip_get_16(field->data + 14);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_corrections_sbas_info_encode_inline(
+    const struct mip_gnss_corrections_sbas_info *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x93, 0x12, 16, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_double(data, &value->tow);
+    mip_put_16(data + 8, value->week_number);
+    mip_put_8(data + 10, value->sbas_system);
+    mip_put_8(data + 11, value->sbas_id);
+    mip_put_8(data + 12, value->count);
+    mip_put_8(data + 13, value->sbas_status);
+    mip_put_16(data + 14, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * SBAS correction: data (0x93,0x13).
  *
@@ -320,13 +1404,100 @@ extern "C" {
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
-#define mip_gnss_corrections_sbas_correction mip_gnss_1_sbas_correction
-#define mip_gnss_corrections_sbas_correction_codec mip_gnss_1_sbas_correction_codec
-#define mip_gnss_corrections_sbas_correction_decode mip_gnss_1_sbas_correction_decode
-#define mip_gnss_corrections_sbas_correction_encode mip_gnss_1_sbas_correction_encode
+struct mip_gnss_corrections_sbas_correction {
+    /** Number of this field within the epoch. */
+    uint8_t index;
+    /** How many of these fields the epoch has. */
+    uint8_t count;
+    /** GPS time of week of the reception. Unit: s. */
+    double tow;
+    /** GPS week number. Unit: week. */
+    uint16_t week_number;
+    /** Constellation. A value of enum mip_gnss_constellation. */
+    uint8_t gnss_id;
+    /** Satellite within the constellation. */
+    uint8_t satellite_id;
+    /**
+     * Indicator of the range error that is left after fast and long-term corrections, the
+     * atmosphere apart; 14 is not monitored, 15 not usable. Range: 0 to 15. Valid if
+     * MIP_GNSS_1_SBAS_CORRECTION_FLAGS_UDREI in valid_flags is set.
+     */
+    uint8_t udrei;
+    /**
+     * Correction of the pseudorange. Unit: m. Valid if
+     * MIP_GNSS_1_SBAS_CORRECTION_FLAGS_PSEUDORANGE_CORRECTION in valid_flags is set.
+     */
+    float pseudorange_correction;
+    /**
+     * Correction of the ionospheric delay. Unit: m. Valid if
+     * MIP_GNSS_1_SBAS_CORRECTION_FLAGS_IONO_CORRECTION in valid_flags is set.
+     */
+    float iono_correction;
+    /** Which values are valid. */
+    mip_gnss_1_sbas_correction_flags valid_flags;
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_CORRECTIONS_SBAS_CORRECTION 0x9313
 #define MIP_GNSS_CORRECTIONS_SBAS_CORRECTION_DESCRIPTOR 0x13
 #define MIP_GNSS_CORRECTIONS_SBAS_CORRECTION_NAME "gnss_corrections.sbas_correction"
 
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_corrections_sbas_correction_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_corrections_sbas_correction_decode(
+    struct mip_gnss_corrections_sbas_correction *value, const struct mip_field *field) {
+    return mip_decode(&mip_gnss_corrections_sbas_correction_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_corrections_sbas_correction_encode(
+    const struct mip_gnss_corrections_sbas_correction *value, struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_corrections_sbas_correction_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_corrections_sbas_correction_decode_inline(
+    struct mip_gnss_corrections_sbas_correction *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x93, 0x13, 25);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->index = mip_get_8(field->data);
+    value->count = mip_get_8(field->data + 1);
+    mip_get_double(&value->tow, field->data + 2);
+    value->week_number = mip_get_16(field->data + 10);
+    value->gnss_id = mip_get_8(field->data + 12);
+    value->satellite_id = mip_get_8(field->data + 13);
+    value->udrei = mip_get_8(field->data + 14);
+    mip_get_float(&value->pseudorange_correction, field->data + 15);
+    mip_get_float(&value->iono_correction, field->data + 19);
+    value->valid_flags = mip_get_16(field->data + 23);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_corrections_sbas_correction_encode_inline(
+    const struct mip_gnss_corrections_sbas_correction *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x93, 0x13, 25, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->index);
+    mip_put_8(data + 1, value->count);
+    mip_put_double(data + 2, &value->tow);
+    mip_put_16(data + 10, value->week_number);
+    mip_put_8(data + 12, value->gnss_id);
+    mip_put_8(data + 13, value->satellite_id);
+    mip_put_8(data + 14, value->udrei);
+    mip_put_float(data + 15, &value->pseudorange_correction);
+    mip_put_float(data + 19, &value->iono_correction);
+    mip_put_16(data + 23, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * RF error detection: data (0x93,0x14).
  *
@@ -337,13 +1508,79 @@ extern "C" {
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
-#define mip_gnss_corrections_rf_error_detection mip_gnss_1_rf_error_detection
-#define mip_gnss_corrections_rf_error_detection_codec mip_gnss_1_rf_error_detection_codec
-#define mip_gnss_corrections_rf_error_detection_decode mip_gnss_1_rf_error_detection_decode
-#define mip_gnss_corrections_rf_error_detection_encode mip_gnss_1_rf_error_detection_encode
+struct mip_gnss_corrections_rf_error_detection {
+    /**
+     * Band. A value of enum mip_gnss_1_rf_band. Valid if
+     * MIP_GNSS_1_RF_ERROR_DETECTION_FLAGS_RF_BAND in valid_flags is set.
+     */
+    uint8_t rf_band;
+    /**
+     * Jamming. A value of enum mip_gnss_1_jamming_state. Valid if
+     * MIP_GNSS_1_RF_ERROR_DETECTION_FLAGS_JAMMING_STATE in valid_flags is set.
+     */
+    uint8_t jamming_state;
+    /**
+     * Spoofing. A value of enum mip_gnss_1_spoofing_state. Valid if
+     * MIP_GNSS_1_RF_ERROR_DETECTION_FLAGS_SPOOFING_STATE in valid_flags is set.
+     */
+    uint8_t spoofing_state;
+    /** Reserved. */
+    uint8_t reserved[4];
+    /** Which values are valid. */
+    mip_gnss_1_rf_error_detection_flags valid_flags;
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_CORRECTIONS_RF_ERROR_DETECTION 0x9314
 #define MIP_GNSS_CORRECTIONS_RF_ERROR_DETECTION_DESCRIPTOR 0x14
 #define MIP_GNSS_CORRECTIONS_RF_ERROR_DETECTION_NAME "gnss_corrections.rf_error_detection"
 
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_corrections_rf_error_detection_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_corrections_rf_error_detection_decode(
+    struct mip_gnss_corrections_rf_error_detection *value, const struct mip_field *field) {
+    return mip_decode(&mip_gnss_corrections_rf_error_detection_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_corrections_rf_error_detection_encode(
+    const struct mip_gnss_corrections_rf_error_detection *value, struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_corrections_rf_error_detection_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_corrections_rf_error_detection_decode_inline(
+    struct mip_gnss_corrections_rf_error_detection *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x93, 0x14, 9);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->rf_band = mip_get_8(field->data);
+    value->jamming_state = mip_get_8(field->data + 1);
+    value->spoofing_state = mip_get_8(field->data + 2);
+    memcpy(value->reserved, field->data + 3, 4);
+    value->valid_flags = mip_get_16(field->data + 7);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_corrections_rf_error_detection_encode_inline(
+    const struct mip_gnss_corrections_rf_error_detection *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x93, 0x14, 9, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->rf_band);
+    mip_put_8(data + 1, value->jamming_state);
+    mip_put_8(data + 2, value->spoofing_state);
+    memcpy(data + 3, value->reserved, 4);
+    mip_put_16(data + 7, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Satellite status: data (0x93,0x20).
  *
@@ -356,13 +1593,111 @@ extern "C" {
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
-#define mip_gnss_corrections_satellite_status mip_gnss_1_satellite_status
-#define mip_gnss_corrections_satellite_status_codec mip_gnss_1_satellite_status_codec
-#define mip_gnss_corrections_satellite_status_decode mip_gnss_1_satellite_status_decode
-#define mip_gnss_corrections_satellite_status_encode mip_gnss_1_satellite_status_encode
+struct mip_gnss_corrections_satellite_status {
+    /** Number of this field within the epoch. */
+    uint8_t index;
+    /** How many of these fields the epoch has. */
+    uint8_t count;
+    /**
+     * GPS time of week. Unit: s. Valid if MIP_GNSS_1_SATELLITE_STATUS_FLAGS_TOW in valid_flags is
+     * set.
+     */
+    double tow;
+    /**
+     * GPS week number. Unit: week. Valid if MIP_GNSS_1_SATELLITE_STATUS_FLAGS_WEEK_NUMBER in
+     * valid_flags is set.
+     */
+    uint16_t week_number;
+    /**
+     * Constellation. A value of enum mip_gnss_constellation. Valid if
+     * MIP_GNSS_1_SATELLITE_STATUS_FLAGS_GNSS_ID in valid_flags is set.
+     */
+    uint8_t gnss_id;
+    /**
+     * Satellite within the constellation. Valid if MIP_GNSS_1_SATELLITE_STATUS_FLAGS_SATELLITE_ID
+     * in valid_flags is set.
+     */
+    uint8_t satellite_id;
+    /**
+     * Elevation, as seen from the rover. Unit: deg. Valid if
+     * MIP_GNSS_1_SATELLITE_STATUS_FLAGS_ELEVATION in valid_flags is set.
+     */
+    float elevation;
+    /**
+     * Azimuth, as seen from the rover. Unit: deg. Valid if
+     * MIP_GNSS_1_SATELLITE_STATUS_FLAGS_AZIMUTH in valid_flags is set.
+     */
+    float azimuth;
+    /**
+     * Whether the satellite is healthy. Valid if MIP_GNSS_1_SATELLITE_STATUS_FLAGS_HEALTH in
+     * valid_flags is set.
+     */
+    mip_bool health;
+    /** Which values are valid. */
+    mip_gnss_1_satellite_status_flags valid_flags;
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_CORRECTIONS_SATELLITE_STATUS 0x9320
 #define MIP_GNSS_CORRECTIONS_SATELLITE_STATUS_DESCRIPTOR 0x20
 #define MIP_GNSS_CORRECTIONS_SATELLITE_STATUS_NAME "gnss_corrections.satellite_status"
 
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_corrections_satellite_status_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_corrections_satellite_status_decode(
+    struct mip_gnss_corrections_satellite_status *value, const struct mip_field *field) {
+    return mip_decode(&mip_gnss_corrections_satellite_status_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_corrections_satellite_status_encode(
+    const struct mip_gnss_corrections_satellite_status *value, struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_corrections_satellite_status_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_corrections_satellite_status_decode_inline(
+    struct mip_gnss_corrections_satellite_status *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x93, 0x20, 25);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->index = mip_get_8(field->data);
+    value->count = mip_get_8(field->data + 1);
+    mip_get_double(&value->tow, field->data + 2);
+    value->week_number = mip_get_16(field->data + 10);
+    value->gnss_id = mip_get_8(field->data + 12);
+    value->satellite_id = mip_get_8(field->data + 13);
+    mip_get_float(&value->elevation, field->data + 14);
+    mip_get_float(&value->azimuth, field->data + 18);
+    value->health = mip_get_8(field->data + 22);
+    value->valid_flags = mip_get_16(field->data + 23);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_corrections_satellite_status_encode_inline(
+    const struct mip_gnss_corrections_satellite_status *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x93, 0x20, 25, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->index);
+    mip_put_8(data + 1, value->count);
+    mip_put_double(data + 2, &value->tow);
+    mip_put_16(data + 10, value->week_number);
+    mip_put_8(data + 12, value->gnss_id);
+    mip_put_8(data + 13, value->satellite_id);
+    mip_put_float(data + 14, &value->elevation);
+    mip_put_float(data + 18, &value->azimuth);
+    mip_put_8(data + 22, value->health);
+    mip_put_16(data + 23, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Raw: data (0x93,0x22).
  *
@@ -377,13 +1712,164 @@ extern "C" {
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
-#define mip_gnss_corrections_raw mip_gnss_1_raw
-#define mip_gnss_corrections_raw_codec mip_gnss_1_raw_codec
-#define mip_gnss_corrections_raw_decode mip_gnss_1_raw_decode
-#define mip_gnss_corrections_raw_encode mip_gnss_1_raw_encode
+struct mip_gnss_corrections_raw {
+    /** Number of this field within the epoch. */
+    uint8_t index;
+    /** How many of these fields the epoch has. */
+    uint8_t count;
+    /** GPS time of week. Unit: s. Valid if MIP_GNSS_1_RAW_FLAGS_TOW in valid_flags is set. */
+    double tow;
+    /**
+     * GPS week number. Unit: week. Valid if MIP_GNSS_1_RAW_FLAGS_WEEK_NUMBER in valid_flags is set.
+     */
+    uint16_t week_number;
+    /**
+     * Receiver, counted from 1; for a measurement from RTCM, the reference station. Valid if
+     * MIP_GNSS_1_RAW_FLAGS_RECEIVER_ID in valid_flags is set.
+     */
+    uint16_t receiver_id;
+    /**
+     * Channel that tracks the satellite. Valid if MIP_GNSS_1_RAW_FLAGS_TRACKING_CHANNEL in
+     * valid_flags is set.
+     */
+    uint8_t tracking_channel;
+    /**
+     * Constellation. A value of enum mip_gnss_constellation. Valid if MIP_GNSS_1_RAW_FLAGS_GNSS_ID
+     * in valid_flags is set.
+     */
+    uint8_t gnss_id;
+    /**
+     * Satellite within the constellation. Valid if MIP_GNSS_1_RAW_FLAGS_SATELLITE_ID in valid_flags
+     * is set.
+     */
+    uint8_t satellite_id;
+    /**
+     * Signal. A value of enum mip_gnss_signal. Valid if MIP_GNSS_1_RAW_FLAGS_SIGNAL_ID in
+     * valid_flags is set.
+     */
+    uint8_t signal_id;
+    /**
+     * Carrier to noise density ratio. Unit: dB-Hz. Valid if MIP_GNSS_1_RAW_FLAGS_SIGNAL_STRENGTH in
+     * valid_flags is set.
+     */
+    float signal_strength;
+    /**
+     * How well the signal is tracked. A value of enum mip_gnss_1_signal_quality. Valid if
+     * MIP_GNSS_1_RAW_FLAGS_QUALITY in valid_flags is set.
+     */
+    uint8_t quality;
+    /** Pseudorange. Unit: m. Valid if MIP_GNSS_1_RAW_FLAGS_PSEUDORANGE in valid_flags is set. */
+    double pseudorange;
+    /**
+     * Carrier phase. Unit: cycle. Valid if MIP_GNSS_1_RAW_FLAGS_CARRIER_PHASE in valid_flags is
+     * set.
+     */
+    double carrier_phase;
+    /** Doppler shift. Unit: Hz. Valid if MIP_GNSS_1_RAW_FLAGS_DOPPLER in valid_flags is set. */
+    float doppler;
+    /**
+     * Uncertainty of the pseudorange. Unit: m. Valid if MIP_GNSS_1_RAW_FLAGS_RANGE_UNCERTAINTY in
+     * valid_flags is set.
+     */
+    float range_uncertainty;
+    /**
+     * Uncertainty of the carrier phase. Unit: cycle. Valid if
+     * MIP_GNSS_1_RAW_FLAGS_CARRIER_PHASE_UNCERTAINTY in valid_flags is set.
+     */
+    float phase_uncertainty;
+    /**
+     * Uncertainty of the Doppler shift. Unit: Hz. Valid if MIP_GNSS_1_RAW_FLAGS_DOPPLER_UNCERTAINTY
+     * in valid_flags is set.
+     */
+    float doppler_uncertainty;
+    /**
+     * Lower limit of the time that the carrier phase has been locked. Unit: s. Valid if
+     * MIP_GNSS_1_RAW_FLAGS_LOCK_TIME in valid_flags is set.
+     */
+    float lock_time;
+    /** Which values are valid. */
+    mip_gnss_1_raw_flags valid_flags;
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_CORRECTIONS_RAW 0x9322
 #define MIP_GNSS_CORRECTIONS_RAW_DESCRIPTOR 0x22
 #define MIP_GNSS_CORRECTIONS_RAW_NAME "gnss_corrections.raw"
 
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_corrections_raw_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_corrections_raw_decode(struct mip_gnss_corrections_raw *value,
+                                                        const struct mip_field *field) {
+    return mip_decode(&mip_gnss_corrections_raw_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_corrections_raw_encode(
+    const struct mip_gnss_corrections_raw *value, struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_corrections_raw_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_corrections_raw_decode_inline(
+    struct mip_gnss_corrections_raw *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x93, 0x22, 61);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->index = mip_get_8(field->data);
+    value->count = mip_get_8(field->data + 1);
+    mip_get_double(&value->tow, field->data + 2);
+    value->week_number = mip_get_16(field->data + 10);
+    value->receiver_id = mip_get_16(field->data + 12);
+    value->tracking_channel = mip_get_8(field->data + 14);
+    value->gnss_id = mip_get_8(field->data + 15);
+    value->satellite_id = mip_get_8(field->data + 16);
+    value->signal_id = mip_get_8(field->data + 17);
+    mip_get_float(&value->signal_strength, field->data + 18);
+    value->quality = mip_get_8(field->data + 22);
+    mip_get_double(&value->pseudorange, field->data + 23);
+    mip_get_double(&value->carrier_phase, field->data + 31);
+    mip_get_float(&value->doppler, field->data + 39);
+    mip_get_float(&value->range_uncertainty, field->data + 43);
+    mip_get_float(&value->phase_uncertainty, field->data + 47);
+    mip_get_float(&value->doppler_uncertainty, field->data + 51);
+    mip_get_float(&value->lock_time, field->data + 55);
+    value->valid_flags = mip_get_16(field->data + 59);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_corrections_raw_encode_inline(
+    const struct mip_gnss_corrections_raw *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x93, 0x22, 61, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->index);
+    mip_put_8(data + 1, value->count);
+    mip_put_double(data + 2, &value->tow);
+    mip_put_16(data + 10, value->week_number);
+    mip_put_16(data + 12, value->receiver_id);
+    mip_put_8(data + 14, value->tracking_channel);
+    mip_put_8(data + 15, value->gnss_id);
+    mip_put_8(data + 16, value->satellite_id);
+    mip_put_8(data + 17, value->signal_id);
+    mip_put_float(data + 18, &value->signal_strength);
+    mip_put_8(data + 22, value->quality);
+    mip_put_double(data + 23, &value->pseudorange);
+    mip_put_double(data + 31, &value->carrier_phase);
+    mip_put_float(data + 39, &value->doppler);
+    mip_put_float(data + 43, &value->range_uncertainty);
+    mip_put_float(data + 47, &value->phase_uncertainty);
+    mip_put_float(data + 51, &value->doppler_uncertainty);
+    mip_put_float(data + 55, &value->lock_time);
+    mip_put_16(data + 59, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Base station info: data (0x93,0x30).
  *
@@ -393,13 +1879,100 @@ extern "C" {
  *
  * - 3dm-cv7-gnss-ins: Base Station Info (0x93,0x30)
  */
-#define mip_gnss_corrections_base_station_info mip_gnss_1_base_station_info
-#define mip_gnss_corrections_base_station_info_codec mip_gnss_1_base_station_info_codec
-#define mip_gnss_corrections_base_station_info_decode mip_gnss_1_base_station_info_decode
-#define mip_gnss_corrections_base_station_info_encode mip_gnss_1_base_station_info_encode
+struct mip_gnss_corrections_base_station_info {
+    /**
+     * GPS time of week at which the message was received. Unit: s. Valid if
+     * MIP_GNSS_1_BASE_STATION_INFO_FLAGS_TOW in valid_flags is set.
+     */
+    double tow;
+    /**
+     * GPS week number. Unit: week. Valid if MIP_GNSS_1_BASE_STATION_INFO_FLAGS_WEEK_NUMBER in
+     * valid_flags is set.
+     */
+    uint16_t week_number;
+    /**
+     * Position of the station. Elements: x, y, z. Unit: m. Frame: ecef. Valid if
+     * MIP_GNSS_1_BASE_STATION_INFO_FLAGS_ECEF_POSITION in valid_flags is set.
+     */
+    double ecef_position[3];
+    /**
+     * Height of the antenna above the marker that was surveyed. Unit: m. Valid if
+     * MIP_GNSS_1_BASE_STATION_INFO_FLAGS_HEIGHT in valid_flags is set.
+     */
+    float height;
+    /**
+     * Number of the station. Range: 0 to 4095. Valid if
+     * MIP_GNSS_1_BASE_STATION_INFO_FLAGS_STATION_ID in valid_flags is set.
+     */
+    uint16_t station_id;
+    /**
+     * Properties of the station. Valid if MIP_GNSS_1_BASE_STATION_INFO_FLAGS_INDICATORS in
+     * valid_flags is set.
+     */
+    mip_gnss_1_base_station_indicators indicators;
+    /** Which values are valid. */
+    mip_gnss_1_base_station_info_flags valid_flags;
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_CORRECTIONS_BASE_STATION_INFO 0x9330
 #define MIP_GNSS_CORRECTIONS_BASE_STATION_INFO_DESCRIPTOR 0x30
 #define MIP_GNSS_CORRECTIONS_BASE_STATION_INFO_NAME "gnss_corrections.base_station_info"
 
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_corrections_base_station_info_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_corrections_base_station_info_decode(
+    struct mip_gnss_corrections_base_station_info *value, const struct mip_field *field) {
+    return mip_decode(&mip_gnss_corrections_base_station_info_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_corrections_base_station_info_encode(
+    const struct mip_gnss_corrections_base_station_info *value, struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_corrections_base_station_info_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_corrections_base_station_info_decode_inline(
+    struct mip_gnss_corrections_base_station_info *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x93, 0x30, 44);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_double(&value->tow, field->data);
+    value->week_number = mip_get_16(field->data + 8);
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_double(&value->ecef_position[i], field->data + 10 + 8 * i);
+    }
+    mip_get_float(&value->height, field->data + 34);
+    value->station_id = mip_get_16(field->data + 38);
+    value->indicators = mip_get_16(field->data + 40);
+    value->valid_flags = mip_get_16(field->data + 42);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_corrections_base_station_info_encode_inline(
+    const struct mip_gnss_corrections_base_station_info *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x93, 0x30, 44, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_double(data, &value->tow);
+    mip_put_16(data + 8, value->week_number);
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_double(data + 10 + 8 * i, &value->ecef_position[i]);
+    }
+    mip_put_float(data + 34, &value->height);
+    mip_put_16(data + 38, value->station_id);
+    mip_put_16(data + 40, value->indicators);
+    mip_put_16(data + 42, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * RTK corrections status: data (0x93,0x31).
  *
@@ -409,13 +1982,120 @@ extern "C" {
  *
  * - 3dm-cv7-gnss-ins: RTK Corrections Status (0x93,0x31)
  */
-#define mip_gnss_corrections_rtk_corrections_status mip_gnss_1_rtk_corrections_status
-#define mip_gnss_corrections_rtk_corrections_status_codec mip_gnss_1_rtk_corrections_status_codec
-#define mip_gnss_corrections_rtk_corrections_status_decode mip_gnss_1_rtk_corrections_status_decode
-#define mip_gnss_corrections_rtk_corrections_status_encode mip_gnss_1_rtk_corrections_status_encode
+struct mip_gnss_corrections_rtk_corrections_status {
+    /**
+     * GPS time of week. Unit: s. Valid if MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_TOW in
+     * valid_flags is set.
+     */
+    double tow;
+    /**
+     * GPS week number. Unit: week. Valid if MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_WEEK_NUMBER in
+     * valid_flags is set.
+     */
+    uint16_t week_number;
+    /**
+     * Corrections that came during this epoch. Valid if
+     * MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_EPOCH_STATUS in valid_flags is set.
+     */
+    mip_gnss_1_rtk_epoch_status epoch_status;
+    /**
+     * Status flags of the RTK dongle; of use only with a dongle. Valid if
+     * MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_DONGLE_STATUS in valid_flags is set.
+     *
+     * The same word as that of mip_rtk_get_status_flags, in one of its two forms.
+     */
+    mip_rtk_status_flags dongle_status;
+    /**
+     * Latency of the last GPS correction. Unit: s. Valid if
+     * MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_GPS_LATENCY in valid_flags is set.
+     */
+    float gps_correction_latency;
+    /**
+     * Latency of the last GLONASS correction. Unit: s. Valid if
+     * MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_GLONASS_LATENCY in valid_flags is set.
+     */
+    float glonass_correction_latency;
+    /**
+     * Latency of the last Galileo correction. Unit: s. Valid if
+     * MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_GALILEO_LATENCY in valid_flags is set.
+     */
+    float galileo_correction_latency;
+    /**
+     * Latency of the last BeiDou correction. Unit: s. Valid if
+     * MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_BEIDOU_LATENCY in valid_flags is set.
+     */
+    float beidou_correction_latency;
+    /** Reserved. */
+    uint32_t reserved[4];
+    /** Which values are valid. */
+    mip_gnss_1_rtk_corrections_status_flags valid_flags;
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_CORRECTIONS_RTK_CORRECTIONS_STATUS 0x9331
 #define MIP_GNSS_CORRECTIONS_RTK_CORRECTIONS_STATUS_DESCRIPTOR 0x31
 #define MIP_GNSS_CORRECTIONS_RTK_CORRECTIONS_STATUS_NAME "gnss_corrections.rtk_corrections_status"
 
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_corrections_rtk_corrections_status_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_corrections_rtk_corrections_status_decode(
+    struct mip_gnss_corrections_rtk_corrections_status *value, const struct mip_field *field) {
+    return mip_decode(&mip_gnss_corrections_rtk_corrections_status_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_corrections_rtk_corrections_status_encode(
+    const struct mip_gnss_corrections_rtk_corrections_status *value, struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_corrections_rtk_corrections_status_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_corrections_rtk_corrections_status_decode_inline(
+    struct mip_gnss_corrections_rtk_corrections_status *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x93, 0x31, 50);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_double(&value->tow, field->data);
+    value->week_number = mip_get_16(field->data + 8);
+    value->epoch_status = mip_get_16(field->data + 10);
+    value->dongle_status = mip_get_32(field->data + 12);
+    mip_get_float(&value->gps_correction_latency, field->data + 16);
+    mip_get_float(&value->glonass_correction_latency, field->data + 20);
+    mip_get_float(&value->galileo_correction_latency, field->data + 24);
+    mip_get_float(&value->beidou_correction_latency, field->data + 28);
+    for (size_t i = 0; i < 4; i++) {
+        value->reserved[i] = mip_get_32(field->data + 32 + 4 * i);
+    }
+    value->valid_flags = mip_get_16(field->data + 48);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_corrections_rtk_corrections_status_encode_inline(
+    const struct mip_gnss_corrections_rtk_corrections_status *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x93, 0x31, 50, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_double(data, &value->tow);
+    mip_put_16(data + 8, value->week_number);
+    mip_put_16(data + 10, value->epoch_status);
+    mip_put_32(data + 12, value->dongle_status);
+    mip_put_float(data + 16, &value->gps_correction_latency);
+    mip_put_float(data + 20, &value->glonass_correction_latency);
+    mip_put_float(data + 24, &value->galileo_correction_latency);
+    mip_put_float(data + 28, &value->beidou_correction_latency);
+    for (size_t i = 0; i < 4; i++) {
+        mip_put_32(data + 32 + 4 * i, value->reserved[i]);
+    }
+    mip_put_16(data + 48, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * GPS ephemeris: data (0x93,0x61).
  *
@@ -428,13 +2108,261 @@ extern "C" {
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
-#define mip_gnss_corrections_gps_ephemeris mip_gnss_1_gps_ephemeris
-#define mip_gnss_corrections_gps_ephemeris_codec mip_gnss_1_gps_ephemeris_codec
-#define mip_gnss_corrections_gps_ephemeris_decode mip_gnss_1_gps_ephemeris_decode
-#define mip_gnss_corrections_gps_ephemeris_encode mip_gnss_1_gps_ephemeris_encode
+struct mip_gnss_corrections_gps_ephemeris {
+    /** Number of this field within the epoch. */
+    uint8_t index;
+    /** How many of these fields the epoch has. */
+    uint8_t count;
+    /** GPS time of week. Unit: s. */
+    double tow;
+    /** GPS week number. Unit: week. */
+    uint16_t week_number;
+    /** Satellite within the constellation. */
+    uint8_t satellite_id;
+    /**
+     * Health of satellite and signals. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags
+     * is set.
+     */
+    uint8_t health;
+    /**
+     * Issue of data, clock. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    uint8_t iodc;
+    /**
+     * Issue of data, ephemeris. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
+     * set.
+     */
+    uint8_t iode;
+    /**
+     * Reference time of the clock data. Unit: s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
+     */
+    double t_oc;
+    /** Clock bias. Unit: s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set. */
+    double af0;
+    /**
+     * Clock drift. Unit: s/s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double af1;
+    /**
+     * Clock drift rate. Unit: s/s^2. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags
+     * is set.
+     */
+    double af2;
+    /**
+     * Group delay. Unit: s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double t_gd;
+    /**
+     * Inter-signal correction for L1. Unit: s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
+     */
+    double isc_l1ca;
+    /**
+     * Inter-signal correction for L2, or for L5 if `isc_l5` is set. Unit: s. Valid if
+     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double isc_l2c;
+    /**
+     * Reference time of the ephemeris. Unit: s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
+     */
+    double t_oe;
+    /**
+     * Semi-major axis. Unit: m. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
+     * set.
+     */
+    double a;
+    /**
+     * Rate of the semi-major axis. Unit: m/s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
+     */
+    double a_dot;
+    /**
+     * Mean anomaly. Unit: rad. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double mean_anomaly;
+    /**
+     * Correction of the mean motion. Unit: rad/s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
+     */
+    double delta_mean_motion;
+    /**
+     * Rate of the correction of the mean motion. Unit: rad/s^2. Valid if
+     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double delta_mean_motion_dot;
+    /**
+     * Eccentricity. Unit: 1. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double eccentricity;
+    /**
+     * Argument of perigee. Unit: rad. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags
+     * is set.
+     */
+    double argument_of_perigee;
+    /**
+     * Longitude of the ascending node. Unit: rad. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
+     */
+    double omega;
+    /**
+     * Rate of the right ascension. Unit: rad/s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
+     */
+    double omega_dot;
+    /**
+     * Inclination. Unit: rad. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double inclination;
+    /**
+     * Rate of the inclination. Unit: rad/s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
+     */
+    double inclination_dot;
+    /**
+     * Cosine harmonic correction of the inclination. Unit: rad. Valid if
+     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double c_ic;
+    /**
+     * Sine harmonic correction of the inclination. Unit: rad. Valid if
+     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double c_is;
+    /**
+     * Cosine harmonic correction of the argument of latitude. Unit: rad. Valid if
+     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double c_uc;
+    /**
+     * Sine harmonic correction of the argument of latitude. Unit: rad. Valid if
+     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double c_us;
+    /**
+     * Cosine harmonic correction of the orbit radius. Unit: m. Valid if
+     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double c_rc;
+    /**
+     * Sine harmonic correction of the orbit radius. Unit: m. Valid if
+     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double c_rs;
+    /** What the ephemeris holds. */
+    mip_gnss_1_ephemeris_flags valid_flags;
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_CORRECTIONS_GPS_EPHEMERIS 0x9361
 #define MIP_GNSS_CORRECTIONS_GPS_EPHEMERIS_DESCRIPTOR 0x61
 #define MIP_GNSS_CORRECTIONS_GPS_EPHEMERIS_NAME "gnss_corrections.gps_ephemeris"
 
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_corrections_gps_ephemeris_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_corrections_gps_ephemeris_decode(
+    struct mip_gnss_corrections_gps_ephemeris *value, const struct mip_field *field) {
+    return mip_decode(&mip_gnss_corrections_gps_ephemeris_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_corrections_gps_ephemeris_encode(
+    const struct mip_gnss_corrections_gps_ephemeris *value, struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_corrections_gps_ephemeris_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_corrections_gps_ephemeris_decode_inline(
+    struct mip_gnss_corrections_gps_ephemeris *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x93, 0x61, 218);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->index = mip_get_8(field->data);
+    value->count = mip_get_8(field->data + 1);
+    mip_get_double(&value->tow, field->data + 2);
+    value->week_number = mip_get_16(field->data + 10);
+    value->satellite_id = mip_get_8(field->data + 12);
+    value->health = mip_get_8(field->data + 13);
+    value->iodc = mip_get_8(field->data + 14);
+    value->iode = mip_get_8(field->data + 15);
+    mip_get_double(&value->t_oc, field->data + 16);
+    mip_get_double(&value->af0, field->data + 24);
+    mip_get_double(&value->af1, field->data + 32);
+    mip_get_double(&value->af2, field->data + 40);
+    mip_get_double(&value->t_gd, field->data + 48);
+    mip_get_double(&value->isc_l1ca, field->data + 56);
+    mip_get_double(&value->isc_l2c, field->data + 64);
+    mip_get_double(&value->t_oe, field->data + 72);
+    mip_get_double(&value->a, field->data + 80);
+    mip_get_double(&value->a_dot, field->data + 88);
+    mip_get_double(&value->mean_anomaly, field->data + 96);
+    mip_get_double(&value->delta_mean_motion, field->data + 104);
+    mip_get_double(&value->delta_mean_motion_dot, field->data + 112);
+    mip_get_double(&value->eccentricity, field->data + 120);
+    mip_get_double(&value->argument_of_perigee, field->data + 128);
+    mip_get_double(&value->omega, field->data + 136);
+    mip_get_double(&value->omega_dot, field->data + 144);
+    mip_get_double(&value->inclination, field->data + 152);
+    mip_get_double(&value->inclination_dot, field->data + 160);
+    mip_get_double(&value->c_ic, field->data + 168);
+    mip_get_double(&value->c_is, field->data + 176);
+    mip_get_double(&value->c_uc, field->data + 184);
+    mip_get_double(&value->c_us, field->data + 192);
+    mip_get_double(&value->c_rc, field->data + 200);
+    mip_get_double(&value->c_rs, field->data + 208);
+    value->valid_flags = mip_get_16(field->data + 216);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_corrections_gps_ephemeris_encode_inline(
+    const struct mip_gnss_corrections_gps_ephemeris *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x93, 0x61, 218, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->index);
+    mip_put_8(data + 1, value->count);
+    mip_put_double(data + 2, &value->tow);
+    mip_put_16(data + 10, value->week_number);
+    mip_put_8(data + 12, value->satellite_id);
+    mip_put_8(data + 13, value->health);
+    mip_put_8(data + 14, value->iodc);
+    mip_put_8(data + 15, value->iode);
+    mip_put_double(data + 16, &value->t_oc);
+    mip_put_double(data + 24, &value->af0);
+    mip_put_double(data + 32, &value->af1);
+    mip_put_double(data + 40, &value->af2);
+    mip_put_double(data + 48, &value->t_gd);
+    mip_put_double(data + 56, &value->isc_l1ca);
+    mip_put_double(data + 64, &value->isc_l2c);
+    mip_put_double(data + 72, &value->t_oe);
+    mip_put_double(data + 80, &value->a);
+    mip_put_double(data + 88, &value->a_dot);
+    mip_put_double(data + 96, &value->mean_anomaly);
+    mip_put_double(data + 104, &value->delta_mean_motion);
+    mip_put_double(data + 112, &value->delta_mean_motion_dot);
+    mip_put_double(data + 120, &value->eccentricity);
+    mip_put_double(data + 128, &value->argument_of_perigee);
+    mip_put_double(data + 136, &value->omega);
+    mip_put_double(data + 144, &value->omega_dot);
+    mip_put_double(data + 152, &value->inclination);
+    mip_put_double(data + 160, &value->inclination_dot);
+    mip_put_double(data + 168, &value->c_ic);
+    mip_put_double(data + 176, &value->c_is);
+    mip_put_double(data + 184, &value->c_uc);
+    mip_put_double(data + 192, &value->c_us);
+    mip_put_double(data + 200, &value->c_rc);
+    mip_put_double(data + 208, &value->c_rs);
+    mip_put_16(data + 216, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * GLONASS ephemeris: data (0x93,0x62).
  *
@@ -449,13 +2377,219 @@ extern "C" {
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
-#define mip_gnss_corrections_glonass_ephemeris mip_gnss_1_glonass_ephemeris
-#define mip_gnss_corrections_glonass_ephemeris_codec mip_gnss_1_glonass_ephemeris_codec
-#define mip_gnss_corrections_glonass_ephemeris_decode mip_gnss_1_glonass_ephemeris_decode
-#define mip_gnss_corrections_glonass_ephemeris_encode mip_gnss_1_glonass_ephemeris_encode
+struct mip_gnss_corrections_glonass_ephemeris {
+    /** Number of this field within the epoch. */
+    uint8_t index;
+    /** How many of these fields the epoch has. */
+    uint8_t count;
+    /** GPS time of week. Unit: s. */
+    double tow;
+    /** GPS week number. Unit: week. */
+    uint16_t week_number;
+    /** Satellite within the constellation. */
+    uint8_t satellite_id;
+    /**
+     * GLONASS frequency number. Range: -7 to 24. Valid if
+     * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    int8_t frequency_number;
+    /**
+     * Start of the frame within the day. Unit: s. Valid if
+     * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    uint32_t tk;
+    /**
+     * Reference time of the ephemeris. Unit: s. Valid if
+     * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    uint32_t tb;
+    /**
+     * Generation of the satellite (M). A value of enum mip_gnss_1_glonass_satellite_type. Valid if
+     * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    uint8_t satellite_type;
+    /**
+     * Relative deviation of the carrier frequency from its nominal value. Unit: 1. Valid if
+     * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double gamma;
+    /**
+     * Correction of the satellite time relative to GLONASS time. Unit: s. Valid if
+     * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double tau_n;
+    /**
+     * Position of the satellite in PZ-90. Elements: x, y, z. Unit: m. Valid if
+     * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double position[3];
+    /**
+     * Velocity of the satellite in PZ-90. Elements: x, y, z. Unit: m/s. Valid if
+     * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    float velocity[3];
+    /**
+     * Acceleration of the satellite by perturbations, in PZ-90. Elements: x, y, z. Unit: m/s^2.
+     * Valid if MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    float accel[3];
+    /**
+     * Health (Bn); not 0 if the satellite fails. Valid if
+     * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    uint8_t health;
+    /**
+     * Mode of operation of the satellite. Valid if MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
+     */
+    uint8_t p;
+    /**
+     * Day within a period of four years. Unit: day. Valid if
+     * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    uint8_t nt;
+    /**
+     * Time difference between L1 and L2. Unit: s. Valid if
+     * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    float delta_tau_n;
+    /**
+     * Code of the user range accuracy. Valid if MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
+     */
+    uint8_t ft;
+    /**
+     * Age of the information. Unit: day. Valid if MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
+     */
+    uint8_t en;
+    /**
+     * Time between adjacent values of tb. Unit: min. Valid if
+     * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    uint8_t p1;
+    /**
+     * 1 if tb is odd, 0 if it is even. Range: 0 to 1. Valid if
+     * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    uint8_t p2;
+    /**
+     * Number of satellites in the almanac of the frame. Unit: 1. Valid if
+     * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    uint8_t p3;
+    /**
+     * Whether ephemeris parameters are present. Valid if
+     * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    uint8_t p4;
+    /** Whether the ephemeris is valid. */
+    mip_gnss_1_glonass_ephemeris_flags valid_flags;
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_CORRECTIONS_GLONASS_EPHEMERIS 0x9362
 #define MIP_GNSS_CORRECTIONS_GLONASS_EPHEMERIS_DESCRIPTOR 0x62
 #define MIP_GNSS_CORRECTIONS_GLONASS_EPHEMERIS_NAME "gnss_corrections.glonass_ephemeris"
 
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_corrections_glonass_ephemeris_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_corrections_glonass_ephemeris_decode(
+    struct mip_gnss_corrections_glonass_ephemeris *value, const struct mip_field *field) {
+    return mip_decode(&mip_gnss_corrections_glonass_ephemeris_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_corrections_glonass_ephemeris_encode(
+    const struct mip_gnss_corrections_glonass_ephemeris *value, struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_corrections_glonass_ephemeris_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_corrections_glonass_ephemeris_decode_inline(
+    struct mip_gnss_corrections_glonass_ephemeris *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x93, 0x62, 102);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->index = mip_get_8(field->data);
+    value->count = mip_get_8(field->data + 1);
+    mip_get_double(&value->tow, field->data + 2);
+    value->week_number = mip_get_16(field->data + 10);
+    value->satellite_id = mip_get_8(field->data + 12);
+    value->frequency_number = (int8_t)mip_get_8(field->data + 13);
+    value->tk = mip_get_32(field->data + 14);
+    value->tb = mip_get_32(field->data + 18);
+    value->satellite_type = mip_get_8(field->data + 22);
+    mip_get_double(&value->gamma, field->data + 23);
+    mip_get_double(&value->tau_n, field->data + 31);
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_double(&value->position[i], field->data + 39 + 8 * i);
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->velocity[i], field->data + 63 + 4 * i);
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->accel[i], field->data + 75 + 4 * i);
+    }
+    value->health = mip_get_8(field->data + 87);
+    value->p = mip_get_8(field->data + 88);
+    value->nt = mip_get_8(field->data + 89);
+    mip_get_float(&value->delta_tau_n, field->data + 90);
+    value->ft = mip_get_8(field->data + 94);
+    value->en = mip_get_8(field->data + 95);
+    value->p1 = mip_get_8(field->data + 96);
+    value->p2 = mip_get_8(field->data + 97);
+    value->p3 = mip_get_8(field->data + 98);
+    value->p4 = mip_get_8(field->data + 99);
+    value->valid_flags = mip_get_16(field->data + 100);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_corrections_glonass_ephemeris_encode_inline(
+    const struct mip_gnss_corrections_glonass_ephemeris *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x93, 0x62, 102, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->index);
+    mip_put_8(data + 1, value->count);
+    mip_put_double(data + 2, &value->tow);
+    mip_put_16(data + 10, value->week_number);
+    mip_put_8(data + 12, value->satellite_id);
+    mip_put_8(data + 13, (uint8_t)value->frequency_number);
+    mip_put_32(data + 14, value->tk);
+    mip_put_32(data + 18, value->tb);
+    mip_put_8(data + 22, value->satellite_type);
+    mip_put_double(data + 23, &value->gamma);
+    mip_put_double(data + 31, &value->tau_n);
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_double(data + 39 + 8 * i, &value->position[i]);
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 63 + 4 * i, &value->velocity[i]);
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 75 + 4 * i, &value->accel[i]);
+    }
+    mip_put_8(data + 87, value->health);
+    mip_put_8(data + 88, value->p);
+    mip_put_8(data + 89, value->nt);
+    mip_put_float(data + 90, &value->delta_tau_n);
+    mip_put_8(data + 94, value->ft);
+    mip_put_8(data + 95, value->en);
+    mip_put_8(data + 96, value->p1);
+    mip_put_8(data + 97, value->p2);
+    mip_put_8(data + 98, value->p3);
+    mip_put_8(data + 99, value->p4);
+    mip_put_16(data + 100, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Galileo ephemeris: data (0x93,0x63).
  *
@@ -471,13 +2605,261 @@ extern "C" {
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
-#define mip_gnss_corrections_galileo_ephemeris mip_gnss_1_galileo_ephemeris
-#define mip_gnss_corrections_galileo_ephemeris_codec mip_gnss_1_galileo_ephemeris_codec
-#define mip_gnss_corrections_galileo_ephemeris_decode mip_gnss_1_galileo_ephemeris_decode
-#define mip_gnss_corrections_galileo_ephemeris_encode mip_gnss_1_galileo_ephemeris_encode
+struct mip_gnss_corrections_galileo_ephemeris {
+    /** Number of this field within the epoch. */
+    uint8_t index;
+    /** How many of these fields the epoch has. */
+    uint8_t count;
+    /** GPS time of week. Unit: s. */
+    double tow;
+    /** GPS week number. Unit: week. */
+    uint16_t week_number;
+    /** Satellite within the constellation. */
+    uint8_t satellite_id;
+    /**
+     * Health of satellite and signals. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags
+     * is set.
+     */
+    uint8_t health;
+    /**
+     * Issue of data, clock. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    uint8_t iodc;
+    /**
+     * Issue of data, ephemeris. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
+     * set.
+     */
+    uint8_t iode;
+    /**
+     * Reference time of the clock data. Unit: s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
+     */
+    double t_oc;
+    /** Clock bias. Unit: s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set. */
+    double af0;
+    /**
+     * Clock drift. Unit: s/s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double af1;
+    /**
+     * Clock drift rate. Unit: s/s^2. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags
+     * is set.
+     */
+    double af2;
+    /**
+     * Group delay. Unit: s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double t_gd;
+    /**
+     * Place of the inter-signal correction for L1 of GPS. Unit: s. Valid if
+     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double isc_l1ca;
+    /**
+     * Place of the inter-signal correction for L2 or L5 of GPS. Unit: s. Valid if
+     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double isc_l2c;
+    /**
+     * Reference time of the ephemeris. Unit: s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
+     */
+    double t_oe;
+    /**
+     * Semi-major axis. Unit: m. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
+     * set.
+     */
+    double a;
+    /**
+     * Rate of the semi-major axis. Unit: m/s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
+     */
+    double a_dot;
+    /**
+     * Mean anomaly. Unit: rad. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double mean_anomaly;
+    /**
+     * Correction of the mean motion. Unit: rad/s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
+     */
+    double delta_mean_motion;
+    /**
+     * Rate of the correction of the mean motion. Unit: rad/s^2. Valid if
+     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double delta_mean_motion_dot;
+    /**
+     * Eccentricity. Unit: 1. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double eccentricity;
+    /**
+     * Argument of perigee. Unit: rad. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags
+     * is set.
+     */
+    double argument_of_perigee;
+    /**
+     * Longitude of the ascending node. Unit: rad. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
+     */
+    double omega;
+    /**
+     * Rate of the right ascension. Unit: rad/s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
+     */
+    double omega_dot;
+    /**
+     * Inclination. Unit: rad. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double inclination;
+    /**
+     * Rate of the inclination. Unit: rad/s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
+     */
+    double inclination_dot;
+    /**
+     * Cosine harmonic correction of the inclination. Unit: rad. Valid if
+     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double c_ic;
+    /**
+     * Sine harmonic correction of the inclination. Unit: rad. Valid if
+     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double c_is;
+    /**
+     * Cosine harmonic correction of the argument of latitude. Unit: rad. Valid if
+     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double c_uc;
+    /**
+     * Sine harmonic correction of the argument of latitude. Unit: rad. Valid if
+     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double c_us;
+    /**
+     * Cosine harmonic correction of the orbit radius. Unit: m. Valid if
+     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double c_rc;
+    /**
+     * Sine harmonic correction of the orbit radius. Unit: m. Valid if
+     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double c_rs;
+    /** What the ephemeris holds. */
+    mip_gnss_1_ephemeris_flags valid_flags;
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_CORRECTIONS_GALILEO_EPHEMERIS 0x9363
 #define MIP_GNSS_CORRECTIONS_GALILEO_EPHEMERIS_DESCRIPTOR 0x63
 #define MIP_GNSS_CORRECTIONS_GALILEO_EPHEMERIS_NAME "gnss_corrections.galileo_ephemeris"
 
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_corrections_galileo_ephemeris_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_corrections_galileo_ephemeris_decode(
+    struct mip_gnss_corrections_galileo_ephemeris *value, const struct mip_field *field) {
+    return mip_decode(&mip_gnss_corrections_galileo_ephemeris_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_corrections_galileo_ephemeris_encode(
+    const struct mip_gnss_corrections_galileo_ephemeris *value, struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_corrections_galileo_ephemeris_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_corrections_galileo_ephemeris_decode_inline(
+    struct mip_gnss_corrections_galileo_ephemeris *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x93, 0x63, 218);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->index = mip_get_8(field->data);
+    value->count = mip_get_8(field->data + 1);
+    mip_get_double(&value->tow, field->data + 2);
+    value->week_number = mip_get_16(field->data + 10);
+    value->satellite_id = mip_get_8(field->data + 12);
+    value->health = mip_get_8(field->data + 13);
+    value->iodc = mip_get_8(field->data + 14);
+    value->iode = mip_get_8(field->data + 15);
+    mip_get_double(&value->t_oc, field->data + 16);
+    mip_get_double(&value->af0, field->data + 24);
+    mip_get_double(&value->af1, field->data + 32);
+    mip_get_double(&value->af2, field->data + 40);
+    mip_get_double(&value->t_gd, field->data + 48);
+    mip_get_double(&value->isc_l1ca, field->data + 56);
+    mip_get_double(&value->isc_l2c, field->data + 64);
+    mip_get_double(&value->t_oe, field->data + 72);
+    mip_get_double(&value->a, field->data + 80);
+    mip_get_double(&value->a_dot, field->data + 88);
+    mip_get_double(&value->mean_anomaly, field->data + 96);
+    mip_get_double(&value->delta_mean_motion, field->data + 104);
+    mip_get_double(&value->delta_mean_motion_dot, field->data + 112);
+    mip_get_double(&value->eccentricity, field->data + 120);
+    mip_get_double(&value->argument_of_perigee, field->data + 128);
+    mip_get_double(&value->omega, field->data + 136);
+    mip_get_double(&value->omega_dot, field->data + 144);
+    mip_get_double(&value->inclination, field->data + 152);
+    mip_get_double(&value->inclination_dot, field->data + 160);
+    mip_get_double(&value->c_ic, field->data + 168);
+    mip_get_double(&value->c_is, field->data + 176);
+    mip_get_double(&value->c_uc, field->data + 184);
+    mip_get_double(&value->c_us, field->data + 192);
+    mip_get_double(&value->c_rc, field->data + 200);
+    mip_get_double(&value->c_rs, field->data + 208);
+    value->valid_flags = mip_get_16(field->data + 216);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_corrections_galileo_ephemeris_encode_inline(
+    const struct mip_gnss_corrections_galileo_ephemeris *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x93, 0x63, 218, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->index);
+    mip_put_8(data + 1, value->count);
+    mip_put_double(data + 2, &value->tow);
+    mip_put_16(data + 10, value->week_number);
+    mip_put_8(data + 12, value->satellite_id);
+    mip_put_8(data + 13, value->health);
+    mip_put_8(data + 14, value->iodc);
+    mip_put_8(data + 15, value->iode);
+    mip_put_double(data + 16, &value->t_oc);
+    mip_put_double(data + 24, &value->af0);
+    mip_put_double(data + 32, &value->af1);
+    mip_put_double(data + 40, &value->af2);
+    mip_put_double(data + 48, &value->t_gd);
+    mip_put_double(data + 56, &value->isc_l1ca);
+    mip_put_double(data + 64, &value->isc_l2c);
+    mip_put_double(data + 72, &value->t_oe);
+    mip_put_double(data + 80, &value->a);
+    mip_put_double(data + 88, &value->a_dot);
+    mip_put_double(data + 96, &value->mean_anomaly);
+    mip_put_double(data + 104, &value->delta_mean_motion);
+    mip_put_double(data + 112, &value->delta_mean_motion_dot);
+    mip_put_double(data + 120, &value->eccentricity);
+    mip_put_double(data + 128, &value->argument_of_perigee);
+    mip_put_double(data + 136, &value->omega);
+    mip_put_double(data + 144, &value->omega_dot);
+    mip_put_double(data + 152, &value->inclination);
+    mip_put_double(data + 160, &value->inclination_dot);
+    mip_put_double(data + 168, &value->c_ic);
+    mip_put_double(data + 176, &value->c_is);
+    mip_put_double(data + 184, &value->c_uc);
+    mip_put_double(data + 192, &value->c_us);
+    mip_put_double(data + 200, &value->c_rc);
+    mip_put_double(data + 208, &value->c_rs);
+    mip_put_16(data + 216, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * BeiDou ephemeris: data (0x93,0x64).
  *
@@ -493,13 +2875,261 @@ extern "C" {
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
-#define mip_gnss_corrections_beidou_ephemeris mip_gnss_1_beidou_ephemeris
-#define mip_gnss_corrections_beidou_ephemeris_codec mip_gnss_1_beidou_ephemeris_codec
-#define mip_gnss_corrections_beidou_ephemeris_decode mip_gnss_1_beidou_ephemeris_decode
-#define mip_gnss_corrections_beidou_ephemeris_encode mip_gnss_1_beidou_ephemeris_encode
+struct mip_gnss_corrections_beidou_ephemeris {
+    /** Number of this field within the epoch. */
+    uint8_t index;
+    /** How many of these fields the epoch has. */
+    uint8_t count;
+    /** GPS time of week. Unit: s. */
+    double tow;
+    /** GPS week number. Unit: week. */
+    uint16_t week_number;
+    /** Satellite within the constellation. */
+    uint8_t satellite_id;
+    /**
+     * Health of satellite and signals. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags
+     * is set.
+     */
+    uint8_t health;
+    /**
+     * Issue of data, clock. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    uint8_t iodc;
+    /**
+     * Issue of data, ephemeris. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
+     * set.
+     */
+    uint8_t iode;
+    /**
+     * Reference time of the clock data. Unit: s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
+     */
+    double t_oc;
+    /** Clock bias. Unit: s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set. */
+    double af0;
+    /**
+     * Clock drift. Unit: s/s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double af1;
+    /**
+     * Clock drift rate. Unit: s/s^2. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags
+     * is set.
+     */
+    double af2;
+    /**
+     * Group delay. Unit: s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double t_gd;
+    /**
+     * Place of the inter-signal correction for L1 of GPS. Unit: s. Valid if
+     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double isc_l1ca;
+    /**
+     * Place of the inter-signal correction for L2 or L5 of GPS. Unit: s. Valid if
+     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double isc_l2c;
+    /**
+     * Reference time of the ephemeris. Unit: s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
+     */
+    double t_oe;
+    /**
+     * Semi-major axis. Unit: m. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
+     * set.
+     */
+    double a;
+    /**
+     * Rate of the semi-major axis. Unit: m/s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
+     */
+    double a_dot;
+    /**
+     * Mean anomaly. Unit: rad. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double mean_anomaly;
+    /**
+     * Correction of the mean motion. Unit: rad/s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
+     */
+    double delta_mean_motion;
+    /**
+     * Rate of the correction of the mean motion. Unit: rad/s^2. Valid if
+     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double delta_mean_motion_dot;
+    /**
+     * Eccentricity. Unit: 1. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double eccentricity;
+    /**
+     * Argument of perigee. Unit: rad. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags
+     * is set.
+     */
+    double argument_of_perigee;
+    /**
+     * Longitude of the ascending node. Unit: rad. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
+     */
+    double omega;
+    /**
+     * Rate of the right ascension. Unit: rad/s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
+     */
+    double omega_dot;
+    /**
+     * Inclination. Unit: rad. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double inclination;
+    /**
+     * Rate of the inclination. Unit: rad/s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
+     */
+    double inclination_dot;
+    /**
+     * Cosine harmonic correction of the inclination. Unit: rad. Valid if
+     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double c_ic;
+    /**
+     * Sine harmonic correction of the inclination. Unit: rad. Valid if
+     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double c_is;
+    /**
+     * Cosine harmonic correction of the argument of latitude. Unit: rad. Valid if
+     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double c_uc;
+    /**
+     * Sine harmonic correction of the argument of latitude. Unit: rad. Valid if
+     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double c_us;
+    /**
+     * Cosine harmonic correction of the orbit radius. Unit: m. Valid if
+     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double c_rc;
+    /**
+     * Sine harmonic correction of the orbit radius. Unit: m. Valid if
+     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double c_rs;
+    /** What the ephemeris holds. */
+    mip_gnss_1_ephemeris_flags valid_flags;
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_CORRECTIONS_BEIDOU_EPHEMERIS 0x9364
 #define MIP_GNSS_CORRECTIONS_BEIDOU_EPHEMERIS_DESCRIPTOR 0x64
 #define MIP_GNSS_CORRECTIONS_BEIDOU_EPHEMERIS_NAME "gnss_corrections.beidou_ephemeris"
 
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_corrections_beidou_ephemeris_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_corrections_beidou_ephemeris_decode(
+    struct mip_gnss_corrections_beidou_ephemeris *value, const struct mip_field *field) {
+    return mip_decode(&mip_gnss_corrections_beidou_ephemeris_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_corrections_beidou_ephemeris_encode(
+    const struct mip_gnss_corrections_beidou_ephemeris *value, struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_corrections_beidou_ephemeris_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_corrections_beidou_ephemeris_decode_inline(
+    struct mip_gnss_corrections_beidou_ephemeris *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x93, 0x64, 218);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->index = mip_get_8(field->data);
+    value->count = mip_get_8(field->data + 1);
+    mip_get_double(&value->tow, field->data + 2);
+    value->week_number = mip_get_16(field->data + 10);
+    value->satellite_id = mip_get_8(field->data + 12);
+    value->health = mip_get_8(field->data + 13);
+    value->iodc = mip_get_8(field->data + 14);
+    value->iode = mip_get_8(field->data + 15);
+    mip_get_double(&value->t_oc, field->data + 16);
+    mip_get_double(&value->af0, field->data + 24);
+    mip_get_double(&value->af1, field->data + 32);
+    mip_get_double(&value->af2, field->data + 40);
+    mip_get_double(&value->t_gd, field->data + 48);
+    mip_get_double(&value->isc_l1ca, field->data + 56);
+    mip_get_double(&value->isc_l2c, field->data + 64);
+    mip_get_double(&value->t_oe, field->data + 72);
+    mip_get_double(&value->a, field->data + 80);
+    mip_get_double(&value->a_dot, field->data + 88);
+    mip_get_double(&value->mean_anomaly, field->data + 96);
+    mip_get_double(&value->delta_mean_motion, field->data + 104);
+    mip_get_double(&value->delta_mean_motion_dot, field->data + 112);
+    mip_get_double(&value->eccentricity, field->data + 120);
+    mip_get_double(&value->argument_of_perigee, field->data + 128);
+    mip_get_double(&value->omega, field->data + 136);
+    mip_get_double(&value->omega_dot, field->data + 144);
+    mip_get_double(&value->inclination, field->data + 152);
+    mip_get_double(&value->inclination_dot, field->data + 160);
+    mip_get_double(&value->c_ic, field->data + 168);
+    mip_get_double(&value->c_is, field->data + 176);
+    mip_get_double(&value->c_uc, field->data + 184);
+    mip_get_double(&value->c_us, field->data + 192);
+    mip_get_double(&value->c_rc, field->data + 200);
+    mip_get_double(&value->c_rs, field->data + 208);
+    value->valid_flags = mip_get_16(field->data + 216);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_corrections_beidou_ephemeris_encode_inline(
+    const struct mip_gnss_corrections_beidou_ephemeris *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x93, 0x64, 218, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->index);
+    mip_put_8(data + 1, value->count);
+    mip_put_double(data + 2, &value->tow);
+    mip_put_16(data + 10, value->week_number);
+    mip_put_8(data + 12, value->satellite_id);
+    mip_put_8(data + 13, value->health);
+    mip_put_8(data + 14, value->iodc);
+    mip_put_8(data + 15, value->iode);
+    mip_put_double(data + 16, &value->t_oc);
+    mip_put_double(data + 24, &value->af0);
+    mip_put_double(data + 32, &value->af1);
+    mip_put_double(data + 40, &value->af2);
+    mip_put_double(data + 48, &value->t_gd);
+    mip_put_double(data + 56, &value->isc_l1ca);
+    mip_put_double(data + 64, &value->isc_l2c);
+    mip_put_double(data + 72, &value->t_oe);
+    mip_put_double(data + 80, &value->a);
+    mip_put_double(data + 88, &value->a_dot);
+    mip_put_double(data + 96, &value->mean_anomaly);
+    mip_put_double(data + 104, &value->delta_mean_motion);
+    mip_put_double(data + 112, &value->delta_mean_motion_dot);
+    mip_put_double(data + 120, &value->eccentricity);
+    mip_put_double(data + 128, &value->argument_of_perigee);
+    mip_put_double(data + 136, &value->omega);
+    mip_put_double(data + 144, &value->omega_dot);
+    mip_put_double(data + 152, &value->inclination);
+    mip_put_double(data + 160, &value->inclination_dot);
+    mip_put_double(data + 168, &value->c_ic);
+    mip_put_double(data + 176, &value->c_is);
+    mip_put_double(data + 184, &value->c_uc);
+    mip_put_double(data + 192, &value->c_us);
+    mip_put_double(data + 200, &value->c_rc);
+    mip_put_double(data + 208, &value->c_rs);
+    mip_put_16(data + 216, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * GPS ionospheric correction: data (0x93,0x71).
  *
@@ -510,13 +3140,90 @@ extern "C" {
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
-#define mip_gnss_corrections_gps_iono_correction mip_gnss_1_gps_iono_correction
-#define mip_gnss_corrections_gps_iono_correction_codec mip_gnss_1_gps_iono_correction_codec
-#define mip_gnss_corrections_gps_iono_correction_decode mip_gnss_1_gps_iono_correction_decode
-#define mip_gnss_corrections_gps_iono_correction_encode mip_gnss_1_gps_iono_correction_encode
+struct mip_gnss_corrections_gps_iono_correction {
+    /**
+     * GPS time of week. Unit: s. Valid if MIP_GNSS_1_GPS_IONO_CORRECTION_FLAGS_TOW in valid_flags
+     * is set.
+     */
+    double tow;
+    /**
+     * GPS week number. Unit: week. Valid if MIP_GNSS_1_GPS_IONO_CORRECTION_FLAGS_WEEK_NUMBER in
+     * valid_flags is set.
+     */
+    uint16_t week_number;
+    /**
+     * Coefficients alpha 0 to 3. Valid if MIP_GNSS_1_GPS_IONO_CORRECTION_FLAGS_ALPHA in valid_flags
+     * is set. Uncertain: The units.
+     */
+    double alpha[4];
+    /**
+     * Coefficients beta 0 to 3. Valid if MIP_GNSS_1_GPS_IONO_CORRECTION_FLAGS_BETA in valid_flags
+     * is set. Uncertain: The units.
+     */
+    double beta[4];
+    /** Which values are valid. */
+    mip_gnss_1_gps_iono_correction_flags valid_flags;
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_CORRECTIONS_GPS_IONO_CORRECTION 0x9371
 #define MIP_GNSS_CORRECTIONS_GPS_IONO_CORRECTION_DESCRIPTOR 0x71
 #define MIP_GNSS_CORRECTIONS_GPS_IONO_CORRECTION_NAME "gnss_corrections.gps_iono_correction"
 
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_corrections_gps_iono_correction_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_corrections_gps_iono_correction_decode(
+    struct mip_gnss_corrections_gps_iono_correction *value, const struct mip_field *field) {
+    return mip_decode(&mip_gnss_corrections_gps_iono_correction_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_corrections_gps_iono_correction_encode(
+    const struct mip_gnss_corrections_gps_iono_correction *value, struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_corrections_gps_iono_correction_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_corrections_gps_iono_correction_decode_inline(
+    struct mip_gnss_corrections_gps_iono_correction *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x93, 0x71, 76);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_double(&value->tow, field->data);
+    value->week_number = mip_get_16(field->data + 8);
+    for (size_t i = 0; i < 4; i++) {
+        mip_get_double(&value->alpha[i], field->data + 10 + 8 * i);
+    }
+    for (size_t i = 0; i < 4; i++) {
+        mip_get_double(&value->beta[i], field->data + 42 + 8 * i);
+    }
+    value->valid_flags = mip_get_16(field->data + 74);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_corrections_gps_iono_correction_encode_inline(
+    const struct mip_gnss_corrections_gps_iono_correction *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x93, 0x71, 76, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_double(data, &value->tow);
+    mip_put_16(data + 8, value->week_number);
+    for (size_t i = 0; i < 4; i++) {
+        mip_put_double(data + 10 + 8 * i, &value->alpha[i]);
+    }
+    for (size_t i = 0; i < 4; i++) {
+        mip_put_double(data + 42 + 8 * i, &value->beta[i]);
+    }
+    mip_put_16(data + 74, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Galileo ionospheric correction: data (0x93,0x73).
  *
@@ -527,15 +3234,87 @@ extern "C" {
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
-#define mip_gnss_corrections_galileo_iono_correction mip_gnss_1_galileo_iono_correction
-#define mip_gnss_corrections_galileo_iono_correction_codec mip_gnss_1_galileo_iono_correction_codec
-#define mip_gnss_corrections_galileo_iono_correction_decode \
-    mip_gnss_1_galileo_iono_correction_decode
-#define mip_gnss_corrections_galileo_iono_correction_encode \
-    mip_gnss_1_galileo_iono_correction_encode
+struct mip_gnss_corrections_galileo_iono_correction {
+    /**
+     * GPS time of week. Unit: s. Valid if MIP_GNSS_1_GALILEO_IONO_CORRECTION_FLAGS_TOW in
+     * valid_flags is set.
+     */
+    double tow;
+    /**
+     * GPS week number. Unit: week. Valid if MIP_GNSS_1_GALILEO_IONO_CORRECTION_FLAGS_WEEK_NUMBER in
+     * valid_flags is set.
+     */
+    uint16_t week_number;
+    /**
+     * The three coefficients of the model. Valid if MIP_GNSS_1_GALILEO_IONO_CORRECTION_FLAGS_ALPHA
+     * in valid_flags is set. Uncertain: The units.
+     */
+    double alpha[3];
+    /**
+     * Storm flags of five regions, in bits 1 to 5. Valid if
+     * MIP_GNSS_1_GALILEO_IONO_CORRECTION_FLAGS_DISTURBANCE_FLAGS in valid_flags is set. Uncertain:
+     * Whether the bits count from 0 or from 1, and which region each stands for.
+     */
+    uint8_t disturbance_flags;
+    /** Which values are valid. */
+    mip_gnss_1_galileo_iono_correction_flags valid_flags;
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_CORRECTIONS_GALILEO_IONO_CORRECTION 0x9373
 #define MIP_GNSS_CORRECTIONS_GALILEO_IONO_CORRECTION_DESCRIPTOR 0x73
 #define MIP_GNSS_CORRECTIONS_GALILEO_IONO_CORRECTION_NAME "gnss_corrections.galileo_iono_correction"
 
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_corrections_galileo_iono_correction_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_corrections_galileo_iono_correction_decode(
+    struct mip_gnss_corrections_galileo_iono_correction *value, const struct mip_field *field) {
+    return mip_decode(&mip_gnss_corrections_galileo_iono_correction_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_corrections_galileo_iono_correction_encode(
+    const struct mip_gnss_corrections_galileo_iono_correction *value, struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_corrections_galileo_iono_correction_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_corrections_galileo_iono_correction_decode_inline(
+    struct mip_gnss_corrections_galileo_iono_correction *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x93, 0x73, 37);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_double(&value->tow, field->data);
+    value->week_number = mip_get_16(field->data + 8);
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_double(&value->alpha[i], field->data + 10 + 8 * i);
+    }
+    value->disturbance_flags = mip_get_8(field->data + 34);
+    value->valid_flags = mip_get_16(field->data + 35);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_corrections_galileo_iono_correction_encode_inline(
+    const struct mip_gnss_corrections_galileo_iono_correction *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x93, 0x73, 37, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_double(data, &value->tow);
+    mip_put_16(data + 8, value->week_number);
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_double(data + 10 + 8 * i, &value->alpha[i]);
+    }
+    mip_put_8(data + 34, value->disturbance_flags);
+    mip_put_16(data + 35, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * BeiDou ionospheric correction: data (0x93,0x74).
  *
@@ -546,12 +3325,102 @@ extern "C" {
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
-#define mip_gnss_corrections_beidou_iono_correction mip_gnss_1_beidou_iono_correction
-#define mip_gnss_corrections_beidou_iono_correction_codec mip_gnss_1_beidou_iono_correction_codec
-#define mip_gnss_corrections_beidou_iono_correction_decode mip_gnss_1_beidou_iono_correction_decode
-#define mip_gnss_corrections_beidou_iono_correction_encode mip_gnss_1_beidou_iono_correction_encode
+struct mip_gnss_corrections_beidou_iono_correction {
+    /**
+     * GPS time of week. Unit: s. Valid if MIP_GNSS_1_BEIDOU_IONO_CORRECTION_FLAGS_TOW in
+     * valid_flags is set.
+     */
+    double tow;
+    /**
+     * GPS week number. Unit: week. Valid if MIP_GNSS_1_BEIDOU_IONO_CORRECTION_FLAGS_WEEK_NUMBER in
+     * valid_flags is set.
+     */
+    uint16_t week_number;
+    /**
+     * Coefficients alpha 0 to 3. Valid if MIP_GNSS_1_BEIDOU_IONO_CORRECTION_FLAGS_ALPHA in
+     * valid_flags is set. Uncertain: The units.
+     */
+    double alpha[4];
+    /**
+     * Coefficients beta 0 to 3. Valid if MIP_GNSS_1_BEIDOU_IONO_CORRECTION_FLAGS_BETA in
+     * valid_flags is set. Uncertain: The units.
+     */
+    double beta[4];
+    /**
+     * Nine further coefficients of the delay. Valid if
+     * MIP_GNSS_1_BEIDOU_IONO_CORRECTION_FLAGS_ALPHA_CORRECTION in valid_flags is set. Uncertain:
+     * The units.
+     */
+    double alpha_correction[9];
+    /** Which values are valid. */
+    mip_gnss_1_beidou_iono_correction_flags valid_flags;
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_GNSS_CORRECTIONS_BEIDOU_IONO_CORRECTION 0x9374
 #define MIP_GNSS_CORRECTIONS_BEIDOU_IONO_CORRECTION_DESCRIPTOR 0x74
 #define MIP_GNSS_CORRECTIONS_BEIDOU_IONO_CORRECTION_NAME "gnss_corrections.beidou_iono_correction"
+
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_gnss_corrections_beidou_iono_correction_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_gnss_corrections_beidou_iono_correction_decode(
+    struct mip_gnss_corrections_beidou_iono_correction *value, const struct mip_field *field) {
+    return mip_decode(&mip_gnss_corrections_beidou_iono_correction_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_gnss_corrections_beidou_iono_correction_encode(
+    const struct mip_gnss_corrections_beidou_iono_correction *value, struct mip_builder *builder) {
+    return mip_encode(&mip_gnss_corrections_beidou_iono_correction_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_gnss_corrections_beidou_iono_correction_decode_inline(
+    struct mip_gnss_corrections_beidou_iono_correction *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x93, 0x74, 148);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_double(&value->tow, field->data);
+    value->week_number = mip_get_16(field->data + 8);
+    for (size_t i = 0; i < 4; i++) {
+        mip_get_double(&value->alpha[i], field->data + 10 + 8 * i);
+    }
+    for (size_t i = 0; i < 4; i++) {
+        mip_get_double(&value->beta[i], field->data + 42 + 8 * i);
+    }
+    for (size_t i = 0; i < 9; i++) {
+        mip_get_double(&value->alpha_correction[i], field->data + 74 + 8 * i);
+    }
+    value->valid_flags = mip_get_16(field->data + 146);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_gnss_corrections_beidou_iono_correction_encode_inline(
+    const struct mip_gnss_corrections_beidou_iono_correction *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x93, 0x74, 148, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_double(data, &value->tow);
+    mip_put_16(data + 8, value->week_number);
+    for (size_t i = 0; i < 4; i++) {
+        mip_put_double(data + 10 + 8 * i, &value->alpha[i]);
+    }
+    for (size_t i = 0; i < 4; i++) {
+        mip_put_double(data + 42 + 8 * i, &value->beta[i]);
+    }
+    for (size_t i = 0; i < 9; i++) {
+        mip_put_double(data + 74 + 8 * i, &value->alpha_correction[i]);
+    }
+    mip_put_16(data + 146, value->valid_flags);
+    return MIP_OK;
+}
 
 #ifdef __cplusplus
 }

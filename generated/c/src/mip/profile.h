@@ -1,9 +1,11 @@
 /**
  * @file
- * What a device supports, and how it differs from others. mip/devices.h names the devices.
+ * What a device supports, and how it differs from others. mip/profiles.h names the devices.
  */
 #ifndef MIP_PROFILE_H
 #define MIP_PROFILE_H
+
+#include "mip/export.h"
 
 #include <stddef.h>
 #include <stdint.h>
@@ -13,7 +15,7 @@ extern "C" {
 #endif
 
 /** A command or a data field that a device supports. */
-struct mip_device_field {
+struct mip_profile_field {
     uint8_t descriptor_set;
     uint8_t descriptor;
     /** Letters of the function selectors that the device takes: "WRSLD"; empty without selectors.
@@ -24,14 +26,14 @@ struct mip_device_field {
 };
 
 /** How often a device samples the fields of a data set. */
-struct mip_device_rate {
+struct mip_profile_rate {
     uint8_t descriptor_set;
     /** In Hz; 0: sent as the data arise. */
     double rate;
 };
 
 /** A port of a device. */
-struct mip_device_port {
+struct mip_profile_port {
     const char *name;
     /** The number that commands use; 0 if there is none. */
     uint8_t id;
@@ -42,7 +44,7 @@ struct mip_device_port {
 };
 
 /** A limit of a device: a number, and what it limits. */
-struct mip_device_limit {
+struct mip_profile_limit {
     const char *name;
     double value;
     /** Empty if it has none. */
@@ -51,7 +53,7 @@ struct mip_device_limit {
 };
 
 /** A note in words, with a table if it has rows. */
-struct mip_device_note {
+struct mip_profile_note {
     const char *name;
     const char *title;
     const char *description;
@@ -62,15 +64,15 @@ struct mip_device_note {
 };
 
 /** The device's own type for a parameter. */
-struct mip_device_reading {
+struct mip_profile_reading {
     /** "filter_data.status.status_flags" */
     const char *of;
     /** Name of an enumeration or a bitfield: "filter_data.gx5_status_flags". */
     const char *type;
 };
 
-/** A device. */
-struct mip_device {
+/** What is known of a device. */
+struct mip_profile {
     const char *id;
     const char *title;
     /** Empty if none is known. */
@@ -95,46 +97,48 @@ struct mip_device {
     /** What is not known of it, in sentences. If there is any, it may have more than is listed. */
     const char *const *incomplete;
     /** By descriptor set and descriptor. */
-    const struct mip_device_field *fields;
-    const struct mip_device_rate *rates;
-    const struct mip_device_port *ports;
-    const struct mip_device_limit *limits;
-    const struct mip_device_note *notes;
-    const struct mip_device_reading *readings;
+    const struct mip_profile_field *fields;
+    const struct mip_profile_rate *rates;
+    const struct mip_profile_port *ports;
+    const struct mip_profile_limit *limits;
+    const struct mip_profile_note *notes;
+    const struct mip_profile_reading *readings;
     /** The acknowledge codes that it sends. */
     const uint8_t *ack_codes;
 };
 
 /** All devices. */
-extern const struct mip_device *const mip_devices[];
-extern const size_t mip_device_count;
+extern MIP_API const struct mip_profile *const mip_profiles[];
+extern MIP_API const size_t mip_profile_count;
 
 /** A device by its id ("3dm-gx5-15"), its title or another name; NULL if it is unknown. */
-const struct mip_device *mip_device_find(const char *name);
+MIP_API const struct mip_profile *mip_profile_find(const char *name);
 
 /** A device by its model number; NULL if it is unknown, as newer ones are. */
-const struct mip_device *mip_device_by_model(uint16_t model_number);
+MIP_API const struct mip_profile *mip_profile_by_model(uint16_t model_number);
 
 /**
  * The model number that the device information gives: its model and serial numbers begin with it.
  * Spaces may come before it, and a dot, a dash, a space, a NUL or the end of the text behind it. 0
  * if it is not there.
  */
-uint16_t mip_model_number(const char *text, size_t size);
+MIP_API uint16_t mip_model_number(const char *text, size_t size);
 
 /** Does the device support a command or a data field? NULL if it is not known to. */
-const struct mip_device_field *mip_device_supports(const struct mip_device *device,
-                                                   uint8_t descriptor_set, uint8_t descriptor);
+MIP_API const struct mip_profile_field *mip_profile_supports(const struct mip_profile *profile,
+                                                             uint8_t descriptor_set,
+                                                             uint8_t descriptor);
 
 /** The same, though it may not be certain: `evidence` says why it is believed. */
-const struct mip_device_field *mip_device_may_support(const struct mip_device *device,
-                                                      uint8_t descriptor_set, uint8_t descriptor);
+MIP_API const struct mip_profile_field *mip_profile_may_support(const struct mip_profile *profile,
+                                                                uint8_t descriptor_set,
+                                                                uint8_t descriptor);
 
 /** The base rate of a data set in Hz: 0 if data are sent as they come, negative if it has none. */
-double mip_device_base_rate(const struct mip_device *device, uint8_t descriptor_set);
+MIP_API double mip_profile_base_rate(const struct mip_profile *profile, uint8_t descriptor_set);
 
 /** The name of the device's own type for a parameter; NULL if it has none. */
-const char *mip_device_reading_of(const struct mip_device *device, const char *of);
+MIP_API const char *mip_profile_reading_of(const struct mip_profile *profile, const char *of);
 
 #ifdef __cplusplus
 }

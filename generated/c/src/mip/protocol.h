@@ -16,19 +16,23 @@ extern "C" {
 #endif
 
 /** What a settings command is asked to do. */
-typedef uint8_t mip_function_selector;
-/** Apply the new setting. */
-#define MIP_FUNCTION_SELECTOR_WRITE 1
-/** Send the current setting back in a response. */
-#define MIP_FUNCTION_SELECTOR_READ 2
-/** Save the current setting to non-volatile memory. */
-#define MIP_FUNCTION_SELECTOR_SAVE 3
-/** Load the saved setting. */
-#define MIP_FUNCTION_SELECTOR_LOAD 4
-/** Load the factory default setting. */
-#define MIP_FUNCTION_SELECTOR_DEFAULT 5
-/** Apply the new setting and send no acknowledge (5-series devices). */
-#define MIP_FUNCTION_SELECTOR_APPLY 6
+enum mip_function_selector {
+    /** Apply the new setting. */
+    MIP_FUNCTION_SELECTOR_WRITE = 1,
+    /** Send the current setting back in a response. */
+    MIP_FUNCTION_SELECTOR_READ = 2,
+    /** Save the current setting to non-volatile memory. */
+    MIP_FUNCTION_SELECTOR_SAVE = 3,
+    /** Load the saved setting. */
+    MIP_FUNCTION_SELECTOR_LOAD = 4,
+    /** Load the factory default setting. */
+    MIP_FUNCTION_SELECTOR_DEFAULT = 5,
+    /** Apply the new setting and send no acknowledge (5-series devices). */
+    MIP_FUNCTION_SELECTOR_APPLY = 6
+};
+
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_function_selector_name(uint8_t value);
 
 /**
  * Acknowledge: response 0xF1.
@@ -41,18 +45,55 @@ typedef uint8_t mip_function_selector;
 struct mip_protocol_acknowledge {
     /** Descriptor of the command that is answered. */
     uint8_t command;
-    /** Zero acknowledges, any other value refuses. */
-    mip_ack_code code;
+    /** Zero acknowledges, any other value refuses. A value of enum mip_ack_code. */
+    uint8_t code;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_PROTOCOL_ACKNOWLEDGE 0x00F1
 #define MIP_PROTOCOL_ACKNOWLEDGE_DESCRIPTOR 0xF1
 #define MIP_PROTOCOL_ACKNOWLEDGE_NAME "protocol.acknowledge"
 
-extern const struct mip_codec mip_protocol_acknowledge_codec;
-mip_error mip_protocol_acknowledge_decode(struct mip_protocol_acknowledge *value,
-                                          const struct mip_field *field);
-mip_error mip_protocol_acknowledge_encode(const struct mip_protocol_acknowledge *value,
-                                          struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_protocol_acknowledge_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_protocol_acknowledge_decode(struct mip_protocol_acknowledge *value,
+                                                        const struct mip_field *field) {
+    return mip_decode(&mip_protocol_acknowledge_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_protocol_acknowledge_encode(
+    const struct mip_protocol_acknowledge *value, struct mip_builder *builder) {
+    return mip_encode(&mip_protocol_acknowledge_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_protocol_acknowledge_decode_inline(
+    struct mip_protocol_acknowledge *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x00, 0xF1, 2);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->command = mip_get_8(field->data);
+    value->code = mip_get_8(field->data + 1);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_protocol_acknowledge_encode_inline(
+    const struct mip_protocol_acknowledge *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x00, 0xF1, 2, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->command);
+    mip_put_8(data + 1, value->code);
+    return MIP_OK;
+}
 
 #ifdef __cplusplus
 }

@@ -1,7 +1,9 @@
 
 
-/* The parameters, types and names of all fields. */
+/* The parameters of all fields. */
 #include "mip/reflect.h"
+
+#include "mip/names.h"
 
 #include "mip/protocol.h"
 #include "mip/base.h"
@@ -26,1554 +28,14 @@
 #define ONE(record, member) offsetof(record, member), sizeof(((record *)0)->member)
 #define MANY(record, member) offsetof(record, member), sizeof(((record *)0)->member[0])
 
-/* ---------------------------------------------------------------------------------------- names */
-
-static const struct mip_named_value values_function_selector[] = {
-    {"write", 1}, {"read", 2}, {"save", 3}, {"load", 4}, {"default", 5}, {"apply", 6},
-};
-static const struct mip_names names_function_selector = {
-    "function_selector", values_function_selector, NULL, 6, 1,
-};
-
-static const struct mip_named_bits bits_gx5_built_in_test[] = {
-    {"watchdog_reset", 0, 1, NULL},  {"imu_comm_fault", 8, 1, NULL},
-    {"mag_fault", 9, 1, NULL},       {"pressure_sensor_fault", 10, 1, NULL},
-    {"solution_fault", 24, 1, NULL},
-};
-static const struct mip_names names_gx5_built_in_test = {
-    "gx5_built_in_test", NULL, bits_gx5_built_in_test, 5, 4,
-};
-
-static const struct mip_named_bits bits_cv7_built_in_test[] = {
-    {"general_hardware_fault", 0, 1, NULL},
-    {"general_firmware_fault", 1, 1, NULL},
-    {"timing_overload", 2, 1, NULL},
-    {"buffer_overrun", 3, 1, NULL},
-    {"accel_fault", 12, 1, NULL},
-    {"gyro_fault", 13, 1, NULL},
-    {"mag_fault", 14, 1, NULL},
-    {"pressure_sensor_fault", 15, 1, NULL},
-    {"calibration_error", 18, 1, NULL},
-    {"general_imu_fault", 19, 1, NULL},
-    {"filter_solution_fault", 22, 1, NULL},
-    {"general_filter_fault", 23, 1, NULL},
-};
-static const struct mip_names names_cv7_built_in_test = {
-    "cv7_built_in_test", NULL, bits_cv7_built_in_test, 12, 4,
-};
-
-static const struct mip_named_bits bits_cv7_continuous_built_in_test[] = {
-    {"system_clock_failure", 0, 1, NULL},
-    {"power_fault", 1, 1, NULL},
-    {"firmware_fault", 4, 1, NULL},
-    {"timing_overload", 5, 1, NULL},
-    {"buffer_overrun", 6, 1, NULL},
-    {"imu_process_fault", 16, 1, NULL},
-    {"imu_data_process_time_exceeded", 17, 1, NULL},
-    {"imu_data_rate_error", 18, 1, NULL},
-    {"imu_stall", 19, 1, NULL},
-    {"filter_process_fault", 20, 4, NULL},
-    {"filter_major_cycle_fault", 20, 1, NULL},
-    {"filter_minor_cycle_fault", 21, 1, NULL},
-    {"filter_data_rate_error", 22, 1, NULL},
-    {"filter_process_stall", 23, 1, NULL},
-    {"gnss_subsystem_fault", 24, 4, NULL},
-    {"gnss_main_process_fault", 24, 1, NULL},
-    {"gnss_receiver_1_stall", 25, 1, NULL},
-    {"gnss_receiver_2_stall", 26, 1, NULL},
-    {"imu_comm_fault", 33, 1, NULL},
-    {"imu_timing_overrun", 34, 1, NULL},
-    {"imu_calibration_error_accel", 36, 1, NULL},
-    {"imu_calibration_error_gyro", 37, 1, NULL},
-    {"imu_calibration_error_mag", 38, 1, NULL},
-    {"accel_general_fault", 40, 1, NULL},
-    {"accel_over_range", 41, 1, NULL},
-    {"accel_self_test_fail", 42, 1, NULL},
-    {"gyro_general_fault", 44, 1, NULL},
-    {"gyro_over_range", 45, 1, NULL},
-    {"gyro_self_test_fail", 46, 1, NULL},
-    {"mag_general_fault", 48, 1, NULL},
-    {"mag_over_range", 49, 1, NULL},
-    {"mag_self_test_fail", 50, 1, NULL},
-    {"pressure_sensor_general_fault", 52, 1, NULL},
-    {"pressure_sensor_over_range", 53, 1, NULL},
-    {"pressure_sensor_self_test_fail", 54, 1, NULL},
-    {"factory_bits_invalid", 56, 1, NULL},
-    {"filter_timing_overrun", 66, 1, NULL},
-    {"filter_timing_underrun", 67, 1, NULL},
-    {"receiver_1_fault", 105, 1, NULL},
-    {"receiver_1_no_solution", 108, 1, NULL},
-    {"receiver_2_fault", 110, 1, NULL},
-    {"receiver_2_no_solution", 113, 1, NULL},
-};
-static const struct mip_names names_cv7_continuous_built_in_test = {
-    "cv7_continuous_built_in_test", NULL, bits_cv7_continuous_built_in_test, 42, 16,
-};
-
-static const struct mip_named_value values_event_trigger_type[] = {
-    {"none", 0},
-    {"gpio", 1},
-    {"threshold", 2},
-    {"combination", 3},
-};
-static const struct mip_names names_event_trigger_type = {
-    "event_trigger_type", values_event_trigger_type, NULL, 4, 1,
-};
-
-static const struct mip_named_value values_event_action_type[] = {
-    {"none", 0},
-    {"gpio", 1},
-    {"message", 2},
-};
-static const struct mip_names names_event_action_type = {
-    "event_action_type", values_event_action_type, NULL, 3, 1,
-};
-
-static const struct mip_named_value values_event_trigger_mode[] = {
-    {"disabled", 0},
-    {"enabled", 1},
-    {"test", 2},
-    {"test_pulse", 3},
-};
-static const struct mip_names names_event_trigger_mode = {
-    "event_trigger_mode", values_event_trigger_mode, NULL, 4, 1,
-};
-
-static const struct mip_named_bits bits_event_trigger_status[] = {
-    {"active", 0, 1, NULL},
-    {"enabled", 1, 1, NULL},
-    {"test", 2, 1, NULL},
-};
-static const struct mip_names names_event_trigger_status = {
-    "event_trigger_status", NULL, bits_event_trigger_status, 3, 1,
-};
-
-static const struct mip_named_value values_event_trigger_gpio_mode[] = {
-    {"disabled", 0},
-    {"while_high", 1},
-    {"while_low", 2},
-    {"edge", 4},
-};
-static const struct mip_names names_event_trigger_gpio_mode = {
-    "event_trigger_gpio_mode", values_event_trigger_gpio_mode, NULL, 4, 1,
-};
-
-static const struct mip_named_value values_event_threshold_type[] = {
-    {"window", 1},
-    {"interval", 2},
-};
-static const struct mip_names names_event_threshold_type = {
-    "event_threshold_type", values_event_threshold_type, NULL, 2, 1,
-};
-
-static const struct mip_named_value values_event_action_gpio_mode[] = {
-    {"disabled", 0},     {"active_high", 1}, {"active_low", 2},
-    {"oneshot_high", 5}, {"oneshot_low", 6}, {"toggle", 7},
-};
-static const struct mip_names names_event_action_gpio_mode = {
-    "event_action_gpio_mode", values_event_action_gpio_mode, NULL, 6, 1,
-};
-
-static const struct mip_named_value values_gnss_constellation[] = {
-    {"unknown", 0}, {"gps", 1}, {"glonass", 2}, {"galileo", 3}, {"beidou", 4}, {"sbas", 5},
-};
-static const struct mip_names names_gnss_constellation = {
-    "gnss_constellation", values_gnss_constellation, NULL, 6, 1,
-};
-
-static const struct mip_named_value values_gnss_fix_type[] = {
-    {"fix_3d", 0},      {"fix_2d", 1},        {"fix_time_only", 2}, {"fix_none", 3},
-    {"fix_invalid", 4}, {"fix_rtk_float", 5}, {"fix_rtk_fixed", 6}, {"fix_differential", 7},
-};
-static const struct mip_names names_gnss_fix_type = {
-    "gnss_fix_type", values_gnss_fix_type, NULL, 8, 1,
-};
-
-static const struct mip_named_value values_gnss_signal[] = {
-    {"unknown", 0},        {"gps_l1ca", 1},       {"gps_l1p", 2},        {"gps_l1z", 3},
-    {"gps_l2ca", 4},       {"gps_l2p", 5},        {"gps_l2z", 6},        {"gps_l2cl", 7},
-    {"gps_l2cm", 8},       {"gps_l2cml", 9},      {"gps_l5i", 10},       {"gps_l5q", 11},
-    {"gps_l5iq", 12},      {"gps_l1cd", 13},      {"gps_l1cp", 14},      {"gps_l1cdp", 15},
-    {"glonass_g1ca", 32},  {"glonass_g1p", 33},   {"glonass_g2c", 34},   {"glonass_g2p", 35},
-    {"galileo_e1c", 64},   {"galileo_e1a", 65},   {"galileo_e1b", 66},   {"galileo_e1bc", 67},
-    {"galileo_e1abc", 68}, {"galileo_e6c", 69},   {"galileo_e6a", 70},   {"galileo_e6b", 71},
-    {"galileo_e6bc", 72},  {"galileo_e6abc", 73}, {"galileo_e5bi", 74},  {"galileo_e5bq", 75},
-    {"galileo_e5biq", 76}, {"galileo_e5abi", 77}, {"galileo_e5abq", 78}, {"galileo_e5abiq", 79},
-    {"galileo_e5ai", 80},  {"galileo_e5aq", 81},  {"galileo_e5aiq", 82}, {"sbas_l1ca", 96},
-    {"sbas_l5i", 97},      {"sbas_l5q", 98},      {"sbas_l5iq", 99},     {"qzss_l1ca", 128},
-    {"qzss_lexs", 129},    {"qzss_lexl", 130},    {"qzss_lexsl", 131},   {"qzss_l2cm", 132},
-    {"qzss_l2cl", 133},    {"qzss_l2cml", 134},   {"qzss_l5i", 135},     {"qzss_l5q", 136},
-    {"qzss_l5iq", 137},    {"qzss_l1cd", 138},    {"qzss_l1cp", 139},    {"qzss_l1cdp", 140},
-    {"beidou_b1i", 160},   {"beidou_b1q", 161},   {"beidou_b1iq", 162},  {"beidou_b3i", 163},
-    {"beidou_b3q", 164},   {"beidou_b3iq", 165},  {"beidou_b2i", 166},   {"beidou_b2q", 167},
-    {"beidou_b2iq", 168},  {"beidou_b2a", 169},
-};
-static const struct mip_names names_gnss_signal = {
-    "gnss_signal", values_gnss_signal, NULL, 66, 1,
-};
-
-static const struct mip_named_value values_gpio_feature[] = {
-    {"unused", 0}, {"gpio", 1}, {"pps", 2}, {"encoder", 3}, {"timestamp", 4}, {"uart", 5},
-};
-static const struct mip_names names_gpio_feature = {
-    "gpio_feature", values_gpio_feature, NULL, 6, 1,
-};
-
-static const struct mip_named_value values_gpio_unused_behavior[] = {
-    {"unused", 0},
-};
-static const struct mip_names names_gpio_unused_behavior = {
-    "gpio_unused_behavior", values_gpio_unused_behavior, NULL, 1, 1,
-};
-
-static const struct mip_named_value values_gpio_behavior[] = {
-    {"input", 1},
-    {"output_low", 2},
-    {"output_high", 3},
-};
-static const struct mip_names names_gpio_behavior = {
-    "gpio_behavior", values_gpio_behavior, NULL, 3, 1,
-};
-
-static const struct mip_named_value values_gpio_pps_behavior[] = {
-    {"input", 1},
-    {"output", 2},
-};
-static const struct mip_names names_gpio_pps_behavior = {
-    "gpio_pps_behavior", values_gpio_pps_behavior, NULL, 2, 1,
-};
-
-static const struct mip_named_value values_gpio_encoder_behavior[] = {
-    {"a", 1},
-    {"b", 2},
-};
-static const struct mip_names names_gpio_encoder_behavior = {
-    "gpio_encoder_behavior", values_gpio_encoder_behavior, NULL, 2, 1,
-};
-
-static const struct mip_named_value values_gpio_timestamp_behavior[] = {
-    {"rising", 1},
-    {"falling", 2},
-    {"either", 3},
-};
-static const struct mip_names names_gpio_timestamp_behavior = {
-    "gpio_timestamp_behavior", values_gpio_timestamp_behavior, NULL, 3, 1,
-};
-
-static const struct mip_named_value values_gpio_uart_behavior[] = {
-    {"port_2_tx", 33},
-    {"port_2_rx", 34},
-    {"port_3_tx", 49},
-    {"port_3_rx", 50},
-};
-static const struct mip_names names_gpio_uart_behavior = {
-    "gpio_uart_behavior", values_gpio_uart_behavior, NULL, 4, 1,
-};
-
-static const struct mip_named_bits bits_gpio_pin_mode[] = {
-    {"open_drain", 0, 1, NULL},
-    {"pulldown", 1, 1, NULL},
-    {"pullup", 2, 1, NULL},
-};
-static const struct mip_names names_gpio_pin_mode = {
-    "gpio_pin_mode", NULL, bits_gpio_pin_mode, 3, 1,
-};
-
-static const struct mip_named_value values_nmea_message_id[] = {
-    {"gga", 1}, {"gll", 2}, {"gsv", 3}, {"rmc", 4},    {"vtg", 5},
-    {"hdt", 6}, {"zda", 7}, {"gst", 8}, {"msra", 129}, {"msrr", 130},
-};
-static const struct mip_names names_nmea_message_id = {
-    "nmea_message_id", values_nmea_message_id, NULL, 10, 1,
-};
-
-static const struct mip_named_value values_nmea_talker_id[] = {
-    {"ignored", 0}, {"gnss", 1}, {"gps", 2}, {"galileo", 3}, {"glonass", 4},
-};
-static const struct mip_names names_nmea_talker_id = {
-    "nmea_talker_id", values_nmea_talker_id, NULL, 5, 1,
-};
-
-static const struct mip_named_bits bits_rtk_status_flags[] = {
-    {"modem_state", 0, 4, NULL},
-    {"connection_type", 4, 4, NULL},
-    {"rssi", 8, 8, NULL},
-    {"signal_quality", 16, 4, NULL},
-    {"tower_change_indicator", 20, 4, NULL},
-    {"nmea_timeout", 24, 1, NULL},
-    {"server_timeout", 25, 1, NULL},
-    {"corrections_timeout", 26, 1, NULL},
-    {"device_out_of_range", 27, 1, NULL},
-    {"corrections_unavailable", 28, 1, NULL},
-    {"version", 30, 2, NULL},
-};
-static const struct mip_names names_rtk_status_flags = {
-    "rtk_status_flags", NULL, bits_rtk_status_flags, 11, 4,
-};
-
-static const struct mip_named_bits bits_rtk_status_flags_legacy[] = {
-    {"controller_state", 0, 3, NULL},
-    {"platform_state", 3, 5, NULL},
-    {"controller_status_code", 8, 3, NULL},
-    {"platform_status_code", 11, 3, NULL},
-    {"reset_code", 14, 2, NULL},
-    {"signal_quality", 16, 4, NULL},
-    {"rssi", 20, 6, NULL},
-    {"rsrp", 26, 2, NULL},
-    {"rsrq", 28, 2, NULL},
-    {"sinr", 30, 2, NULL},
-};
-static const struct mip_names names_rtk_status_flags_legacy = {
-    "rtk_status_flags_legacy", NULL, bits_rtk_status_flags_legacy, 10, 4,
-};
-
-static const struct mip_named_value values_ack_code[] = {
-    {"ok", 0},
-    {"unknown_command", 1},
-    {"bad_checksum", 2},
-    {"invalid_parameter", 3},
-    {"command_failed", 4},
-    {"command_timeout", 5},
-    {"unknown_descriptor_set", 6},
-};
-static const struct mip_names names_ack_code = {
-    "ack_code", values_ack_code, NULL, 7, 1,
-};
-
-static const struct mip_named_bits bits_sensor_gps_timestamp_flags[] = {
-    {"pps_valid", 0, 1, NULL}, {"time_refresh", 1, 1, NULL},      {"time_initialized", 2, 1, NULL},
-    {"tow_valid", 3, 1, NULL}, {"week_number_valid", 4, 1, NULL},
-};
-static const struct mip_names names_sensor_gps_timestamp_flags = {
-    "sensor_gps_timestamp_flags", NULL, bits_sensor_gps_timestamp_flags, 5, 2,
-};
-
-static const struct mip_named_bits bits_gx5_sensor_gps_timestamp_flags[] = {
-    {"pps_valid", 0, 1, NULL},
-    {"time_refresh", 1, 1, NULL},
-    {"time_initialized", 2, 1, NULL},
-};
-static const struct mip_names names_gx5_sensor_gps_timestamp_flags = {
-    "gx5_sensor_gps_timestamp_flags", NULL, bits_gx5_sensor_gps_timestamp_flags, 3, 2,
-};
-
-static const struct mip_named_value values_base_gps_time_field[] = {
-    {"week_number", 1},
-    {"tow", 2},
-};
-static const struct mip_names names_base_gps_time_field = {
-    "base.gps_time_field", values_base_gps_time_field, NULL, 2, 1,
-};
-
-static const struct mip_named_value values_3dm_factory_streaming_action[] = {
-    {"overwrite", 0},
-    {"merge", 1},
-    {"add", 2},
-};
-static const struct mip_names names_3dm_factory_streaming_action = {
-    "3dm.factory_streaming_action", values_3dm_factory_streaming_action, NULL, 3, 1,
-};
-
-static const struct mip_named_value values_3dm_constellation_id[] = {
-    {"gps", 0}, {"sbas", 1}, {"galileo", 2}, {"beidou", 3}, {"qzss", 5}, {"glonass", 6},
-};
-static const struct mip_names names_3dm_constellation_id = {
-    "3dm.constellation_id", values_3dm_constellation_id, NULL, 6, 1,
-};
-
-static const struct mip_named_bits bits_3dm_constellation_options[] = {
-    {"l1saif", 0, 1, NULL},
-};
-static const struct mip_names names_3dm_constellation_options = {
-    "3dm.constellation_options", NULL, bits_3dm_constellation_options, 1, 2,
-};
-
-static const struct mip_named_bits bits_3dm_sbas_options[] = {
-    {"enable_ranging", 0, 1, NULL},
-    {"enable_corrections", 1, 1, NULL},
-    {"apply_integrity", 2, 1, NULL},
-};
-static const struct mip_names names_3dm_sbas_options = {
-    "3dm.sbas_options", NULL, bits_3dm_sbas_options, 3, 2,
-};
-
-static const struct mip_named_value values_3dm_assisted_fix_option[] = {
-    {"none", 0},
-    {"enabled", 1},
-};
-static const struct mip_names names_3dm_assisted_fix_option = {
-    "3dm.assisted_fix_option", values_3dm_assisted_fix_option, NULL, 2, 1,
-};
-
-static const struct mip_named_value values_3dm_pps_source[] = {
-    {"disabled", 0}, {"receiver_1", 1}, {"receiver_2", 2}, {"gpio", 3}, {"generated", 4},
-};
-static const struct mip_names names_3dm_pps_source = {
-    "3dm.pps_source", values_3dm_pps_source, NULL, 5, 1,
-};
-
-static const struct mip_named_value values_3dm_event_support_query[] = {
-    {"trigger_types", 1},
-    {"action_types", 2},
-};
-static const struct mip_names names_3dm_event_support_query = {
-    "3dm.event_support_query", values_3dm_event_support_query, NULL, 2, 1,
-};
-
-static const struct mip_named_value values_3dm_odometer_mode[] = {
-    {"disabled", 0},
-    {"quadrature", 2},
-};
-static const struct mip_names names_3dm_odometer_mode = {
-    "3dm.odometer_mode", values_3dm_odometer_mode, NULL, 2, 1,
-};
-
-static const struct mip_named_value values_3dm_sensor_range_type[] = {
-    {"all", 0}, {"accel", 1}, {"gyro", 2}, {"mag", 3}, {"pressure", 4},
-};
-static const struct mip_names names_3dm_sensor_range_type = {
-    "3dm.sensor_range_type", values_3dm_sensor_range_type, NULL, 5, 1,
-};
-
-static const struct mip_named_value values_3dm_device_status_selector[] = {
-    {"basic", 1},
-    {"diagnostic", 2},
-};
-static const struct mip_names names_3dm_device_status_selector = {
-    "3dm.device_status_selector", values_3dm_device_status_selector, NULL, 2, 1,
-};
-
-static const struct mip_named_value values_3dm_legacy_data_stream[] = {
-    {"all_streams", 0},
-    {"imu", 1},
-    {"gnss", 2},
-    {"filter", 3},
-};
-static const struct mip_names names_3dm_legacy_data_stream = {
-    "3dm.legacy_data_stream", values_3dm_legacy_data_stream, NULL, 4, 1,
-};
-
-static const struct mip_named_value values_filter_dynamics_mode[] = {
-    {"portable", 1},
-    {"automotive", 2},
-    {"airborne", 3},
-    {"airborne_high_g", 4},
-};
-static const struct mip_names names_filter_dynamics_mode = {
-    "filter.dynamics_mode", values_filter_dynamics_mode, NULL, 4, 1,
-};
-
-static const struct mip_named_bits bits_filter_estimated_states[] = {
-    {"gyro_bias", 0, 1, NULL},         {"accel_bias", 1, 1, NULL},
-    {"gyro_scale_factor", 2, 1, NULL}, {"accel_scale_factor", 3, 1, NULL},
-    {"antenna_offset", 4, 1, NULL},    {"auto_hard_iron", 5, 1, NULL},
-    {"auto_soft_iron", 6, 1, NULL},
-};
-static const struct mip_names names_filter_estimated_states = {
-    "filter.estimated_states", NULL, bits_filter_estimated_states, 7, 2,
-};
-
-static const struct mip_named_value values_filter_gnss_aiding_source[] = {
-    {"all_internal", 1},
-    {"external", 2},
-    {"internal_1", 3},
-    {"internal_2", 4},
-};
-static const struct mip_names names_filter_gnss_aiding_source = {
-    "filter.gnss_aiding_source", values_filter_gnss_aiding_source, NULL, 4, 1,
-};
-
-static const struct mip_named_value values_filter_heading_type[] = {
-    {"true_heading", 1},
-    {"magnetic_heading", 2},
-};
-static const struct mip_names names_filter_heading_type = {
-    "filter.heading_type", values_filter_heading_type, NULL, 2, 1,
-};
-
-static const struct mip_named_value values_filter_heading_update_source[] = {
-    {"none", 0},
-    {"mag", 1},
-    {"gnss_velocity", 2},
-    {"external", 3},
-    {"gnss_velocity_and_mag", 4},
-    {"gnss_velocity_and_external", 5},
-    {"mag_and_external", 6},
-    {"all", 7},
-};
-static const struct mip_names names_filter_heading_update_source = {
-    "filter.heading_update_source", values_filter_heading_update_source, NULL, 8, 1,
-};
-
-static const struct mip_named_bits bits_filter_tare_axes[] = {
-    {"roll", 0, 1, NULL},
-    {"pitch", 1, 1, NULL},
-    {"yaw", 2, 1, NULL},
-};
-static const struct mip_names names_filter_tare_axes = {
-    "filter.tare_axes", NULL, bits_filter_tare_axes, 3, 1,
-};
-
-static const struct mip_named_bits bits_filter_measurement_flags[] = {
-    {"accel", 0, 1, NULL},
-    {"mag", 1, 1, NULL},
-};
-static const struct mip_names names_filter_measurement_flags = {
-    "filter.measurement_flags", NULL, bits_filter_measurement_flags, 2, 2,
-};
-
-static const struct mip_named_value values_filter_mag_parameter_source[] = {
-    {"none", 1},
-    {"wmm", 2},
-    {"manual", 3},
-};
-static const struct mip_names names_filter_mag_parameter_source = {
-    "filter.mag_parameter_source", values_filter_mag_parameter_source, NULL, 3, 1,
-};
-
-static const struct mip_named_value values_filter_adaptive_measurement_selector[] = {
-    {"disabled", 0},
-    {"fixed", 1},
-    {"auto", 2},
-};
-static const struct mip_names names_filter_adaptive_measurement_selector = {
-    "filter.adaptive_measurement_selector", values_filter_adaptive_measurement_selector, NULL, 3, 1,
-};
-
-static const struct mip_named_value values_filter_altitude_aiding_source[] = {
-    {"none", 0},
-    {"pressure", 1},
-};
-static const struct mip_names names_filter_altitude_aiding_source = {
-    "filter.altitude_aiding_source", values_filter_altitude_aiding_source, NULL, 2, 1,
-};
-
-static const struct mip_named_value values_filter_pitch_roll_aiding_source[] = {
-    {"none", 0},
-    {"gravity_vector", 1},
-};
-static const struct mip_names names_filter_pitch_roll_aiding_source = {
-    "filter.pitch_roll_aiding_source", values_filter_pitch_roll_aiding_source, NULL, 2, 1,
-};
-
-static const struct mip_named_value values_filter_aiding_source[] = {
-    {"gnss_position_velocity", 0},
-    {"gnss_heading", 1},
-    {"altimeter", 2},
-    {"speed", 3},
-    {"mag", 4},
-    {"external_heading", 5},
-    {"external_altimeter", 6},
-    {"external_mag", 7},
-    {"body_frame_velocity", 8},
-    {"all", 0xFFFF},
-};
-static const struct mip_names names_filter_aiding_source = {
-    "filter.aiding_source", values_filter_aiding_source, NULL, 10, 2,
-};
-
-static const struct mip_named_value values_filter_accel_constraint[] = {
-    {"none", 0},
-    {"zero_accel", 1},
-};
-static const struct mip_names names_filter_accel_constraint = {
-    "filter.accel_constraint", values_filter_accel_constraint, NULL, 2, 1,
-};
-
-static const struct mip_named_value values_filter_velocity_constraint[] = {
-    {"none", 0},
-    {"zero_velocity", 1},
-    {"wheeled_vehicle", 2},
-};
-static const struct mip_names names_filter_velocity_constraint = {
-    "filter.velocity_constraint", values_filter_velocity_constraint, NULL, 3, 1,
-};
-
-static const struct mip_named_value values_filter_angular_constraint[] = {
-    {"none", 0},
-    {"zero_angular_rate", 1},
-};
-static const struct mip_names names_filter_angular_constraint = {
-    "filter.angular_constraint", values_filter_angular_constraint, NULL, 2, 1,
-};
-
-static const struct mip_named_value values_filter_initial_condition_source[] = {
-    {"auto_position_velocity_attitude", 0},
-    {"auto_position_velocity_pitch_roll", 1},
-    {"auto_position_velocity", 2},
-    {"manual", 3},
-};
-static const struct mip_names names_filter_initial_condition_source = {
-    "filter.initial_condition_source", values_filter_initial_condition_source, NULL, 4, 1,
-};
-
-static const struct mip_named_bits bits_filter_heading_alignment[] = {
-    {"dual_antenna", 0, 1, NULL},
-    {"kinematic", 1, 1, NULL},
-    {"mag", 2, 1, NULL},
-    {"external", 3, 1, NULL},
-};
-static const struct mip_names names_filter_heading_alignment = {
-    "filter.heading_alignment", NULL, bits_filter_heading_alignment, 4, 1,
-};
-
-static const struct mip_named_value values_filter_reference_frame[] = {
-    {"ecef", 1},
-    {"llh", 2},
-};
-static const struct mip_names names_filter_reference_frame = {
-    "filter.reference_frame", values_filter_reference_frame, NULL, 2, 1,
-};
-
-static const struct mip_named_value values_filter_adaptive_level[] = {
-    {"off", 0},
-    {"conservative", 1},
-    {"moderate", 2},
-    {"aggressive", 3},
-};
-static const struct mip_names names_filter_adaptive_level = {
-    "filter.adaptive_level", values_filter_adaptive_level, NULL, 4, 1,
-};
-
-static const struct mip_named_value values_filter_relative_position_source[] = {
-    {"auto", 0},
-    {"manual", 1},
-};
-static const struct mip_names names_filter_relative_position_source = {
-    "filter.relative_position_source", values_filter_relative_position_source, NULL, 2, 1,
-};
-
-static const struct mip_named_value values_filter_reference_point[] = {
-    {"vehicle", 1},
-};
-static const struct mip_names names_filter_reference_point = {
-    "filter.reference_point", values_filter_reference_point, NULL, 1, 1,
-};
-
-static const struct mip_named_bits bits_gnss_gps_signals[] = {
-    {"l1ca", 0, 1, NULL},
-    {"l2c", 1, 1, NULL},
-    {"l5", 2, 1, NULL},
-};
-static const struct mip_names names_gnss_gps_signals = {
-    "gnss.gps_signals", NULL, bits_gnss_gps_signals, 3, 1,
-};
-
-static const struct mip_named_bits bits_gnss_glonass_signals[] = {
-    {"l1of", 0, 1, NULL},
-    {"l2of", 1, 1, NULL},
-};
-static const struct mip_names names_gnss_glonass_signals = {
-    "gnss.glonass_signals", NULL, bits_gnss_glonass_signals, 2, 1,
-};
-
-static const struct mip_named_bits bits_gnss_galileo_signals[] = {
-    {"e1", 0, 1, NULL},
-    {"e5b", 1, 1, NULL},
-    {"e5a", 2, 1, NULL},
-};
-static const struct mip_names names_gnss_galileo_signals = {
-    "gnss.galileo_signals", NULL, bits_gnss_galileo_signals, 3, 1,
-};
-
-static const struct mip_named_bits bits_gnss_beidou_signals[] = {
-    {"b1", 0, 1, NULL},
-    {"b2", 1, 1, NULL},
-    {"b2a", 2, 1, NULL},
-};
-static const struct mip_names names_gnss_beidou_signals = {
-    "gnss.beidou_signals", NULL, bits_gnss_beidou_signals, 3, 1,
-};
-
-static const struct mip_named_value values_gnss_spartn_connection[] = {
-    {"none", 0},
-    {"network", 1},
-    {"l_band", 2},
-};
-static const struct mip_names names_gnss_spartn_connection = {
-    "gnss.spartn_connection", values_gnss_spartn_connection, NULL, 3, 1,
-};
-
-static const struct mip_named_value values_rtk_connected_device[] = {
-    {"generic", 0},
-    {"gq7", 1},
-};
-static const struct mip_names names_rtk_connected_device = {
-    "rtk.connected_device", values_rtk_connected_device, NULL, 2, 1,
-};
-
-static const struct mip_named_bits bits_rtk_service_flags[] = {
-    {"throttle", 0, 1, NULL},
-    {"corrections_unavailable", 1, 1, NULL},
-};
-static const struct mip_names names_rtk_service_flags = {
-    "rtk.service_flags", NULL, bits_rtk_service_flags, 2, 1,
-};
-
-static const struct mip_named_value values_rtk_storage_medium[] = {
-    {"external_flash", 0},
-    {"sd", 1},
-};
-static const struct mip_names names_rtk_storage_medium = {
-    "rtk.storage_medium", values_rtk_storage_medium, NULL, 2, 1,
-};
-
-static const struct mip_named_value values_rtk_led_action[] = {
-    {"none", 0},
-    {"flash", 1},
-    {"pulsate", 2},
-};
-static const struct mip_names names_rtk_led_action = {
-    "rtk.led_action", values_rtk_led_action, NULL, 3, 1,
-};
-
-static const struct mip_named_value values_aiding_frame_format[] = {
-    {"euler", 1},
-    {"quaternion", 2},
-};
-static const struct mip_names names_aiding_frame_format = {
-    "aiding.aiding_frame_format", values_aiding_frame_format, NULL, 2, 1,
-};
-
-static const struct mip_named_value values_aiding_echo_mode[] = {
-    {"suppress_ack", 0},
-    {"standard", 1},
-    {"response", 2},
-};
-static const struct mip_names names_aiding_echo_mode = {
-    "aiding.aiding_echo_mode", values_aiding_echo_mode, NULL, 3, 1,
-};
-
-static const struct mip_named_value values_aiding_timebase[] = {
-    {"internal_reference", 1},
-    {"external_time", 2},
-    {"time_of_arrival", 3},
-};
-static const struct mip_names names_aiding_timebase = {
-    "aiding.timebase", values_aiding_timebase, NULL, 3, 1,
-};
-
-static const struct mip_named_bits bits_aiding_axis_flags[] = {
-    {"x", 0, 1, NULL},
-    {"y", 1, 1, NULL},
-    {"z", 2, 1, NULL},
-};
-static const struct mip_names names_aiding_axis_flags = {
-    "aiding.axis_flags", NULL, bits_aiding_axis_flags, 3, 2,
-};
-
-static const struct mip_named_bits bits_aiding_llh_axis_flags[] = {
-    {"latitude", 0, 1, NULL},
-    {"longitude", 1, 1, NULL},
-    {"height", 2, 1, NULL},
-};
-static const struct mip_names names_aiding_llh_axis_flags = {
-    "aiding.llh_axis_flags", NULL, bits_aiding_llh_axis_flags, 3, 2,
-};
-
-static const struct mip_named_value values_system_comm_interface[] = {
-    {"all", 0},     {"main", 1},   {"uart_1", 17}, {"uart_2", 18},
-    {"uart_3", 19}, {"usb_1", 33}, {"usb_2", 34},
-};
-static const struct mip_names names_system_comm_interface = {
-    "system.comm_interface", values_system_comm_interface, NULL, 7, 1,
-};
-
-static const struct mip_named_bits bits_system_comm_protocols[] = {
-    {"mip", 0, 1, NULL},
-    {"nmea", 8, 1, NULL},
-    {"rtcm", 9, 1, NULL},
-    {"spartn", 24, 1, NULL},
-};
-static const struct mip_names names_system_comm_protocols = {
-    "system.comm_protocols", NULL, bits_system_comm_protocols, 4, 4,
-};
-
-static const struct mip_named_value values_system_protocol_mode[] = {
-    {"standard", 1},
-    {"sensor_direct", 2},
-    {"gnss_direct", 3},
-};
-static const struct mip_names names_system_protocol_mode = {
-    "system.protocol_mode", values_system_protocol_mode, NULL, 3, 1,
-};
-
-static const struct mip_named_bits bits_sensor_overrange_flags[] = {
-    {"accel_x", 0, 1, NULL},   {"accel_y", 1, 1, NULL}, {"accel_z", 2, 1, NULL},
-    {"gyro_x", 4, 1, NULL},    {"gyro_y", 5, 1, NULL},  {"gyro_z", 6, 1, NULL},
-    {"mag_x", 8, 1, NULL},     {"mag_y", 9, 1, NULL},   {"mag_z", 10, 1, NULL},
-    {"pressure", 12, 1, NULL},
-};
-static const struct mip_names names_sensor_overrange_flags = {
-    "sensor.overrange_flags", NULL, bits_sensor_overrange_flags, 10, 2,
-};
-
-static const struct mip_named_bits bits_sensor_odometer_flags[] = {
-    {"odometer", 0, 1, NULL},
-};
-static const struct mip_names names_sensor_odometer_flags = {
-    "sensor.odometer_flags", NULL, bits_sensor_odometer_flags, 1, 2,
-};
-
-static const struct mip_named_bits bits_filter_data_valid_flags[] = {
-    {"valid", 0, 1, NULL},
-};
-static const struct mip_names names_filter_data_valid_flags = {
-    "filter_data.valid_flags", NULL, bits_filter_data_valid_flags, 1, 2,
-};
-
-static const struct mip_named_bits bits_filter_data_heading_source_flags[] = {
-    {"mag", 0, 1, NULL},
-    {"gnss_velocity", 1, 1, NULL},
-    {"external", 2, 1, NULL},
-};
-static const struct mip_names names_filter_data_heading_source_flags = {
-    "filter_data.heading_source_flags", NULL, bits_filter_data_heading_source_flags, 3, 2,
-};
-
-static const struct mip_named_bits bits_filter_data_gnss_aiding_status[] = {
-    {"tight_coupling", 0, 1, NULL}, {"differential", 1, 1, NULL}, {"integer_fix", 2, 1, NULL},
-    {"gps_l1", 3, 1, NULL},         {"gps_l2", 4, 1, NULL},       {"gps_l5", 5, 1, NULL},
-    {"glonass_l1", 6, 1, NULL},     {"glonass_l2", 7, 1, NULL},   {"galileo_e1", 8, 1, NULL},
-    {"galileo_e5", 9, 1, NULL},     {"galileo_e6", 10, 1, NULL},  {"beidou_b1", 11, 1, NULL},
-    {"beidou_b2", 12, 1, NULL},     {"beidou_b3", 13, 1, NULL},   {"no_fix", 14, 1, NULL},
-    {"config_error", 15, 1, NULL},
-};
-static const struct mip_names names_filter_data_gnss_aiding_status = {
-    "filter_data.gnss_aiding_status", NULL, bits_filter_data_gnss_aiding_status, 16, 2,
-};
-
-static const struct mip_named_value values_filter_data_heading_aiding_type[] = {
-    {"dual_antenna", 1},
-    {"external_message", 2},
-};
-static const struct mip_names names_filter_data_heading_aiding_type = {
-    "filter_data.heading_aiding_type", values_filter_data_heading_aiding_type, NULL, 2, 1,
-};
-
-static const struct mip_named_value values_filter_data_aiding_measurement_type[] = {
-    {"gnss", 1},
-    {"dual_antenna", 2},
-    {"heading", 3},
-    {"pressure", 4},
-    {"mag", 5},
-    {"speed", 6},
-    {"aiding_ecef_position", 33},
-    {"aiding_llh_position", 34},
-    {"aiding_height_above_ellipsoid", 35},
-    {"aiding_ecef_velocity", 40},
-    {"aiding_ned_velocity", 41},
-    {"aiding_body_frame_velocity", 42},
-    {"aiding_true_heading", 49},
-    {"aiding_magnetic_field", 50},
-    {"aiding_pressure", 51},
-};
-static const struct mip_names names_filter_data_aiding_measurement_type = {
-    "filter_data.aiding_measurement_type", values_filter_data_aiding_measurement_type, NULL, 15, 1,
-};
-
-static const struct mip_named_bits bits_filter_data_aiding_measurement_indicator[] = {
-    {"enabled", 0, 1, NULL},
-    {"used", 1, 1, NULL},
-    {"residual_high_warning", 2, 1, NULL},
-    {"sample_time_warning", 3, 1, NULL},
-    {"config_error", 4, 1, NULL},
-    {"max_measurements_exceeded", 5, 1, NULL},
-};
-static const struct mip_names names_filter_data_aiding_measurement_indicator = {
-    "filter_data.aiding_measurement_indicator",
-    NULL,
-    bits_filter_data_aiding_measurement_indicator,
-    6,
-    1,
-};
-
-static const struct mip_named_value values_filter_data_dual_antenna_fix_type[] = {
-    {"fix_none", 0},
-    {"fix_da_float", 1},
-    {"fix_da_fixed", 2},
-};
-static const struct mip_names names_filter_data_dual_antenna_fix_type = {
-    "filter_data.dual_antenna_fix_type", values_filter_data_dual_antenna_fix_type, NULL, 3, 1,
-};
-
-static const struct mip_named_bits bits_filter_data_dual_antenna_status_flags[] = {
-    {"receiver_1_data_valid", 0, 1, NULL},
-    {"receiver_2_data_valid", 1, 1, NULL},
-    {"antenna_offsets_valid", 2, 1, NULL},
-};
-static const struct mip_names names_filter_data_dual_antenna_status_flags = {
-    "filter_data.dual_antenna_status_flags", NULL, bits_filter_data_dual_antenna_status_flags, 3, 2,
-};
-
-static const struct mip_named_value values_filter_data_gx5_filter_state[] = {
-    {"startup", 0},
-    {"init", 1},
-    {"run_solution_valid", 2},
-    {"run_solution_error", 3},
-};
-static const struct mip_names names_filter_data_gx5_filter_state = {
-    "filter_data.gx5_filter_state", values_filter_data_gx5_filter_state, NULL, 4, 2,
-};
-
-static const struct mip_named_value values_filter_data_cv7_filter_state[] = {
-    {"init", 1},
-    {"vertical_gyro", 2},
-    {"ahrs", 3},
-    {"full_nav", 4},
-};
-static const struct mip_names names_filter_data_cv7_filter_state = {
-    "filter_data.cv7_filter_state", values_filter_data_cv7_filter_state, NULL, 4, 2,
-};
-
-static const struct mip_named_value values_filter_data_gx5_dynamics_mode[] = {
-    {"portable", 1},
-    {"automotive", 2},
-    {"airborne", 3},
-};
-static const struct mip_names names_filter_data_gx5_dynamics_mode = {
-    "filter_data.gx5_dynamics_mode", values_filter_data_gx5_dynamics_mode, NULL, 3, 2,
-};
-
-static const struct mip_named_value values_filter_data_cv7_dynamics_mode[] = {
-    {"default", 1},
-};
-static const struct mip_names names_filter_data_cv7_dynamics_mode = {
-    "filter_data.cv7_dynamics_mode", values_filter_data_cv7_dynamics_mode, NULL, 1, 2,
-};
-
-static const struct mip_named_bits bits_filter_data_gx5_status_flags[] = {
-    {"run_imu_unavailable", 0, 1, NULL},
-    {"run_gps_unavailable", 1, 1, NULL},
-    {"run_matrix_singularity", 3, 1, NULL},
-    {"run_position_covariance_warning", 4, 1, NULL},
-    {"run_velocity_covariance_warning", 5, 1, NULL},
-    {"run_attitude_covariance_warning", 6, 1, NULL},
-    {"run_nan_in_solution_warning", 7, 1, NULL},
-    {"run_gyro_bias_est_high_warning", 8, 1, NULL},
-    {"run_accel_bias_est_high_warning", 9, 1, NULL},
-    {"run_gyro_scale_factor_est_high_warning", 10, 1, NULL},
-    {"run_accel_scale_factor_est_high_warning", 11, 1, NULL},
-    {"run_mag_bias_est_high_warning", 12, 1, NULL},
-    {"run_antenna_offset_correction_est_high_warning", 13, 1, NULL},
-    {"run_mag_hard_iron_est_high_warning", 14, 1, NULL},
-    {"run_mag_soft_iron_est_high_warning", 15, 1, NULL},
-    {"init_no_attitude", 12, 1, NULL},
-    {"init_no_position_velocity", 13, 1, NULL},
-};
-static const struct mip_names names_filter_data_gx5_status_flags = {
-    "filter_data.gx5_status_flags", NULL, bits_filter_data_gx5_status_flags, 17, 2,
-};
-
-static const struct mip_named_value values_filter_data_filter_condition[] = {
-    {"stable", 1},
-    {"converging", 2},
-    {"unstable", 3},
-};
-static const struct mip_names names_filter_data_filter_condition = {
-    "filter_data.filter_condition", values_filter_data_filter_condition, NULL, 3, 1,
-};
-
-static const struct mip_named_bits bits_filter_data_cv7_status_flags[] = {
-    {"filter_condition", 0, 2, &names_filter_data_filter_condition},
-    {"roll_pitch_warning", 2, 1, NULL},
-    {"heading_warning", 3, 1, NULL},
-    {"position_warning", 4, 1, NULL},
-    {"velocity_warning", 5, 1, NULL},
-    {"imu_bias_warning", 6, 1, NULL},
-    {"gnss_clock_warning", 7, 1, NULL},
-    {"antenna_lever_arm_warning", 8, 1, NULL},
-    {"mounting_transform_warning", 9, 1, NULL},
-    {"time_sync_warning", 10, 1, NULL},
-    {"solution_error", 12, 4, NULL},
-};
-static const struct mip_names names_filter_data_cv7_status_flags = {
-    "filter_data.cv7_status_flags", NULL, bits_filter_data_cv7_status_flags, 11, 2,
-};
-
-static const struct mip_named_bits bits_gnss_1_llh_position_flags[] = {
-    {"lat_lon", 0, 1, NULL},           {"ellipsoid_height", 1, 1, NULL},
-    {"msl_height", 2, 1, NULL},        {"horizontal_accuracy", 3, 1, NULL},
-    {"vertical_accuracy", 4, 1, NULL}, {"flags", 0, 5, NULL},
-};
-static const struct mip_names names_gnss_1_llh_position_flags = {
-    "gnss_1.llh_position_flags", NULL, bits_gnss_1_llh_position_flags, 6, 2,
-};
-
-static const struct mip_named_bits bits_gnss_1_ecef_position_flags[] = {
-    {"position", 0, 1, NULL},
-    {"position_accuracy", 1, 1, NULL},
-    {"flags", 0, 2, NULL},
-};
-static const struct mip_names names_gnss_1_ecef_position_flags = {
-    "gnss_1.ecef_position_flags", NULL, bits_gnss_1_ecef_position_flags, 3, 2,
-};
-
-static const struct mip_named_bits bits_gnss_1_ned_velocity_flags[] = {
-    {"velocity", 0, 1, NULL}, {"speed_3d", 1, 1, NULL},       {"ground_speed", 2, 1, NULL},
-    {"heading", 3, 1, NULL},  {"speed_accuracy", 4, 1, NULL}, {"heading_accuracy", 5, 1, NULL},
-    {"flags", 0, 6, NULL},
-};
-static const struct mip_names names_gnss_1_ned_velocity_flags = {
-    "gnss_1.ned_velocity_flags", NULL, bits_gnss_1_ned_velocity_flags, 7, 2,
-};
-
-static const struct mip_named_bits bits_gnss_1_ecef_velocity_flags[] = {
-    {"velocity", 0, 1, NULL},
-    {"velocity_accuracy", 1, 1, NULL},
-    {"flags", 0, 2, NULL},
-};
-static const struct mip_names names_gnss_1_ecef_velocity_flags = {
-    "gnss_1.ecef_velocity_flags", NULL, bits_gnss_1_ecef_velocity_flags, 3, 2,
-};
-
-static const struct mip_named_bits bits_gnss_1_dop_flags[] = {
-    {"gdop", 0, 1, NULL}, {"pdop", 1, 1, NULL}, {"hdop", 2, 1, NULL}, {"vdop", 3, 1, NULL},
-    {"tdop", 4, 1, NULL}, {"ndop", 5, 1, NULL}, {"edop", 6, 1, NULL}, {"flags", 0, 7, NULL},
-};
-static const struct mip_names names_gnss_1_dop_flags = {
-    "gnss_1.dop_flags", NULL, bits_gnss_1_dop_flags, 8, 2,
-};
-
-static const struct mip_named_bits bits_gnss_1_utc_time_flags[] = {
-    {"gnss_date_time", 0, 1, NULL},
-    {"leap_seconds_known", 1, 1, NULL},
-    {"flags", 0, 2, NULL},
-};
-static const struct mip_names names_gnss_1_utc_time_flags = {
-    "gnss_1.utc_time_flags", NULL, bits_gnss_1_utc_time_flags, 3, 2,
-};
-
-static const struct mip_named_bits bits_gnss_1_gps_time_flags[] = {
-    {"tow", 0, 1, NULL},
-    {"week_number", 1, 1, NULL},
-    {"flags", 0, 2, NULL},
-};
-static const struct mip_names names_gnss_1_gps_time_flags = {
-    "gnss_1.gps_time_flags", NULL, bits_gnss_1_gps_time_flags, 3, 2,
-};
-
-static const struct mip_named_bits bits_gnss_1_clock_info_flags[] = {
-    {"bias", 0, 1, NULL},
-    {"drift", 1, 1, NULL},
-    {"accuracy_estimate", 2, 1, NULL},
-    {"flags", 0, 3, NULL},
-};
-static const struct mip_names names_gnss_1_clock_info_flags = {
-    "gnss_1.clock_info_flags", NULL, bits_gnss_1_clock_info_flags, 4, 2,
-};
-
-static const struct mip_named_bits bits_gnss_1_fix_flags[] = {
-    {"sbas_used", 0, 1, NULL},
-    {"dgnss_used", 1, 1, NULL},
-};
-static const struct mip_names names_gnss_1_fix_flags = {
-    "gnss_1.fix_flags", NULL, bits_gnss_1_fix_flags, 2, 2,
-};
-
-static const struct mip_named_bits bits_gnss_1_fix_info_flags[] = {
-    {"fix_type", 0, 1, NULL},
-    {"num_sv", 1, 1, NULL},
-    {"fix_flags", 2, 1, NULL},
-    {"flags", 0, 3, NULL},
-};
-static const struct mip_names names_gnss_1_fix_info_flags = {
-    "gnss_1.fix_info_flags", NULL, bits_gnss_1_fix_info_flags, 4, 2,
-};
-
-static const struct mip_named_bits bits_gnss_1_sv_flags[] = {
-    {"used_for_navigation", 0, 1, NULL},
-    {"healthy", 1, 1, NULL},
-};
-static const struct mip_names names_gnss_1_sv_flags = {
-    "gnss_1.sv_flags", NULL, bits_gnss_1_sv_flags, 2, 2,
-};
-
-static const struct mip_named_bits bits_gnss_1_sv_info_flags[] = {
-    {"channel", 0, 1, NULL}, {"satellite_id", 1, 1, NULL}, {"carrier_noise_ratio", 2, 1, NULL},
-    {"azimuth", 3, 1, NULL}, {"elevation", 4, 1, NULL},    {"sv_flags", 5, 1, NULL},
-    {"flags", 0, 6, NULL},
-};
-static const struct mip_names names_gnss_1_sv_info_flags = {
-    "gnss_1.sv_info_flags", NULL, bits_gnss_1_sv_info_flags, 7, 2,
-};
-
-static const struct mip_named_value values_gnss_1_receiver_state[] = {
-    {"off", 0},
-    {"on", 1},
-    {"unknown", 2},
-};
-static const struct mip_names names_gnss_1_receiver_state = {
-    "gnss_1.receiver_state", values_gnss_1_receiver_state, NULL, 3, 1,
-};
-
-static const struct mip_named_value values_gnss_1_antenna_state[] = {
-    {"init", 1}, {"short", 2}, {"open", 3}, {"good", 4}, {"unknown", 5},
-};
-static const struct mip_names names_gnss_1_antenna_state = {
-    "gnss_1.antenna_state", values_gnss_1_antenna_state, NULL, 5, 1,
-};
-
-static const struct mip_named_value values_gnss_1_antenna_power[] = {
-    {"off", 0},
-    {"on", 1},
-    {"unknown", 2},
-};
-static const struct mip_names names_gnss_1_antenna_power = {
-    "gnss_1.antenna_power", values_gnss_1_antenna_power, NULL, 3, 1,
-};
-
-static const struct mip_named_bits bits_gnss_1_hardware_status_flags[] = {
-    {"sensor_state", 0, 1, NULL},
-    {"antenna_state", 1, 1, NULL},
-    {"antenna_power", 2, 1, NULL},
-    {"flags", 0, 3, NULL},
-};
-static const struct mip_names names_gnss_1_hardware_status_flags = {
-    "gnss_1.hardware_status_flags", NULL, bits_gnss_1_hardware_status_flags, 4, 2,
-};
-
-static const struct mip_named_bits bits_gnss_1_dgps_info_flags[] = {
-    {"age", 0, 1, NULL},
-    {"base_station_id", 1, 1, NULL},
-    {"base_station_status", 2, 1, NULL},
-    {"num_channels", 3, 1, NULL},
-    {"flags", 0, 4, NULL},
-};
-static const struct mip_names names_gnss_1_dgps_info_flags = {
-    "gnss_1.dgps_info_flags", NULL, bits_gnss_1_dgps_info_flags, 5, 2,
-};
-
-static const struct mip_named_bits bits_gnss_1_dgps_channel_flags[] = {
-    {"satellite_id", 0, 1, NULL},          {"age", 1, 1, NULL},   {"range_correction", 2, 1, NULL},
-    {"range_rate_correction", 3, 1, NULL}, {"flags", 0, 4, NULL},
-};
-static const struct mip_names names_gnss_1_dgps_channel_flags = {
-    "gnss_1.dgps_channel_flags", NULL, bits_gnss_1_dgps_channel_flags, 5, 2,
-};
-
-static const struct mip_named_bits bits_gnss_1_clock_info_2_flags[] = {
-    {"bias", 0, 1, NULL},           {"drift", 1, 1, NULL}, {"bias_accuracy", 2, 1, NULL},
-    {"drift_accuracy", 3, 1, NULL}, {"flags", 0, 4, NULL},
-};
-static const struct mip_names names_gnss_1_clock_info_2_flags = {
-    "gnss_1.clock_info_2_flags", NULL, bits_gnss_1_clock_info_2_flags, 5, 2,
-};
-
-static const struct mip_named_bits bits_gnss_1_gps_leap_seconds_flags[] = {
-    {"leap_seconds", 1, 1, NULL},
-};
-static const struct mip_names names_gnss_1_gps_leap_seconds_flags = {
-    "gnss_1.gps_leap_seconds_flags", NULL, bits_gnss_1_gps_leap_seconds_flags, 1, 2,
-};
-
-static const struct mip_named_value values_gnss_1_sbas_system[] = {
-    {"unknown", 0}, {"waas", 1}, {"egnos", 2}, {"msas", 3}, {"gagan", 4},
-};
-static const struct mip_names names_gnss_1_sbas_system = {
-    "gnss_1.sbas_system", values_gnss_1_sbas_system, NULL, 5, 1,
-};
-
-static const struct mip_named_bits bits_gnss_1_sbas_status[] = {
-    {"range_available", 0, 1, NULL},
-    {"corrections_available", 1, 1, NULL},
-    {"integrity_available", 2, 1, NULL},
-    {"test_mode", 3, 1, NULL},
-};
-static const struct mip_names names_gnss_1_sbas_status = {
-    "gnss_1.sbas_status", NULL, bits_gnss_1_sbas_status, 4, 1,
-};
-
-static const struct mip_named_bits bits_gnss_1_sbas_info_flags[] = {
-    {"tow", 0, 1, NULL},     {"week_number", 1, 1, NULL}, {"sbas_system", 2, 1, NULL},
-    {"sbas_id", 3, 1, NULL}, {"count", 4, 1, NULL},       {"sbas_status", 5, 1, NULL},
-    {"flags", 0, 6, NULL},
-};
-static const struct mip_names names_gnss_1_sbas_info_flags = {
-    "gnss_1.sbas_info_flags", NULL, bits_gnss_1_sbas_info_flags, 7, 2,
-};
-
-static const struct mip_named_bits bits_gnss_1_sbas_correction_flags[] = {
-    {"udrei", 0, 1, NULL},
-    {"pseudorange_correction", 1, 1, NULL},
-    {"iono_correction", 2, 1, NULL},
-    {"flags", 0, 3, NULL},
-};
-static const struct mip_names names_gnss_1_sbas_correction_flags = {
-    "gnss_1.sbas_correction_flags", NULL, bits_gnss_1_sbas_correction_flags, 4, 2,
-};
-
-static const struct mip_named_value values_gnss_1_rf_band[] = {
-    {"unknown", 0},
-    {"l1", 1},
-    {"l2", 2},
-    {"l5", 5},
-};
-static const struct mip_names names_gnss_1_rf_band = {
-    "gnss_1.rf_band", values_gnss_1_rf_band, NULL, 4, 1,
-};
-
-static const struct mip_named_value values_gnss_1_jamming_state[] = {
-    {"unknown", 0},
-    {"none", 1},
-    {"partial", 2},
-    {"significant", 3},
-};
-static const struct mip_names names_gnss_1_jamming_state = {
-    "gnss_1.jamming_state", values_gnss_1_jamming_state, NULL, 4, 1,
-};
-
-static const struct mip_named_value values_gnss_1_spoofing_state[] = {
-    {"unknown", 0},
-    {"none", 1},
-    {"partial", 2},
-    {"significant", 3},
-};
-static const struct mip_names names_gnss_1_spoofing_state = {
-    "gnss_1.spoofing_state", values_gnss_1_spoofing_state, NULL, 4, 1,
-};
-
-static const struct mip_named_bits bits_gnss_1_rf_error_detection_flags[] = {
-    {"rf_band", 0, 1, NULL},
-    {"jamming_state", 1, 1, NULL},
-    {"spoofing_state", 2, 1, NULL},
-    {"flags", 0, 3, NULL},
-};
-static const struct mip_names names_gnss_1_rf_error_detection_flags = {
-    "gnss_1.rf_error_detection_flags", NULL, bits_gnss_1_rf_error_detection_flags, 4, 2,
-};
-
-static const struct mip_named_bits bits_gnss_1_satellite_status_flags[] = {
-    {"tow", 0, 1, NULL},          {"week_number", 1, 1, NULL}, {"gnss_id", 2, 1, NULL},
-    {"satellite_id", 3, 1, NULL}, {"elevation", 4, 1, NULL},   {"azimuth", 5, 1, NULL},
-    {"health", 6, 1, NULL},       {"flags", 0, 7, NULL},
-};
-static const struct mip_names names_gnss_1_satellite_status_flags = {
-    "gnss_1.satellite_status_flags", NULL, bits_gnss_1_satellite_status_flags, 8, 2,
-};
-
-static const struct mip_named_value values_gnss_1_signal_quality[] = {
-    {"none", 0},     {"searching", 1},   {"acquired", 2},
-    {"unusable", 3}, {"time_locked", 4}, {"fully_locked", 5},
-};
-static const struct mip_names names_gnss_1_signal_quality = {
-    "gnss_1.signal_quality", values_gnss_1_signal_quality, NULL, 6, 1,
-};
-
-static const struct mip_named_bits bits_gnss_1_raw_flags[] = {
-    {"tow", 0, 1, NULL},
-    {"week_number", 1, 1, NULL},
-    {"receiver_id", 2, 1, NULL},
-    {"tracking_channel", 3, 1, NULL},
-    {"gnss_id", 4, 1, NULL},
-    {"satellite_id", 5, 1, NULL},
-    {"signal_id", 6, 1, NULL},
-    {"signal_strength", 7, 1, NULL},
-    {"quality", 8, 1, NULL},
-    {"pseudorange", 9, 1, NULL},
-    {"carrier_phase", 10, 1, NULL},
-    {"doppler", 11, 1, NULL},
-    {"range_uncertainty", 12, 1, NULL},
-    {"carrier_phase_uncertainty", 13, 1, NULL},
-    {"doppler_uncertainty", 14, 1, NULL},
-    {"lock_time", 15, 1, NULL},
-    {"flags", 0, 16, NULL},
-};
-static const struct mip_names names_gnss_1_raw_flags = {
-    "gnss_1.raw_flags", NULL, bits_gnss_1_raw_flags, 17, 2,
-};
-
-static const struct mip_named_bits bits_gnss_1_base_station_indicators[] = {
-    {"gps", 0, 1, NULL},
-    {"glonass", 1, 1, NULL},
-    {"galileo", 2, 1, NULL},
-    {"beidou", 3, 1, NULL},
-    {"reference_station", 4, 1, NULL},
-    {"single_receiver", 5, 1, NULL},
-    {"quarter_cycle_bit1", 6, 1, NULL},
-    {"quarter_cycle_bit2", 7, 1, NULL},
-    {"quarter_cycle_bits", 6, 2, NULL},
-};
-static const struct mip_names names_gnss_1_base_station_indicators = {
-    "gnss_1.base_station_indicators", NULL, bits_gnss_1_base_station_indicators, 9, 2,
-};
-
-static const struct mip_named_bits bits_gnss_1_base_station_info_flags[] = {
-    {"tow", 0, 1, NULL},    {"week_number", 1, 1, NULL}, {"ecef_position", 2, 1, NULL},
-    {"height", 3, 1, NULL}, {"station_id", 4, 1, NULL},  {"indicators", 5, 1, NULL},
-    {"flags", 0, 6, NULL},
-};
-static const struct mip_names names_gnss_1_base_station_info_flags = {
-    "gnss_1.base_station_info_flags", NULL, bits_gnss_1_base_station_info_flags, 7, 2,
-};
-
-static const struct mip_named_bits bits_gnss_1_rtk_epoch_status[] = {
-    {"antenna_location_received", 0, 1, NULL},
-    {"antenna_description_received", 1, 1, NULL},
-    {"gps_received", 2, 1, NULL},
-    {"glonass_received", 3, 1, NULL},
-    {"galileo_received", 4, 1, NULL},
-    {"beidou_received", 5, 1, NULL},
-    {"using_gps_msm_messages", 6, 1, NULL},
-    {"using_glonass_msm_messages", 7, 1, NULL},
-    {"dongle_status_read_failed", 8, 1, NULL},
-};
-static const struct mip_names names_gnss_1_rtk_epoch_status = {
-    "gnss_1.rtk_epoch_status", NULL, bits_gnss_1_rtk_epoch_status, 9, 2,
-};
-
-static const struct mip_named_bits bits_gnss_1_rtk_corrections_status_flags[] = {
-    {"tow", 0, 1, NULL},
-    {"week_number", 1, 1, NULL},
-    {"epoch_status", 2, 1, NULL},
-    {"dongle_status", 3, 1, NULL},
-    {"gps_latency", 4, 1, NULL},
-    {"glonass_latency", 5, 1, NULL},
-    {"galileo_latency", 6, 1, NULL},
-    {"beidou_latency", 7, 1, NULL},
-    {"flags", 0, 8, NULL},
-};
-static const struct mip_names names_gnss_1_rtk_corrections_status_flags = {
-    "gnss_1.rtk_corrections_status_flags", NULL, bits_gnss_1_rtk_corrections_status_flags, 9, 2,
-};
-
-static const struct mip_named_bits bits_gnss_1_ephemeris_flags[] = {
-    {"ephemeris", 0, 1, NULL},
-    {"modern_data", 1, 1, NULL},
-    {"isc_l5", 2, 1, NULL},
-    {"flags", 0, 3, NULL},
-};
-static const struct mip_names names_gnss_1_ephemeris_flags = {
-    "gnss_1.ephemeris_flags", NULL, bits_gnss_1_ephemeris_flags, 4, 2,
-};
-
-static const struct mip_named_value values_gnss_1_glonass_satellite_type[] = {
-    {"glonass", 0},
-    {"glonass_m", 1},
-};
-static const struct mip_names names_gnss_1_glonass_satellite_type = {
-    "gnss_1.glonass_satellite_type", values_gnss_1_glonass_satellite_type, NULL, 2, 1,
-};
-
-static const struct mip_named_bits bits_gnss_1_glonass_ephemeris_flags[] = {
-    {"ephemeris", 0, 1, NULL},
-    {"flags", 0, 1, NULL},
-};
-static const struct mip_names names_gnss_1_glonass_ephemeris_flags = {
-    "gnss_1.glonass_ephemeris_flags", NULL, bits_gnss_1_glonass_ephemeris_flags, 2, 2,
-};
-
-static const struct mip_named_bits bits_gnss_1_gps_iono_correction_flags[] = {
-    {"tow", 0, 1, NULL},  {"week_number", 1, 1, NULL}, {"alpha", 2, 1, NULL},
-    {"beta", 3, 1, NULL}, {"flags", 0, 4, NULL},
-};
-static const struct mip_names names_gnss_1_gps_iono_correction_flags = {
-    "gnss_1.gps_iono_correction_flags", NULL, bits_gnss_1_gps_iono_correction_flags, 5, 2,
-};
-
-static const struct mip_named_bits bits_gnss_1_galileo_iono_correction_flags[] = {
-    {"tow", 0, 1, NULL},   {"week_number", 1, 1, NULL},
-    {"alpha", 2, 1, NULL}, {"disturbance_flags", 3, 1, NULL},
-    {"flags", 0, 4, NULL},
-};
-static const struct mip_names names_gnss_1_galileo_iono_correction_flags = {
-    "gnss_1.galileo_iono_correction_flags", NULL, bits_gnss_1_galileo_iono_correction_flags, 5, 2,
-};
-
-static const struct mip_named_bits bits_gnss_1_beidou_iono_correction_flags[] = {
-    {"tow", 0, 1, NULL},  {"week_number", 1, 1, NULL},      {"alpha", 2, 1, NULL},
-    {"beta", 3, 1, NULL}, {"alpha_correction", 4, 1, NULL}, {"flags", 0, 5, NULL},
-};
-static const struct mip_names names_gnss_1_beidou_iono_correction_flags = {
-    "gnss_1.beidou_iono_correction_flags", NULL, bits_gnss_1_beidou_iono_correction_flags, 6, 2,
-};
-
-static const struct mip_named_bits bits_system_data_gpio_pin_states[] = {
-    {"pin_1", 0, 1, NULL},
-    {"pin_2", 1, 1, NULL},
-    {"pin_3", 2, 1, NULL},
-    {"pin_4", 3, 1, NULL},
-};
-static const struct mip_names names_system_data_gpio_pin_states = {
-    "system_data.gpio_pin_states", NULL, bits_system_data_gpio_pin_states, 4, 1,
-};
-
-static const struct mip_named_bits bits_shared_gps_timestamp_flags[] = {
-    {"tow", 0, 1, NULL},
-    {"week_number", 1, 1, NULL},
-    {"time_valid", 0, 2, NULL},
-};
-static const struct mip_names names_shared_gps_timestamp_flags = {
-    "shared.gps_timestamp_flags", NULL, bits_shared_gps_timestamp_flags, 3, 2,
-};
-
-static const struct mip_named_bits bits_shared_external_timestamp_flags[] = {
-    {"nanoseconds", 0, 1, NULL},
-};
-static const struct mip_names names_shared_external_timestamp_flags = {
-    "shared.external_timestamp_flags", NULL, bits_shared_external_timestamp_flags, 1, 2,
-};
-
-static const struct mip_named_bits bits_shared_external_time_delta_flags[] = {
-    {"dt_nanos", 0, 1, NULL},
-};
-static const struct mip_names names_shared_external_time_delta_flags = {
-    "shared.external_time_delta_flags", NULL, bits_shared_external_time_delta_flags, 1, 2,
-};
-
-const struct mip_names *const mip_all_names[] = {
-    &names_function_selector,
-    &names_gx5_built_in_test,
-    &names_cv7_built_in_test,
-    &names_cv7_continuous_built_in_test,
-    &names_event_trigger_type,
-    &names_event_action_type,
-    &names_event_trigger_mode,
-    &names_event_trigger_status,
-    &names_event_trigger_gpio_mode,
-    &names_event_threshold_type,
-    &names_event_action_gpio_mode,
-    &names_gnss_constellation,
-    &names_gnss_fix_type,
-    &names_gnss_signal,
-    &names_gpio_feature,
-    &names_gpio_unused_behavior,
-    &names_gpio_behavior,
-    &names_gpio_pps_behavior,
-    &names_gpio_encoder_behavior,
-    &names_gpio_timestamp_behavior,
-    &names_gpio_uart_behavior,
-    &names_gpio_pin_mode,
-    &names_nmea_message_id,
-    &names_nmea_talker_id,
-    &names_rtk_status_flags,
-    &names_rtk_status_flags_legacy,
-    &names_ack_code,
-    &names_sensor_gps_timestamp_flags,
-    &names_gx5_sensor_gps_timestamp_flags,
-    &names_base_gps_time_field,
-    &names_3dm_factory_streaming_action,
-    &names_3dm_constellation_id,
-    &names_3dm_constellation_options,
-    &names_3dm_sbas_options,
-    &names_3dm_assisted_fix_option,
-    &names_3dm_pps_source,
-    &names_3dm_event_support_query,
-    &names_3dm_odometer_mode,
-    &names_3dm_sensor_range_type,
-    &names_3dm_device_status_selector,
-    &names_3dm_legacy_data_stream,
-    &names_filter_dynamics_mode,
-    &names_filter_estimated_states,
-    &names_filter_gnss_aiding_source,
-    &names_filter_heading_type,
-    &names_filter_heading_update_source,
-    &names_filter_tare_axes,
-    &names_filter_measurement_flags,
-    &names_filter_mag_parameter_source,
-    &names_filter_adaptive_measurement_selector,
-    &names_filter_altitude_aiding_source,
-    &names_filter_pitch_roll_aiding_source,
-    &names_filter_aiding_source,
-    &names_filter_accel_constraint,
-    &names_filter_velocity_constraint,
-    &names_filter_angular_constraint,
-    &names_filter_initial_condition_source,
-    &names_filter_heading_alignment,
-    &names_filter_reference_frame,
-    &names_filter_adaptive_level,
-    &names_filter_relative_position_source,
-    &names_filter_reference_point,
-    &names_gnss_gps_signals,
-    &names_gnss_glonass_signals,
-    &names_gnss_galileo_signals,
-    &names_gnss_beidou_signals,
-    &names_gnss_spartn_connection,
-    &names_rtk_connected_device,
-    &names_rtk_service_flags,
-    &names_rtk_storage_medium,
-    &names_rtk_led_action,
-    &names_aiding_frame_format,
-    &names_aiding_echo_mode,
-    &names_aiding_timebase,
-    &names_aiding_axis_flags,
-    &names_aiding_llh_axis_flags,
-    &names_system_comm_interface,
-    &names_system_comm_protocols,
-    &names_system_protocol_mode,
-    &names_sensor_overrange_flags,
-    &names_sensor_odometer_flags,
-    &names_filter_data_valid_flags,
-    &names_filter_data_heading_source_flags,
-    &names_filter_data_gnss_aiding_status,
-    &names_filter_data_heading_aiding_type,
-    &names_filter_data_aiding_measurement_type,
-    &names_filter_data_aiding_measurement_indicator,
-    &names_filter_data_dual_antenna_fix_type,
-    &names_filter_data_dual_antenna_status_flags,
-    &names_filter_data_gx5_filter_state,
-    &names_filter_data_cv7_filter_state,
-    &names_filter_data_gx5_dynamics_mode,
-    &names_filter_data_cv7_dynamics_mode,
-    &names_filter_data_gx5_status_flags,
-    &names_filter_data_filter_condition,
-    &names_filter_data_cv7_status_flags,
-    &names_gnss_1_llh_position_flags,
-    &names_gnss_1_ecef_position_flags,
-    &names_gnss_1_ned_velocity_flags,
-    &names_gnss_1_ecef_velocity_flags,
-    &names_gnss_1_dop_flags,
-    &names_gnss_1_utc_time_flags,
-    &names_gnss_1_gps_time_flags,
-    &names_gnss_1_clock_info_flags,
-    &names_gnss_1_fix_flags,
-    &names_gnss_1_fix_info_flags,
-    &names_gnss_1_sv_flags,
-    &names_gnss_1_sv_info_flags,
-    &names_gnss_1_receiver_state,
-    &names_gnss_1_antenna_state,
-    &names_gnss_1_antenna_power,
-    &names_gnss_1_hardware_status_flags,
-    &names_gnss_1_dgps_info_flags,
-    &names_gnss_1_dgps_channel_flags,
-    &names_gnss_1_clock_info_2_flags,
-    &names_gnss_1_gps_leap_seconds_flags,
-    &names_gnss_1_sbas_system,
-    &names_gnss_1_sbas_status,
-    &names_gnss_1_sbas_info_flags,
-    &names_gnss_1_sbas_correction_flags,
-    &names_gnss_1_rf_band,
-    &names_gnss_1_jamming_state,
-    &names_gnss_1_spoofing_state,
-    &names_gnss_1_rf_error_detection_flags,
-    &names_gnss_1_satellite_status_flags,
-    &names_gnss_1_signal_quality,
-    &names_gnss_1_raw_flags,
-    &names_gnss_1_base_station_indicators,
-    &names_gnss_1_base_station_info_flags,
-    &names_gnss_1_rtk_epoch_status,
-    &names_gnss_1_rtk_corrections_status_flags,
-    &names_gnss_1_ephemeris_flags,
-    &names_gnss_1_glonass_satellite_type,
-    &names_gnss_1_glonass_ephemeris_flags,
-    &names_gnss_1_gps_iono_correction_flags,
-    &names_gnss_1_galileo_iono_correction_flags,
-    &names_gnss_1_beidou_iono_correction_flags,
-    &names_system_data_gpio_pin_states,
-    &names_shared_gps_timestamp_flags,
-    &names_shared_external_timestamp_flags,
-    &names_shared_external_time_delta_flags,
-};
-const size_t mip_all_names_count = sizeof(mip_all_names) / sizeof(mip_all_names[0]);
-
 /* ----------------------------------------------------------------------------------- parameters */
 
 static const struct mip_parameter parameters_event_trigger_gpio[] = {
     {"pin", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_event_trigger_gpio, pin), 0, NULL, NULL, NULL, NULL, 0},
     {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_event_trigger_gpio, mode), 0, &names_event_trigger_gpio_mode, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_event_trigger_gpio, mode), 0, &mip_names_event_trigger_gpio_mode, NULL, NULL,
+     NULL, 0},
 };
 static const struct mip_record record_event_trigger_gpio = {
     parameters_event_trigger_gpio,
@@ -1625,7 +87,7 @@ static const struct mip_parameter parameters_event_trigger_threshold[] = {
     {"parameter_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_event_trigger_threshold, parameter_id), 0, NULL, NULL, NULL, NULL, 0},
     {"type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_event_trigger_threshold, type), 0, &names_event_threshold_type, NULL, NULL,
+     ONE(struct mip_event_trigger_threshold, type), 0, &mip_names_event_threshold_type, NULL, NULL,
      NULL, 0},
     {"thresholds", "", MIP_KIND_UNION, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 3, 0, 0,
      ONE(struct mip_event_trigger_threshold, thresholds), 0, NULL, NULL, NULL,
@@ -1653,8 +115,8 @@ static const struct mip_parameter parameters_event_action_gpio[] = {
     {"pin", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_event_action_gpio, pin), 0, NULL, NULL, NULL, NULL, 0},
     {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_event_action_gpio, mode), 0, &names_event_action_gpio_mode, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_event_action_gpio, mode), 0, &mip_names_event_action_gpio_mode, NULL, NULL,
+     NULL, 0},
 };
 static const struct mip_record record_event_action_gpio = {
     parameters_event_action_gpio,
@@ -1680,9 +142,9 @@ static const struct mip_record record_event_action_message = {
 
 static const struct mip_parameter parameters_nmea_message[] = {
     {"message_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_nmea_message, message_id), 0, &names_nmea_message_id, NULL, NULL, NULL, 0},
+     ONE(struct mip_nmea_message, message_id), 0, &mip_names_nmea_message_id, NULL, NULL, NULL, 0},
     {"talker_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_nmea_message, talker_id), 0, &names_nmea_talker_id, NULL, NULL, NULL, 0},
+     ONE(struct mip_nmea_message, talker_id), 0, &mip_names_nmea_talker_id, NULL, NULL, NULL, 0},
     {"source_descriptor_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_nmea_message, source_descriptor_set), 0, NULL, NULL, NULL, NULL, 0},
     {"decimation", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1741,7 +203,7 @@ static const struct mip_record record_3dm_poll_entry = {
 static const struct mip_parameter parameters_3dm_constellation_settings_entry[] = {
     {"constellation_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_constellation_settings_entry, constellation_id), 0,
-     &names_3dm_constellation_id, NULL, NULL, NULL, 0},
+     &mip_names_3dm_constellation_id, NULL, NULL, NULL, 0},
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_constellation_settings_entry, enable), 0, NULL, NULL, NULL, NULL, 0},
     {"reserved_channels", "1", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1751,7 +213,7 @@ static const struct mip_parameter parameters_3dm_constellation_settings_entry[] 
      ONE(struct mip_3dm_constellation_settings_entry, max_channels), 0, NULL, NULL, NULL, NULL, 0},
     {"option_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_constellation_settings_entry, option_flags), 0,
-     &names_3dm_constellation_options, NULL, NULL, NULL, 0},
+     &mip_names_3dm_constellation_options, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_constellation_settings_entry = {
     parameters_3dm_constellation_settings_entry,
@@ -1773,11 +235,11 @@ static const struct mip_record record_3dm_event_support_info = {
 
 static const struct mip_parameter parameters_3dm_event_trigger_status_entry[] = {
     {"type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_event_trigger_status_entry, type), 0, &names_event_trigger_type, NULL, NULL,
-     NULL, 0},
-    {"status", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_event_trigger_status_entry, status), 0, &names_event_trigger_status, NULL,
+     ONE(struct mip_3dm_event_trigger_status_entry, type), 0, &mip_names_event_trigger_type, NULL,
      NULL, NULL, 0},
+    {"status", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_event_trigger_status_entry, status), 0, &mip_names_event_trigger_status,
+     NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_event_trigger_status_entry = {
     parameters_3dm_event_trigger_status_entry,
@@ -1787,8 +249,8 @@ static const struct mip_record record_3dm_event_trigger_status_entry = {
 
 static const struct mip_parameter parameters_3dm_event_action_status_entry[] = {
     {"action_type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_event_action_status_entry, action_type), 0, &names_event_action_type, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_3dm_event_action_status_entry, action_type), 0, &mip_names_event_action_type,
+     NULL, NULL, NULL, 0},
     {"trigger_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_event_action_status_entry, trigger_id), 0, NULL, NULL, NULL, NULL, 0},
 };
@@ -1827,8 +289,8 @@ static const struct mip_record record_gnss_receiver_info_entry = {
 
 static const struct mip_parameter parameters_aiding_measurement_time[] = {
     {"timebase", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_aiding_measurement_time, timebase), 0, &names_aiding_timebase, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_aiding_measurement_time, timebase), 0, &mip_names_aiding_timebase, NULL, NULL,
+     NULL, 0},
     {"reserved", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_aiding_measurement_time, reserved), 0, NULL, NULL, NULL, NULL, 0},
     {"nanoseconds", "ns", MIP_KIND_NUMBER, MIP_SCALAR_U64, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1844,7 +306,7 @@ static const struct mip_parameter parameters_protocol_acknowledge[] = {
     {"command", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_protocol_acknowledge, command), 0, NULL, NULL, NULL, NULL, 0},
     {"code", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_protocol_acknowledge, code), 0, &names_ack_code, NULL, NULL, NULL, 0},
+     ONE(struct mip_protocol_acknowledge, code), 0, &mip_names_ack_code, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_protocol_acknowledge = {
     parameters_protocol_acknowledge,
@@ -1902,7 +364,8 @@ static const struct mip_record record_base_continuous_built_in_test = {
 
 static const struct mip_parameter parameters_base_comm_speed[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_base_comm_speed, function), 0, &names_function_selector, NULL, NULL, NULL, 0},
+     ONE(struct mip_base_comm_speed, function), 0, &mip_names_function_selector, NULL, NULL, NULL,
+     0},
     {"port", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
      ONE(struct mip_base_comm_speed, port), 0, NULL, NULL, NULL, NULL, 0},
     {"baud", "Bd", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
@@ -1917,10 +380,10 @@ static const uint8_t required_base_comm_speed[] = {0, 2, 1, 1, 1, 1};
 
 static const struct mip_parameter parameters_base_gps_time_update[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_base_gps_time_update, function), 0, &names_function_selector, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_base_gps_time_update, function), 0, &mip_names_function_selector, NULL, NULL,
+     NULL, 0},
     {"field_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_base_gps_time_update, field_id), 0, &names_base_gps_time_field, NULL, NULL,
+     ONE(struct mip_base_gps_time_update, field_id), 0, &mip_names_base_gps_time_field, NULL, NULL,
      NULL, 0},
     {"value", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
      ONE(struct mip_base_gps_time_update, value), 0, NULL, NULL, NULL, NULL, 0},
@@ -1962,8 +425,8 @@ static const struct mip_record record_base_get_device_descriptors_response = {
 };
 
 static const struct mip_reading readings_base_built_in_test_response_result[] = {
-    {"3dm-cv7-gnss-ins", 0, 0, &names_cv7_built_in_test},
-    {"3dm-gx5-15", 0, 0, &names_gx5_built_in_test},
+    {"3dm-cv7-gnss-ins", 0, 0, &mip_names_cv7_built_in_test},
+    {"3dm-gx5-15", 0, 0, &mip_names_gx5_built_in_test},
 };
 static const struct mip_parameter parameters_base_built_in_test_response[] = {
     {"result", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2010,7 +473,7 @@ static const struct mip_record record_base_get_extended_descriptors_response = {
 };
 
 static const struct mip_reading readings_base_continuous_built_in_test_response_result[] = {
-    {"3dm-cv7-gnss-ins", 0, 0, &names_cv7_continuous_built_in_test},
+    {"3dm-cv7-gnss-ins", 0, 0, &mip_names_cv7_continuous_built_in_test},
 };
 static const struct mip_parameter parameters_base_continuous_built_in_test_response[] = {
     {"result", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 16, 1, 0, 0, 0,
@@ -2109,7 +572,7 @@ static const struct mip_record record_3dm_get_gnss_base_rate = {
 
 static const struct mip_parameter parameters_3dm_imu_message_format[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_imu_message_format, function), 0, &names_function_selector, NULL, NULL,
+     ONE(struct mip_3dm_imu_message_format, function), 0, &mip_names_function_selector, NULL, NULL,
      NULL, 0},
     {"num_descriptors", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 2, 2, 0,
      ONE(struct mip_3dm_imu_message_format, num_descriptors), 0, NULL, NULL, NULL, NULL, 0},
@@ -2126,7 +589,7 @@ static const uint8_t required_3dm_imu_message_format[] = {0, 2, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_3dm_gnss_message_format[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_gnss_message_format, function), 0, &names_function_selector, NULL, NULL,
+     ONE(struct mip_3dm_gnss_message_format, function), 0, &mip_names_function_selector, NULL, NULL,
      NULL, 0},
     {"num_descriptors", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 2, 2, 0,
      ONE(struct mip_3dm_gnss_message_format, num_descriptors), 0, NULL, NULL, NULL, NULL, 0},
@@ -2143,8 +606,8 @@ static const uint8_t required_3dm_gnss_message_format[] = {0, 2, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_3dm_filter_message_format[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_filter_message_format, function), 0, &names_function_selector, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_3dm_filter_message_format, function), 0, &mip_names_function_selector, NULL,
+     NULL, NULL, 0},
     {"num_descriptors", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 2, 2, 0,
      ONE(struct mip_3dm_filter_message_format, num_descriptors), 0, NULL, NULL, NULL, NULL, 0},
     {"descriptors", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_COUNTED, 83, 1, 1, 2, 0,
@@ -2166,7 +629,7 @@ static const struct mip_record record_3dm_get_filter_base_rate = {
 
 static const struct mip_parameter parameters_3dm_nmea_message_format[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_nmea_message_format, function), 0, &names_function_selector, NULL, NULL,
+     ONE(struct mip_3dm_nmea_message_format, function), 0, &mip_names_function_selector, NULL, NULL,
      NULL, 0},
     {"count", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 2, 2, 0,
      ONE(struct mip_3dm_nmea_message_format, count), 0, NULL, NULL, NULL, NULL, 0},
@@ -2209,8 +672,8 @@ static const struct mip_record record_3dm_get_base_rate = {
 
 static const struct mip_parameter parameters_3dm_message_format[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_message_format, function), 0, &names_function_selector, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_3dm_message_format, function), 0, &mip_names_function_selector, NULL, NULL,
+     NULL, 0},
     {"descriptor_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
      ONE(struct mip_3dm_message_format, descriptor_set), 0, NULL, NULL, NULL, NULL, 0},
     {"num_descriptors", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 3, 3, 0,
@@ -2228,8 +691,8 @@ static const uint8_t required_3dm_message_format[] = {0, 3, 1, 1, 1, 1};
 
 static const struct mip_parameter parameters_3dm_factory_streaming[] = {
     {"action", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_factory_streaming, action), 0, &names_3dm_factory_streaming_action, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_3dm_factory_streaming, action), 0, &mip_names_3dm_factory_streaming_action,
+     NULL, NULL, NULL, 0},
     {"reserved", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_factory_streaming, reserved), 0, NULL, NULL, NULL, NULL, 0},
 };
@@ -2240,37 +703,37 @@ static const struct mip_record record_3dm_factory_streaming = {
 };
 
 static const struct mip_reading readings_3dm_data_stream_control_descriptor_set[] = {
-    {"3dm-cl5-15", 0, 0, &names_3dm_legacy_data_stream},
-    {"3dm-cl5-25", 0, 0, &names_3dm_legacy_data_stream},
-    {"3dm-cv5-10", 0, 0, &names_3dm_legacy_data_stream},
-    {"3dm-cv5-15", 0, 0, &names_3dm_legacy_data_stream},
-    {"3dm-cv5-25", 0, 0, &names_3dm_legacy_data_stream},
-    {"3dm-cx5-10", 0, 0, &names_3dm_legacy_data_stream},
-    {"3dm-cx5-15", 0, 0, &names_3dm_legacy_data_stream},
-    {"3dm-cx5-25", 0, 0, &names_3dm_legacy_data_stream},
-    {"3dm-cx5-35", 0, 0, &names_3dm_legacy_data_stream},
-    {"3dm-cx5-45", 0, 0, &names_3dm_legacy_data_stream},
-    {"3dm-dh3", 0, 0, &names_3dm_legacy_data_stream},
-    {"3dm-gq4-45", 0, 0, &names_3dm_legacy_data_stream},
-    {"3dm-gx3-15", 0, 0, &names_3dm_legacy_data_stream},
-    {"3dm-gx3-25", 0, 0, &names_3dm_legacy_data_stream},
-    {"3dm-gx3-35", 0, 0, &names_3dm_legacy_data_stream},
-    {"3dm-gx3-45", 0, 0, &names_3dm_legacy_data_stream},
-    {"3dm-gx4-15", 0, 0, &names_3dm_legacy_data_stream},
-    {"3dm-gx4-25", 0, 0, &names_3dm_legacy_data_stream},
-    {"3dm-gx4-45", 0, 0, &names_3dm_legacy_data_stream},
-    {"3dm-gx5-10", 0, 0, &names_3dm_legacy_data_stream},
-    {"3dm-gx5-15", 0, 0, &names_3dm_legacy_data_stream},
-    {"3dm-gx5-25", 0, 0, &names_3dm_legacy_data_stream},
-    {"3dm-gx5-35", 0, 0, &names_3dm_legacy_data_stream},
-    {"3dm-gx5-45", 0, 0, &names_3dm_legacy_data_stream},
-    {"3dm-mv5-ar", 0, 0, &names_3dm_legacy_data_stream},
-    {"3dm-rq1-45-lt", 0, 0, &names_3dm_legacy_data_stream},
-    {"3dm-rq1-45-st", 0, 0, &names_3dm_legacy_data_stream},
+    {"3dm-cl5-15", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-cl5-25", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-cv5-10", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-cv5-15", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-cv5-25", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-cx5-10", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-cx5-15", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-cx5-25", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-cx5-35", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-cx5-45", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-dh3", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-gq4-45", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-gx3-15", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-gx3-25", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-gx3-35", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-gx3-45", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-gx4-15", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-gx4-25", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-gx4-45", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-gx5-10", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-gx5-15", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-gx5-25", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-gx5-35", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-gx5-45", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-mv5-ar", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-rq1-45-lt", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-rq1-45-st", 0, 0, &mip_names_3dm_legacy_data_stream},
 };
 static const struct mip_parameter parameters_3dm_data_stream_control[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_data_stream_control, function), 0, &names_function_selector, NULL, NULL,
+     ONE(struct mip_3dm_data_stream_control, function), 0, &mip_names_function_selector, NULL, NULL,
      NULL, 0},
     {"descriptor_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
      ONE(struct mip_3dm_data_stream_control, descriptor_set), 0, NULL,
@@ -2287,8 +750,8 @@ static const uint8_t required_3dm_data_stream_control[] = {0, 2, 1, 1, 1, 1};
 
 static const struct mip_parameter parameters_3dm_constellation_settings[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_constellation_settings, function), 0, &names_function_selector, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_3dm_constellation_settings, function), 0, &mip_names_function_selector, NULL,
+     NULL, NULL, 0},
     {"max_channels", "1", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
      ONE(struct mip_3dm_constellation_settings, max_channels), 0, NULL, NULL, NULL, NULL, 0},
     {"config_count", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 3, 3, 0,
@@ -2306,13 +769,13 @@ static const uint8_t required_3dm_constellation_settings[] = {0, 3, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_3dm_gnss_sbas_settings[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_gnss_sbas_settings, function), 0, &names_function_selector, NULL, NULL,
+     ONE(struct mip_3dm_gnss_sbas_settings, function), 0, &mip_names_function_selector, NULL, NULL,
      NULL, 0},
     {"enable_sbas", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
      ONE(struct mip_3dm_gnss_sbas_settings, enable_sbas), 0, NULL, NULL, NULL, NULL, 0},
     {"sbas_options", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_3dm_gnss_sbas_settings, sbas_options), 0, &names_3dm_sbas_options, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_3dm_gnss_sbas_settings, sbas_options), 0, &mip_names_3dm_sbas_options, NULL,
+     NULL, NULL, 0},
     {"num_included_prns", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 4, 4, 0,
      ONE(struct mip_3dm_gnss_sbas_settings, num_included_prns), 0, NULL, NULL, NULL, NULL, 0},
     {"included_prns", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_COUNTED, 124, 1, 3, 4, 0,
@@ -2327,11 +790,11 @@ static const uint8_t required_3dm_gnss_sbas_settings[] = {0, 4, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_3dm_gnss_assisted_fix[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_gnss_assisted_fix, function), 0, &names_function_selector, NULL, NULL, NULL,
-     0},
-    {"option", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_3dm_gnss_assisted_fix, option), 0, &names_3dm_assisted_fix_option, NULL, NULL,
+     ONE(struct mip_3dm_gnss_assisted_fix, function), 0, &mip_names_function_selector, NULL, NULL,
      NULL, 0},
+    {"option", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_3dm_gnss_assisted_fix, option), 0, &mip_names_3dm_assisted_fix_option, NULL,
+     NULL, NULL, 0},
     {"flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
      ONE(struct mip_3dm_gnss_assisted_fix, flags), 0, NULL, NULL, NULL, NULL, 0},
 };
@@ -2344,8 +807,8 @@ static const uint8_t required_3dm_gnss_assisted_fix[] = {0, 2, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_3dm_gnss_time_assistance[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_gnss_time_assistance, function), 0, &names_function_selector, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_3dm_gnss_time_assistance, function), 0, &mip_names_function_selector, NULL,
+     NULL, NULL, 0},
     {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
      ONE(struct mip_3dm_gnss_time_assistance, tow), 0, NULL, NULL, NULL, NULL, 0},
     {"week_number", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
@@ -2362,10 +825,11 @@ static const uint8_t required_3dm_gnss_time_assistance[] = {0, 3, 0};
 
 static const struct mip_parameter parameters_3dm_pps_source_control[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_pps_source_control, function), 0, &names_function_selector, NULL, NULL,
+     ONE(struct mip_3dm_pps_source_control, function), 0, &mip_names_function_selector, NULL, NULL,
      NULL, 0},
     {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_3dm_pps_source_control, source), 0, &names_3dm_pps_source, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_pps_source_control, source), 0, &mip_names_3dm_pps_source, NULL, NULL, NULL,
+     0},
 };
 static const struct mip_record record_3dm_pps_source_control = {
     parameters_3dm_pps_source_control,
@@ -2376,8 +840,8 @@ static const uint8_t required_3dm_pps_source_control[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_3dm_get_event_support[] = {
     {"query", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_get_event_support, query), 0, &names_3dm_event_support_query, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_3dm_get_event_support, query), 0, &mip_names_3dm_event_support_query, NULL,
+     NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_get_event_support = {
     parameters_3dm_get_event_support,
@@ -2387,11 +851,13 @@ static const struct mip_record record_3dm_get_event_support = {
 
 static const struct mip_parameter parameters_3dm_event_control[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_event_control, function), 0, &names_function_selector, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_event_control, function), 0, &mip_names_function_selector, NULL, NULL, NULL,
+     0},
     {"instance", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
      ONE(struct mip_3dm_event_control, instance), 0, NULL, NULL, NULL, NULL, 0},
     {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_3dm_event_control, mode), 0, &names_event_trigger_mode, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_event_control, mode), 0, &mip_names_event_trigger_mode, NULL, NULL, NULL,
+     0},
 };
 static const struct mip_record record_3dm_event_control = {
     parameters_3dm_event_control,
@@ -2445,13 +911,13 @@ static const struct mip_case cases_3dm_event_trigger_config_parameters[] = {
 };
 static const struct mip_parameter parameters_3dm_event_trigger_config[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_event_trigger_config, function), 0, &names_function_selector, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_3dm_event_trigger_config, function), 0, &mip_names_function_selector, NULL,
+     NULL, NULL, 0},
     {"instance", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
      ONE(struct mip_3dm_event_trigger_config, instance), 0, NULL, NULL, NULL, NULL, 0},
     {"type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_3dm_event_trigger_config, type), 0, &names_event_trigger_type, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_3dm_event_trigger_config, type), 0, &mip_names_event_trigger_type, NULL, NULL,
+     NULL, 0},
     {"parameters", "", MIP_KIND_UNION, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 2, 3, 0,
      ONE(struct mip_3dm_event_trigger_config, parameters), 0, NULL, NULL, NULL,
      cases_3dm_event_trigger_config_parameters, 4},
@@ -2478,15 +944,15 @@ static const struct mip_case cases_3dm_event_action_config_parameters[] = {
 };
 static const struct mip_parameter parameters_3dm_event_action_config[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_event_action_config, function), 0, &names_function_selector, NULL, NULL,
+     ONE(struct mip_3dm_event_action_config, function), 0, &mip_names_function_selector, NULL, NULL,
      NULL, 0},
     {"instance", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
      ONE(struct mip_3dm_event_action_config, instance), 0, NULL, NULL, NULL, NULL, 0},
     {"trigger", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
      ONE(struct mip_3dm_event_action_config, trigger), 0, NULL, NULL, NULL, NULL, 0},
     {"type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
-     ONE(struct mip_3dm_event_action_config, type), 0, &names_event_action_type, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_3dm_event_action_config, type), 0, &mip_names_event_action_type, NULL, NULL,
+     NULL, 0},
     {"parameters", "", MIP_KIND_UNION, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 3, 4, 0,
      ONE(struct mip_3dm_event_action_config, parameters), 0, NULL, NULL, NULL,
      cases_3dm_event_action_config_parameters, 3},
@@ -2500,8 +966,8 @@ static const uint8_t required_3dm_event_action_config[] = {0, 4, 1, 1, 1, 1};
 
 static const struct mip_parameter parameters_3dm_device_settings[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_device_settings, function), 0, &names_function_selector, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_3dm_device_settings, function), 0, &mip_names_function_selector, NULL, NULL,
+     NULL, 0},
 };
 static const struct mip_record record_3dm_device_settings = {
     parameters_3dm_device_settings,
@@ -2512,8 +978,8 @@ static const uint8_t required_3dm_device_settings[] = {0, 0, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_3dm_sensor_to_vehicle_transform_euler[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_transform_euler, function), 0, &names_function_selector,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_sensor_to_vehicle_transform_euler, function), 0,
+     &mip_names_function_selector, NULL, NULL, NULL, 0},
     {"roll", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
      ONE(struct mip_3dm_sensor_to_vehicle_transform_euler, roll), 0, NULL, NULL, NULL, NULL, 0},
     {"pitch", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
@@ -2531,7 +997,7 @@ static const uint8_t required_3dm_sensor_to_vehicle_transform_euler[] = {0, 3, 0
 static const struct mip_parameter parameters_3dm_sensor_to_vehicle_transform_quaternion[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_sensor_to_vehicle_transform_quaternion, function), 0,
-     &names_function_selector, NULL, NULL, NULL, 0},
+     &mip_names_function_selector, NULL, NULL, NULL, 0},
     {"q", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 1, 0,
      ONE(struct mip_3dm_sensor_to_vehicle_transform_quaternion, q), 0, NULL, NULL, NULL, NULL, 0},
 };
@@ -2544,7 +1010,7 @@ static const uint8_t required_3dm_sensor_to_vehicle_transform_quaternion[] = {0,
 
 static const struct mip_parameter parameters_3dm_sensor_to_vehicle_transform_dcm[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_transform_dcm, function), 0, &names_function_selector,
+     ONE(struct mip_3dm_sensor_to_vehicle_transform_dcm, function), 0, &mip_names_function_selector,
      NULL, NULL, NULL, 0},
     {"dcm", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 1, 0,
      ONE(struct mip_3dm_sensor_to_vehicle_transform_dcm, dcm), 0, NULL, NULL, NULL, NULL, 0},
@@ -2558,7 +1024,8 @@ static const uint8_t required_3dm_sensor_to_vehicle_transform_dcm[] = {0, 1, 0, 
 
 static const struct mip_parameter parameters_3dm_accel_bias[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_accel_bias, function), 0, &names_function_selector, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_accel_bias, function), 0, &mip_names_function_selector, NULL, NULL, NULL,
+     0},
     {"bias", "g", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 1, 0,
      ONE(struct mip_3dm_accel_bias, bias), 0, NULL, NULL, NULL, NULL, 0},
 };
@@ -2571,7 +1038,7 @@ static const uint8_t required_3dm_accel_bias[] = {0, 1, 0, 0, 0, 0, 1};
 
 static const struct mip_parameter parameters_3dm_gyro_bias[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_gyro_bias, function), 0, &names_function_selector, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_gyro_bias, function), 0, &mip_names_function_selector, NULL, NULL, NULL, 0},
     {"bias", "rad/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 1, 0,
      ONE(struct mip_3dm_gyro_bias, bias), 0, NULL, NULL, NULL, NULL, 0},
 };
@@ -2594,8 +1061,8 @@ static const struct mip_record record_3dm_capture_gyro_bias = {
 
 static const struct mip_parameter parameters_3dm_mag_hard_iron_offset[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_mag_hard_iron_offset, function), 0, &names_function_selector, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_3dm_mag_hard_iron_offset, function), 0, &mip_names_function_selector, NULL,
+     NULL, NULL, 0},
     {"offset", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 1, 0,
      ONE(struct mip_3dm_mag_hard_iron_offset, offset), 0, NULL, NULL, NULL, NULL, 0},
 };
@@ -2608,8 +1075,8 @@ static const uint8_t required_3dm_mag_hard_iron_offset[] = {0, 1, 0, 0, 0, 0, 1}
 
 static const struct mip_parameter parameters_3dm_mag_soft_iron_matrix[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_mag_soft_iron_matrix, function), 0, &names_function_selector, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_3dm_mag_soft_iron_matrix, function), 0, &mip_names_function_selector, NULL,
+     NULL, NULL, 0},
     {"matrix", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 1, 0,
      ONE(struct mip_3dm_mag_soft_iron_matrix, matrix), 0, NULL, NULL, NULL, NULL, 0},
 };
@@ -2622,8 +1089,8 @@ static const uint8_t required_3dm_mag_soft_iron_matrix[] = {0, 1, 0, 0, 0, 0, 1}
 
 static const struct mip_parameter parameters_3dm_coning_sculling_enable[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_coning_sculling_enable, function), 0, &names_function_selector, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_3dm_coning_sculling_enable, function), 0, &mip_names_function_selector, NULL,
+     NULL, NULL, 0},
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
      ONE(struct mip_3dm_coning_sculling_enable, enable), 0, NULL, NULL, NULL, NULL, 0},
 };
@@ -2636,8 +1103,8 @@ static const uint8_t required_3dm_coning_sculling_enable[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_3dm_uart_baud_rate[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_uart_baud_rate, function), 0, &names_function_selector, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_3dm_uart_baud_rate, function), 0, &mip_names_function_selector, NULL, NULL,
+     NULL, 0},
     {"baud", "Bd", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
      ONE(struct mip_3dm_uart_baud_rate, baud), 0, NULL, NULL, NULL, NULL, 0},
 };
@@ -2649,22 +1116,26 @@ static const struct mip_record record_3dm_uart_baud_rate = {
 static const uint8_t required_3dm_uart_baud_rate[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_reading readings_3dm_gpio_config_behavior[] = {
-    {NULL, 2, 0, &names_gpio_unused_behavior},    {NULL, 2, 1, &names_gpio_behavior},
-    {NULL, 2, 2, &names_gpio_pps_behavior},       {NULL, 2, 3, &names_gpio_encoder_behavior},
-    {NULL, 2, 4, &names_gpio_timestamp_behavior}, {NULL, 2, 5, &names_gpio_uart_behavior},
+    {NULL, 2, 0, &mip_names_gpio_unused_behavior},
+    {NULL, 2, 1, &mip_names_gpio_behavior},
+    {NULL, 2, 2, &mip_names_gpio_pps_behavior},
+    {NULL, 2, 3, &mip_names_gpio_encoder_behavior},
+    {NULL, 2, 4, &mip_names_gpio_timestamp_behavior},
+    {NULL, 2, 5, &mip_names_gpio_uart_behavior},
 };
 static const struct mip_parameter parameters_3dm_gpio_config[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_gpio_config, function), 0, &names_function_selector, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_gpio_config, function), 0, &mip_names_function_selector, NULL, NULL, NULL,
+     0},
     {"pin", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
      ONE(struct mip_3dm_gpio_config, pin), 0, NULL, NULL, NULL, NULL, 0},
     {"feature", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_3dm_gpio_config, feature), 0, &names_gpio_feature, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_gpio_config, feature), 0, &mip_names_gpio_feature, NULL, NULL, NULL, 0},
     {"behavior", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
      ONE(struct mip_3dm_gpio_config, behavior), 0, NULL, readings_3dm_gpio_config_behavior, NULL,
      NULL, 6},
     {"pin_mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 4, 0,
-     ONE(struct mip_3dm_gpio_config, pin_mode), 0, &names_gpio_pin_mode, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_gpio_config, pin_mode), 0, &mip_names_gpio_pin_mode, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_gpio_config = {
     parameters_3dm_gpio_config,
@@ -2675,7 +1146,8 @@ static const uint8_t required_3dm_gpio_config[] = {0, 4, 1, 1, 1, 1};
 
 static const struct mip_parameter parameters_3dm_gpio_state[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_gpio_state, function), 0, &names_function_selector, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_gpio_state, function), 0, &mip_names_function_selector, NULL, NULL, NULL,
+     0},
     {"pin", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
      ONE(struct mip_3dm_gpio_state, pin), 0, NULL, NULL, NULL, NULL, 0},
     {"state", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
@@ -2690,10 +1162,11 @@ static const uint8_t required_3dm_gpio_state[] = {0, 2, 1};
 
 static const struct mip_parameter parameters_3dm_odometer_config[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_odometer_config, function), 0, &names_function_selector, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_3dm_odometer_config, function), 0, &mip_names_function_selector, NULL, NULL,
+     NULL, 0},
     {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_3dm_odometer_config, mode), 0, &names_3dm_odometer_mode, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_odometer_config, mode), 0, &mip_names_3dm_odometer_mode, NULL, NULL, NULL,
+     0},
     {"scaling", "pulse/m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
      ONE(struct mip_3dm_odometer_config, scaling), 0, NULL, NULL, NULL, NULL, 0},
     {"uncertainty", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
@@ -2708,7 +1181,7 @@ static const uint8_t required_3dm_odometer_config[] = {0, 3, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_3dm_imu_low_pass_filter[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_imu_low_pass_filter, function), 0, &names_function_selector, NULL, NULL,
+     ONE(struct mip_3dm_imu_low_pass_filter, function), 0, &mip_names_function_selector, NULL, NULL,
      NULL, 0},
     {"target_descriptor", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
      ONE(struct mip_3dm_imu_low_pass_filter, target_descriptor), 0, NULL, NULL, NULL, NULL, 0},
@@ -2730,8 +1203,8 @@ static const uint8_t required_3dm_imu_low_pass_filter[] = {0, 5, 1, 1, 1, 1};
 
 static const struct mip_parameter parameters_3dm_complementary_filter[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_complementary_filter, function), 0, &names_function_selector, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_3dm_complementary_filter, function), 0, &mip_names_function_selector, NULL,
+     NULL, NULL, 0},
     {"pitch_roll_enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
      ONE(struct mip_3dm_complementary_filter, pitch_roll_enable), 0, NULL, NULL, NULL, NULL, 0},
     {"heading_enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
@@ -2751,10 +1224,11 @@ static const uint8_t required_3dm_complementary_filter[] = {0, 4, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_3dm_sensor_range[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_sensor_range, function), 0, &names_function_selector, NULL, NULL, NULL, 0},
-    {"sensor", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_3dm_sensor_range, sensor), 0, &names_3dm_sensor_range_type, NULL, NULL, NULL,
+     ONE(struct mip_3dm_sensor_range, function), 0, &mip_names_function_selector, NULL, NULL, NULL,
      0},
+    {"sensor", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_3dm_sensor_range, sensor), 0, &mip_names_3dm_sensor_range_type, NULL, NULL,
+     NULL, 0},
     {"setting", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
      ONE(struct mip_3dm_sensor_range, setting), 0, NULL, NULL, NULL, NULL, 0},
 };
@@ -2767,7 +1241,7 @@ static const uint8_t required_3dm_sensor_range[] = {0, 2, 1, 1, 1, 1};
 
 static const struct mip_parameter parameters_3dm_get_calibrated_sensor_ranges[] = {
     {"sensor", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_get_calibrated_sensor_ranges, sensor), 0, &names_3dm_sensor_range_type,
+     ONE(struct mip_3dm_get_calibrated_sensor_ranges, sensor), 0, &mip_names_3dm_sensor_range_type,
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_get_calibrated_sensor_ranges = {
@@ -2778,8 +1252,8 @@ static const struct mip_record record_3dm_get_calibrated_sensor_ranges = {
 
 static const struct mip_parameter parameters_3dm_low_pass_filter[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_low_pass_filter, function), 0, &names_function_selector, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_3dm_low_pass_filter, function), 0, &mip_names_function_selector, NULL, NULL,
+     NULL, 0},
     {"descriptor_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
      ONE(struct mip_3dm_low_pass_filter, descriptor_set), 0, NULL, NULL, NULL, NULL, 0},
     {"field_descriptor", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
@@ -2802,8 +1276,8 @@ static const struct mip_parameter parameters_3dm_device_status[] = {
     {"model_number", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_device_status, model_number), 0, NULL, NULL, NULL, NULL, 0},
     {"status_selector", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_device_status, status_selector), 0, &names_3dm_device_status_selector, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_3dm_device_status, status_selector), 0, &mip_names_3dm_device_status_selector,
+     NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_device_status = {
     parameters_3dm_device_status,
@@ -2874,33 +1348,33 @@ static const struct mip_record record_3dm_get_gnss_base_rate_response = {
 };
 
 static const struct mip_reading readings_3dm_data_stream_control_response_descriptor_set[] = {
-    {"3dm-cl5-15", 0, 0, &names_3dm_legacy_data_stream},
-    {"3dm-cl5-25", 0, 0, &names_3dm_legacy_data_stream},
-    {"3dm-cv5-10", 0, 0, &names_3dm_legacy_data_stream},
-    {"3dm-cv5-15", 0, 0, &names_3dm_legacy_data_stream},
-    {"3dm-cv5-25", 0, 0, &names_3dm_legacy_data_stream},
-    {"3dm-cx5-10", 0, 0, &names_3dm_legacy_data_stream},
-    {"3dm-cx5-15", 0, 0, &names_3dm_legacy_data_stream},
-    {"3dm-cx5-25", 0, 0, &names_3dm_legacy_data_stream},
-    {"3dm-cx5-35", 0, 0, &names_3dm_legacy_data_stream},
-    {"3dm-cx5-45", 0, 0, &names_3dm_legacy_data_stream},
-    {"3dm-dh3", 0, 0, &names_3dm_legacy_data_stream},
-    {"3dm-gq4-45", 0, 0, &names_3dm_legacy_data_stream},
-    {"3dm-gx3-15", 0, 0, &names_3dm_legacy_data_stream},
-    {"3dm-gx3-25", 0, 0, &names_3dm_legacy_data_stream},
-    {"3dm-gx3-35", 0, 0, &names_3dm_legacy_data_stream},
-    {"3dm-gx3-45", 0, 0, &names_3dm_legacy_data_stream},
-    {"3dm-gx4-15", 0, 0, &names_3dm_legacy_data_stream},
-    {"3dm-gx4-25", 0, 0, &names_3dm_legacy_data_stream},
-    {"3dm-gx4-45", 0, 0, &names_3dm_legacy_data_stream},
-    {"3dm-gx5-10", 0, 0, &names_3dm_legacy_data_stream},
-    {"3dm-gx5-15", 0, 0, &names_3dm_legacy_data_stream},
-    {"3dm-gx5-25", 0, 0, &names_3dm_legacy_data_stream},
-    {"3dm-gx5-35", 0, 0, &names_3dm_legacy_data_stream},
-    {"3dm-gx5-45", 0, 0, &names_3dm_legacy_data_stream},
-    {"3dm-mv5-ar", 0, 0, &names_3dm_legacy_data_stream},
-    {"3dm-rq1-45-lt", 0, 0, &names_3dm_legacy_data_stream},
-    {"3dm-rq1-45-st", 0, 0, &names_3dm_legacy_data_stream},
+    {"3dm-cl5-15", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-cl5-25", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-cv5-10", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-cv5-15", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-cv5-25", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-cx5-10", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-cx5-15", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-cx5-25", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-cx5-35", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-cx5-45", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-dh3", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-gq4-45", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-gx3-15", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-gx3-25", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-gx3-35", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-gx3-45", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-gx4-15", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-gx4-25", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-gx4-45", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-gx5-10", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-gx5-15", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-gx5-25", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-gx5-35", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-gx5-45", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-mv5-ar", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-rq1-45-lt", 0, 0, &mip_names_3dm_legacy_data_stream},
+    {"3dm-rq1-45-st", 0, 0, &mip_names_3dm_legacy_data_stream},
 };
 static const struct mip_parameter parameters_3dm_data_stream_control_response[] = {
     {"descriptor_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3575,7 +2049,7 @@ static const struct mip_parameter parameters_3dm_gnss_sbas_settings_response[] =
     {"enable_sbas", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_gnss_sbas_settings_response, enable_sbas), 0, NULL, NULL, NULL, NULL, 0},
     {"sbas_options", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_gnss_sbas_settings_response, sbas_options), 0, &names_3dm_sbas_options,
+     ONE(struct mip_3dm_gnss_sbas_settings_response, sbas_options), 0, &mip_names_3dm_sbas_options,
      NULL, NULL, NULL, 0},
     {"num_included_prns", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 3, 0, 0,
      ONE(struct mip_3dm_gnss_sbas_settings_response, num_included_prns), 0, NULL, NULL, NULL, NULL,
@@ -3591,7 +2065,7 @@ static const struct mip_record record_3dm_gnss_sbas_settings_response = {
 
 static const struct mip_parameter parameters_3dm_gnss_assisted_fix_response[] = {
     {"option", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_gnss_assisted_fix_response, option), 0, &names_3dm_assisted_fix_option,
+     ONE(struct mip_3dm_gnss_assisted_fix_response, option), 0, &mip_names_3dm_assisted_fix_option,
      NULL, NULL, NULL, 0},
     {"flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_gnss_assisted_fix_response, flags), 0, NULL, NULL, NULL, NULL, 0},
@@ -3618,8 +2092,8 @@ static const struct mip_record record_3dm_gnss_time_assistance_response = {
 
 static const struct mip_parameter parameters_3dm_pps_source_control_response[] = {
     {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_pps_source_control_response, source), 0, &names_3dm_pps_source, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_3dm_pps_source_control_response, source), 0, &mip_names_3dm_pps_source, NULL,
+     NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_pps_source_control_response = {
     parameters_3dm_pps_source_control_response,
@@ -3669,8 +2143,8 @@ static const struct mip_record record_3dm_sensor_to_vehicle_transform_dcm_respon
 
 static const struct mip_parameter parameters_3dm_get_event_support_response[] = {
     {"query", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_get_event_support_response, query), 0, &names_3dm_event_support_query, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_3dm_get_event_support_response, query), 0, &mip_names_3dm_event_support_query,
+     NULL, NULL, NULL, 0},
     {"max_instances", "1", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_get_event_support_response, max_instances), 0, NULL, NULL, NULL, NULL, 0},
     {"num_entries", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 3, 0, 0,
@@ -3689,7 +2163,7 @@ static const struct mip_parameter parameters_3dm_event_control_response[] = {
     {"instance", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_event_control_response, instance), 0, NULL, NULL, NULL, NULL, 0},
     {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_event_control_response, mode), 0, &names_event_trigger_mode, NULL, NULL,
+     ONE(struct mip_3dm_event_control_response, mode), 0, &mip_names_event_trigger_mode, NULL, NULL,
      NULL, 0},
 };
 static const struct mip_record record_3dm_event_control_response = {
@@ -3745,8 +2219,8 @@ static const struct mip_parameter parameters_3dm_event_trigger_config_response[]
     {"instance", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_event_trigger_config_response, instance), 0, NULL, NULL, NULL, NULL, 0},
     {"type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_event_trigger_config_response, type), 0, &names_event_trigger_type, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_3dm_event_trigger_config_response, type), 0, &mip_names_event_trigger_type,
+     NULL, NULL, NULL, 0},
     {"parameters", "", MIP_KIND_UNION, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 1, 0, 0,
      ONE(struct mip_3dm_event_trigger_config_response, parameters), 0, NULL, NULL, NULL,
      cases_3dm_event_trigger_config_response_parameters, 4},
@@ -3776,7 +2250,7 @@ static const struct mip_parameter parameters_3dm_event_action_config_response[] 
     {"trigger", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_event_action_config_response, trigger), 0, NULL, NULL, NULL, NULL, 0},
     {"type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_event_action_config_response, type), 0, &names_event_action_type, NULL,
+     ONE(struct mip_3dm_event_action_config_response, type), 0, &mip_names_event_action_type, NULL,
      NULL, NULL, 0},
     {"parameters", "", MIP_KIND_UNION, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 2, 0, 0,
      ONE(struct mip_3dm_event_action_config_response, parameters), 0, NULL, NULL, NULL,
@@ -3789,22 +2263,25 @@ static const struct mip_record record_3dm_event_action_config_response = {
 };
 
 static const struct mip_reading readings_3dm_gpio_config_response_behavior[] = {
-    {NULL, 1, 0, &names_gpio_unused_behavior},    {NULL, 1, 1, &names_gpio_behavior},
-    {NULL, 1, 2, &names_gpio_pps_behavior},       {NULL, 1, 3, &names_gpio_encoder_behavior},
-    {NULL, 1, 4, &names_gpio_timestamp_behavior}, {NULL, 1, 5, &names_gpio_uart_behavior},
+    {NULL, 1, 0, &mip_names_gpio_unused_behavior},
+    {NULL, 1, 1, &mip_names_gpio_behavior},
+    {NULL, 1, 2, &mip_names_gpio_pps_behavior},
+    {NULL, 1, 3, &mip_names_gpio_encoder_behavior},
+    {NULL, 1, 4, &mip_names_gpio_timestamp_behavior},
+    {NULL, 1, 5, &mip_names_gpio_uart_behavior},
 };
 static const struct mip_parameter parameters_3dm_gpio_config_response[] = {
     {"pin", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_gpio_config_response, pin), 0, NULL, NULL, NULL, NULL, 0},
     {"feature", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_gpio_config_response, feature), 0, &names_gpio_feature, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_3dm_gpio_config_response, feature), 0, &mip_names_gpio_feature, NULL, NULL,
+     NULL, 0},
     {"behavior", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_gpio_config_response, behavior), 0, NULL,
      readings_3dm_gpio_config_response_behavior, NULL, NULL, 6},
     {"pin_mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_gpio_config_response, pin_mode), 0, &names_gpio_pin_mode, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_3dm_gpio_config_response, pin_mode), 0, &mip_names_gpio_pin_mode, NULL, NULL,
+     NULL, 0},
 };
 static const struct mip_record record_3dm_gpio_config_response = {
     parameters_3dm_gpio_config_response,
@@ -3826,8 +2303,8 @@ static const struct mip_record record_3dm_gpio_state_response = {
 
 static const struct mip_parameter parameters_3dm_odometer_config_response[] = {
     {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_odometer_config_response, mode), 0, &names_3dm_odometer_mode, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_3dm_odometer_config_response, mode), 0, &mip_names_3dm_odometer_mode, NULL,
+     NULL, NULL, 0},
     {"scaling", "pulse/m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_odometer_config_response, scaling), 0, NULL, NULL, NULL, NULL, 0},
     {"uncertainty", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3841,8 +2318,8 @@ static const struct mip_record record_3dm_odometer_config_response = {
 
 static const struct mip_parameter parameters_3dm_sensor_range_response[] = {
     {"sensor", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_sensor_range_response, sensor), 0, &names_3dm_sensor_range_type, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_3dm_sensor_range_response, sensor), 0, &mip_names_3dm_sensor_range_type, NULL,
+     NULL, NULL, 0},
     {"setting", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_sensor_range_response, setting), 0, NULL, NULL, NULL, NULL, 0},
 };
@@ -3855,7 +2332,7 @@ static const struct mip_record record_3dm_sensor_range_response = {
 static const struct mip_parameter parameters_3dm_get_calibrated_sensor_ranges_response[] = {
     {"sensor", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_get_calibrated_sensor_ranges_response, sensor), 0,
-     &names_3dm_sensor_range_type, NULL, NULL, NULL, 0},
+     &mip_names_3dm_sensor_range_type, NULL, NULL, NULL, 0},
     {"num_ranges", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 2, 0, 0,
      ONE(struct mip_3dm_get_calibrated_sensor_ranges_response, num_ranges), 0, NULL, NULL, NULL,
      NULL, 0},
@@ -3925,11 +2402,11 @@ static const struct mip_record record_filter_run = {
 
 static const struct mip_parameter parameters_filter_vehicle_dynamics_mode[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_vehicle_dynamics_mode, function), 0, &names_function_selector, NULL,
+     ONE(struct mip_filter_vehicle_dynamics_mode, function), 0, &mip_names_function_selector, NULL,
      NULL, NULL, 0},
     {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_vehicle_dynamics_mode, mode), 0, &names_filter_dynamics_mode, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_filter_vehicle_dynamics_mode, mode), 0, &mip_names_filter_dynamics_mode, NULL,
+     NULL, NULL, 0},
 };
 static const struct mip_record record_filter_vehicle_dynamics_mode = {
     parameters_filter_vehicle_dynamics_mode,
@@ -3940,8 +2417,8 @@ static const uint8_t required_filter_vehicle_dynamics_mode[] = {0, 1, 0, 0, 0, 0
 
 static const struct mip_parameter parameters_filter_sensor_to_vehicle_rotation_euler[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_sensor_to_vehicle_rotation_euler, function), 0, &names_function_selector,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_sensor_to_vehicle_rotation_euler, function), 0,
+     &mip_names_function_selector, NULL, NULL, NULL, 0},
     {"roll", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
      ONE(struct mip_filter_sensor_to_vehicle_rotation_euler, roll), 0, NULL, NULL, NULL, NULL, 0},
     {"pitch", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
@@ -3958,8 +2435,8 @@ static const uint8_t required_filter_sensor_to_vehicle_rotation_euler[] = {0, 3,
 
 static const struct mip_parameter parameters_filter_sensor_to_vehicle_offset[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_sensor_to_vehicle_offset, function), 0, &names_function_selector, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_filter_sensor_to_vehicle_offset, function), 0, &mip_names_function_selector,
+     NULL, NULL, NULL, 0},
     {"offset", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 1, 0,
      ONE(struct mip_filter_sensor_to_vehicle_offset, offset), 0, NULL, NULL, NULL, NULL, 0},
 };
@@ -3972,8 +2449,8 @@ static const uint8_t required_filter_sensor_to_vehicle_offset[] = {0, 1, 0, 0, 0
 
 static const struct mip_parameter parameters_filter_antenna_offset[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_antenna_offset, function), 0, &names_function_selector, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_filter_antenna_offset, function), 0, &mip_names_function_selector, NULL, NULL,
+     NULL, 0},
     {"offset", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 1, 0,
      ONE(struct mip_filter_antenna_offset, offset), 0, NULL, NULL, NULL, NULL, 0},
 };
@@ -3986,10 +2463,10 @@ static const uint8_t required_filter_antenna_offset[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_estimation_control[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_estimation_control, function), 0, &names_function_selector, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_filter_estimation_control, function), 0, &mip_names_function_selector, NULL,
+     NULL, NULL, 0},
     {"flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_estimation_control, flags), 0, &names_filter_estimated_states, NULL,
+     ONE(struct mip_filter_estimation_control, flags), 0, &mip_names_filter_estimated_states, NULL,
      NULL, NULL, 0},
 };
 static const struct mip_record record_filter_estimation_control = {
@@ -4001,11 +2478,11 @@ static const uint8_t required_filter_estimation_control[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_gnss_source[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_gnss_source, function), 0, &names_function_selector, NULL, NULL, NULL,
-     0},
-    {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_gnss_source, source), 0, &names_filter_gnss_aiding_source, NULL, NULL,
+     ONE(struct mip_filter_gnss_source, function), 0, &mip_names_function_selector, NULL, NULL,
      NULL, 0},
+    {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_filter_gnss_source, source), 0, &mip_names_filter_gnss_aiding_source, NULL,
+     NULL, NULL, 0},
 };
 static const struct mip_record record_filter_gnss_source = {
     parameters_filter_gnss_source,
@@ -4047,7 +2524,7 @@ static const struct mip_parameter parameters_filter_external_heading_update[] = 
      ONE(struct mip_filter_external_heading_update, heading_uncertainty), 0, NULL, NULL, NULL, NULL,
      0},
     {"type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_external_heading_update, type), 0, &names_filter_heading_type, NULL,
+     ONE(struct mip_filter_external_heading_update, type), 0, &mip_names_filter_heading_type, NULL,
      NULL, NULL, 0},
 };
 static const struct mip_record record_filter_external_heading_update = {
@@ -4058,11 +2535,11 @@ static const struct mip_record record_filter_external_heading_update = {
 
 static const struct mip_parameter parameters_filter_heading_source[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_heading_source, function), 0, &names_function_selector, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_filter_heading_source, function), 0, &mip_names_function_selector, NULL, NULL,
+     NULL, 0},
     {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_heading_source, source), 0, &names_filter_heading_update_source, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_filter_heading_source, source), 0, &mip_names_filter_heading_update_source,
+     NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_heading_source = {
     parameters_filter_heading_source,
@@ -4073,7 +2550,7 @@ static const uint8_t required_filter_heading_source[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_auto_initialization_control[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_auto_initialization_control, function), 0, &names_function_selector,
+     ONE(struct mip_filter_auto_initialization_control, function), 0, &mip_names_function_selector,
      NULL, NULL, NULL, 0},
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
      ONE(struct mip_filter_auto_initialization_control, enable), 0, NULL, NULL, NULL, NULL, 0},
@@ -4087,8 +2564,8 @@ static const uint8_t required_filter_auto_initialization_control[] = {0, 1, 0, 0
 
 static const struct mip_parameter parameters_filter_accel_noise[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_accel_noise, function), 0, &names_function_selector, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_filter_accel_noise, function), 0, &mip_names_function_selector, NULL, NULL,
+     NULL, 0},
     {"noise", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 1, 0,
      ONE(struct mip_filter_accel_noise, noise), 0, NULL, NULL, NULL, NULL, 0},
 };
@@ -4101,7 +2578,8 @@ static const uint8_t required_filter_accel_noise[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_gyro_noise[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_gyro_noise, function), 0, &names_function_selector, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_gyro_noise, function), 0, &mip_names_function_selector, NULL, NULL, NULL,
+     0},
     {"noise", "rad/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 1, 0,
      ONE(struct mip_filter_gyro_noise, noise), 0, NULL, NULL, NULL, NULL, 0},
 };
@@ -4114,7 +2592,7 @@ static const uint8_t required_filter_gyro_noise[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_accel_bias_model[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_accel_bias_model, function), 0, &names_function_selector, NULL, NULL,
+     ONE(struct mip_filter_accel_bias_model, function), 0, &mip_names_function_selector, NULL, NULL,
      NULL, 0},
     {"beta", "1/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 1, 0,
      ONE(struct mip_filter_accel_bias_model, beta), 0, NULL, NULL, NULL, NULL, 0},
@@ -4130,7 +2608,7 @@ static const uint8_t required_filter_accel_bias_model[] = {0, 2, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_gyro_bias_model[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_gyro_bias_model, function), 0, &names_function_selector, NULL, NULL,
+     ONE(struct mip_filter_gyro_bias_model, function), 0, &mip_names_function_selector, NULL, NULL,
      NULL, 0},
     {"beta", "1/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 1, 0,
      ONE(struct mip_filter_gyro_bias_model, beta), 0, NULL, NULL, NULL, NULL, 0},
@@ -4146,7 +2624,8 @@ static const uint8_t required_filter_gyro_bias_model[] = {0, 2, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_auto_zupt[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_auto_zupt, function), 0, &names_function_selector, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_auto_zupt, function), 0, &mip_names_function_selector, NULL, NULL, NULL,
+     0},
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
      ONE(struct mip_filter_auto_zupt, enable), 0, NULL, NULL, NULL, NULL, 0},
     {"threshold", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
@@ -4172,8 +2651,8 @@ static const struct mip_parameter parameters_filter_external_heading_update_with
      ONE(struct mip_filter_external_heading_update_with_time, heading_uncertainty), 0, NULL, NULL,
      NULL, NULL, 0},
     {"type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_external_heading_update_with_time, type), 0, &names_filter_heading_type,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_external_heading_update_with_time, type), 0,
+     &mip_names_filter_heading_type, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_external_heading_update_with_time = {
     parameters_filter_external_heading_update_with_time,
@@ -4183,8 +2662,8 @@ static const struct mip_record record_filter_external_heading_update_with_time =
 
 static const struct mip_parameter parameters_filter_auto_angular_zupt[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_auto_angular_zupt, function), 0, &names_function_selector, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_filter_auto_angular_zupt, function), 0, &mip_names_function_selector, NULL,
+     NULL, NULL, 0},
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
      ONE(struct mip_filter_auto_angular_zupt, enable), 0, NULL, NULL, NULL, NULL, 0},
     {"threshold", "rad/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
@@ -4199,11 +2678,11 @@ static const uint8_t required_filter_auto_angular_zupt[] = {0, 2, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_tare_orientation[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_tare_orientation, function), 0, &names_function_selector, NULL, NULL,
+     ONE(struct mip_filter_tare_orientation, function), 0, &mip_names_function_selector, NULL, NULL,
      NULL, 0},
     {"axes", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_tare_orientation, axes), 0, &names_filter_tare_axes, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_filter_tare_orientation, axes), 0, &mip_names_filter_tare_axes, NULL, NULL,
+     NULL, 0},
 };
 static const struct mip_record record_filter_tare_orientation = {
     parameters_filter_tare_orientation,
@@ -4226,8 +2705,8 @@ static const struct mip_record record_filter_commanded_angular_zupt = {
 
 static const struct mip_parameter parameters_filter_reference_position[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_reference_position, function), 0, &names_function_selector, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_filter_reference_position, function), 0, &mip_names_function_selector, NULL,
+     NULL, NULL, 0},
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
      ONE(struct mip_filter_reference_position, enable), 0, NULL, NULL, NULL, NULL, 0},
     {"latitude", "deg", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
@@ -4246,7 +2725,7 @@ static const uint8_t required_filter_reference_position[] = {0, 4, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_mag_capture_auto_calibration[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_mag_capture_auto_calibration, function), 0, &names_function_selector,
+     ONE(struct mip_filter_mag_capture_auto_calibration, function), 0, &mip_names_function_selector,
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_mag_capture_auto_calibration = {
@@ -4258,8 +2737,8 @@ static const uint8_t required_filter_mag_capture_auto_calibration[] = {0, 0, 0, 
 
 static const struct mip_parameter parameters_filter_gravity_noise[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_gravity_noise, function), 0, &names_function_selector, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_filter_gravity_noise, function), 0, &mip_names_function_selector, NULL, NULL,
+     NULL, 0},
     {"noise", "g", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 1, 0,
      ONE(struct mip_filter_gravity_noise, noise), 0, NULL, NULL, NULL, NULL, 0},
 };
@@ -4272,8 +2751,8 @@ static const uint8_t required_filter_gravity_noise[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_pressure_altitude_noise[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_pressure_altitude_noise, function), 0, &names_function_selector, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_filter_pressure_altitude_noise, function), 0, &mip_names_function_selector,
+     NULL, NULL, NULL, 0},
     {"noise", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
      ONE(struct mip_filter_pressure_altitude_noise, noise), 0, NULL, NULL, NULL, NULL, 0},
 };
@@ -4286,7 +2765,7 @@ static const uint8_t required_filter_pressure_altitude_noise[] = {0, 1, 0, 0, 0,
 
 static const struct mip_parameter parameters_filter_hard_iron_offset_noise[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_hard_iron_offset_noise, function), 0, &names_function_selector, NULL,
+     ONE(struct mip_filter_hard_iron_offset_noise, function), 0, &mip_names_function_selector, NULL,
      NULL, NULL, 0},
     {"noise", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 1, 0,
      ONE(struct mip_filter_hard_iron_offset_noise, noise), 0, NULL, NULL, NULL, NULL, 0},
@@ -4300,7 +2779,7 @@ static const uint8_t required_filter_hard_iron_offset_noise[] = {0, 1, 0, 0, 0, 
 
 static const struct mip_parameter parameters_filter_soft_iron_matrix_noise[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_soft_iron_matrix_noise, function), 0, &names_function_selector, NULL,
+     ONE(struct mip_filter_soft_iron_matrix_noise, function), 0, &mip_names_function_selector, NULL,
      NULL, NULL, 0},
     {"noise", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 1, 0,
      ONE(struct mip_filter_soft_iron_matrix_noise, noise), 0, NULL, NULL, NULL, NULL, 0},
@@ -4314,11 +2793,11 @@ static const uint8_t required_filter_soft_iron_matrix_noise[] = {0, 1, 0, 0, 0, 
 
 static const struct mip_parameter parameters_filter_enable_measurements[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_enable_measurements, function), 0, &names_function_selector, NULL, NULL,
-     NULL, 0},
-    {"control", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_enable_measurements, control), 0, &names_filter_measurement_flags, NULL,
+     ONE(struct mip_filter_enable_measurements, function), 0, &mip_names_function_selector, NULL,
      NULL, NULL, 0},
+    {"control", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_filter_enable_measurements, control), 0, &mip_names_filter_measurement_flags,
+     NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_enable_measurements = {
     parameters_filter_enable_measurements,
@@ -4329,7 +2808,8 @@ static const uint8_t required_filter_enable_measurements[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_mag_noise[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_mag_noise, function), 0, &names_function_selector, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_mag_noise, function), 0, &mip_names_function_selector, NULL, NULL, NULL,
+     0},
     {"noise", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 1, 0,
      ONE(struct mip_filter_mag_noise, noise), 0, NULL, NULL, NULL, NULL, 0},
 };
@@ -4342,11 +2822,11 @@ static const uint8_t required_filter_mag_noise[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_magnetic_declination_source[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_magnetic_declination_source, function), 0, &names_function_selector,
+     ONE(struct mip_filter_magnetic_declination_source, function), 0, &mip_names_function_selector,
      NULL, NULL, NULL, 0},
     {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
      ONE(struct mip_filter_magnetic_declination_source, source), 0,
-     &names_filter_mag_parameter_source, NULL, NULL, NULL, 0},
+     &mip_names_filter_mag_parameter_source, NULL, NULL, NULL, 0},
     {"declination", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
      ONE(struct mip_filter_magnetic_declination_source, declination), 0, NULL, NULL, NULL, NULL, 0},
 };
@@ -4360,10 +2840,10 @@ static const uint8_t required_filter_magnetic_declination_source[] = {0, 2, 0, 0
 static const struct mip_parameter parameters_filter_accel_magnitude_error_adaptive_measurement[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement, function), 0,
-     &names_function_selector, NULL, NULL, NULL, 0},
+     &mip_names_function_selector, NULL, NULL, NULL, 0},
     {"adaptive_measurement", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
      ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement, adaptive_measurement), 0,
-     &names_filter_adaptive_measurement_selector, NULL, NULL, NULL, 0},
+     &mip_names_filter_adaptive_measurement_selector, NULL, NULL, NULL, 0},
     {"frequency", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
      ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement, frequency), 0, NULL, NULL,
      NULL, NULL, 0},
@@ -4395,10 +2875,10 @@ static const uint8_t required_filter_accel_magnitude_error_adaptive_measurement[
 static const struct mip_parameter parameters_filter_mag_magnitude_error_adaptive_measurement[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement, function), 0,
-     &names_function_selector, NULL, NULL, NULL, 0},
+     &mip_names_function_selector, NULL, NULL, NULL, 0},
     {"adaptive_measurement", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
      ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement, adaptive_measurement), 0,
-     &names_filter_adaptive_measurement_selector, NULL, NULL, NULL, 0},
+     &mip_names_filter_adaptive_measurement_selector, NULL, NULL, NULL, 0},
     {"frequency", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
      ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement, frequency), 0, NULL, NULL,
      NULL, NULL, 0},
@@ -4429,7 +2909,7 @@ static const uint8_t required_filter_mag_magnitude_error_adaptive_measurement[] 
 static const struct mip_parameter parameters_filter_mag_dip_angle_error_adaptive_measurement[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_mag_dip_angle_error_adaptive_measurement, function), 0,
-     &names_function_selector, NULL, NULL, NULL, 0},
+     &mip_names_function_selector, NULL, NULL, NULL, 0},
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
      ONE(struct mip_filter_mag_dip_angle_error_adaptive_measurement, enable), 0, NULL, NULL, NULL,
      NULL, 0},
@@ -4456,10 +2936,10 @@ static const uint8_t required_filter_mag_dip_angle_error_adaptive_measurement[] 
 
 static const struct mip_parameter parameters_filter_altitude_aiding[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_altitude_aiding, function), 0, &names_function_selector, NULL, NULL,
+     ONE(struct mip_filter_altitude_aiding, function), 0, &mip_names_function_selector, NULL, NULL,
      NULL, 0},
     {"selector", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_altitude_aiding, selector), 0, &names_filter_altitude_aiding_source,
+     ONE(struct mip_filter_altitude_aiding, selector), 0, &mip_names_filter_altitude_aiding_source,
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_altitude_aiding = {
@@ -4471,11 +2951,11 @@ static const uint8_t required_filter_altitude_aiding[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_pitch_roll_aiding[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_pitch_roll_aiding, function), 0, &names_function_selector, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_filter_pitch_roll_aiding, function), 0, &mip_names_function_selector, NULL,
+     NULL, NULL, 0},
     {"aiding", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_pitch_roll_aiding, aiding), 0, &names_filter_pitch_roll_aiding_source,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_pitch_roll_aiding, aiding), 0,
+     &mip_names_filter_pitch_roll_aiding_source, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_pitch_roll_aiding = {
     parameters_filter_pitch_roll_aiding,
@@ -4486,11 +2966,11 @@ static const uint8_t required_filter_pitch_roll_aiding[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_magnetic_inclination_source[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_magnetic_inclination_source, function), 0, &names_function_selector,
+     ONE(struct mip_filter_magnetic_inclination_source, function), 0, &mip_names_function_selector,
      NULL, NULL, NULL, 0},
     {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
      ONE(struct mip_filter_magnetic_inclination_source, source), 0,
-     &names_filter_mag_parameter_source, NULL, NULL, NULL, 0},
+     &mip_names_filter_mag_parameter_source, NULL, NULL, NULL, 0},
     {"inclination", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
      ONE(struct mip_filter_magnetic_inclination_source, inclination), 0, NULL, NULL, NULL, NULL, 0},
 };
@@ -4503,11 +2983,11 @@ static const uint8_t required_filter_magnetic_inclination_source[] = {0, 2, 0, 0
 
 static const struct mip_parameter parameters_filter_magnetic_magnitude_source[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_magnetic_magnitude_source, function), 0, &names_function_selector, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_filter_magnetic_magnitude_source, function), 0, &mip_names_function_selector,
+     NULL, NULL, NULL, 0},
     {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
      ONE(struct mip_filter_magnetic_magnitude_source, source), 0,
-     &names_filter_mag_parameter_source, NULL, NULL, NULL, 0},
+     &mip_names_filter_mag_parameter_source, NULL, NULL, NULL, 0},
     {"magnitude", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
      ONE(struct mip_filter_magnetic_magnitude_source, magnitude), 0, NULL, NULL, NULL, NULL, 0},
 };
@@ -4520,8 +3000,8 @@ static const uint8_t required_filter_magnetic_magnitude_source[] = {0, 2, 0, 0, 
 
 static const struct mip_parameter parameters_filter_sensor_to_vehicle_rotation_dcm[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_sensor_to_vehicle_rotation_dcm, function), 0, &names_function_selector,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_sensor_to_vehicle_rotation_dcm, function), 0,
+     &mip_names_function_selector, NULL, NULL, NULL, 0},
     {"dcm", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 1, 0,
      ONE(struct mip_filter_sensor_to_vehicle_rotation_dcm, dcm), 0, NULL, NULL, NULL, NULL, 0},
 };
@@ -4535,7 +3015,7 @@ static const uint8_t required_filter_sensor_to_vehicle_rotation_dcm[] = {0, 1, 0
 static const struct mip_parameter parameters_filter_sensor_to_vehicle_rotation_quaternion[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_sensor_to_vehicle_rotation_quaternion, function), 0,
-     &names_function_selector, NULL, NULL, NULL, 0},
+     &mip_names_function_selector, NULL, NULL, NULL, 0},
     {"q", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 1, 0,
      ONE(struct mip_filter_sensor_to_vehicle_rotation_quaternion, q), 0, NULL, NULL, NULL, NULL, 0},
 };
@@ -4548,11 +3028,11 @@ static const uint8_t required_filter_sensor_to_vehicle_rotation_quaternion[] = {
 
 static const struct mip_parameter parameters_filter_aiding_measurement_enable[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_aiding_measurement_enable, function), 0, &names_function_selector, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_filter_aiding_measurement_enable, function), 0, &mip_names_function_selector,
+     NULL, NULL, NULL, 0},
     {"aiding_source", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
      ONE(struct mip_filter_aiding_measurement_enable, aiding_source), 0,
-     &names_filter_aiding_source, NULL, NULL, NULL, 0},
+     &mip_names_filter_aiding_source, NULL, NULL, NULL, 0},
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
      ONE(struct mip_filter_aiding_measurement_enable, enable), 0, NULL, NULL, NULL, NULL, 0},
 };
@@ -4565,17 +3045,17 @@ static const uint8_t required_filter_aiding_measurement_enable[] = {0, 2, 1, 1, 
 
 static const struct mip_parameter parameters_filter_kinematic_constraint[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_kinematic_constraint, function), 0, &names_function_selector, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_filter_kinematic_constraint, function), 0, &mip_names_function_selector, NULL,
+     NULL, NULL, 0},
     {"accel_constraint", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
      ONE(struct mip_filter_kinematic_constraint, accel_constraint), 0,
-     &names_filter_accel_constraint, NULL, NULL, NULL, 0},
+     &mip_names_filter_accel_constraint, NULL, NULL, NULL, 0},
     {"velocity_constraint", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
      ONE(struct mip_filter_kinematic_constraint, velocity_constraint), 0,
-     &names_filter_velocity_constraint, NULL, NULL, NULL, 0},
+     &mip_names_filter_velocity_constraint, NULL, NULL, NULL, 0},
     {"angular_constraint", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
      ONE(struct mip_filter_kinematic_constraint, angular_constraint), 0,
-     &names_filter_angular_constraint, NULL, NULL, NULL, 0},
+     &mip_names_filter_angular_constraint, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_kinematic_constraint = {
     parameters_filter_kinematic_constraint,
@@ -4586,17 +3066,17 @@ static const uint8_t required_filter_kinematic_constraint[] = {0, 3, 0, 0, 0, 0}
 
 static const struct mip_parameter parameters_filter_initialization_config[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_initialization_config, function), 0, &names_function_selector, NULL,
+     ONE(struct mip_filter_initialization_config, function), 0, &mip_names_function_selector, NULL,
      NULL, NULL, 0},
     {"wait_for_run_command", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
      ONE(struct mip_filter_initialization_config, wait_for_run_command), 0, NULL, NULL, NULL, NULL,
      0},
     {"initial_condition_source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
      ONE(struct mip_filter_initialization_config, initial_condition_source), 0,
-     &names_filter_initial_condition_source, NULL, NULL, NULL, 0},
+     &mip_names_filter_initial_condition_source, NULL, NULL, NULL, 0},
     {"auto_heading_alignment_selector", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0,
      3, 0, ONE(struct mip_filter_initialization_config, auto_heading_alignment_selector), 0,
-     &names_filter_heading_alignment, NULL, NULL, NULL, 0},
+     &mip_names_filter_heading_alignment, NULL, NULL, NULL, 0},
     {"initial_heading", "deg", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 4, 0,
      ONE(struct mip_filter_initialization_config, initial_heading), 0, NULL, NULL, NULL, NULL, 0},
     {"initial_pitch", "deg", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 5, 0,
@@ -4609,7 +3089,7 @@ static const struct mip_parameter parameters_filter_initialization_config[] = {
      ONE(struct mip_filter_initialization_config, initial_velocity), 0, NULL, NULL, NULL, NULL, 0},
     {"reference_frame_selector", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 9, 0,
      ONE(struct mip_filter_initialization_config, reference_frame_selector), 0,
-     &names_filter_reference_frame, NULL, NULL, NULL, 0},
+     &mip_names_filter_reference_frame, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_initialization_config = {
     parameters_filter_initialization_config,
@@ -4620,11 +3100,11 @@ static const uint8_t required_filter_initialization_config[] = {0, 9, 0, 0, 0, 0
 
 static const struct mip_parameter parameters_filter_adaptive_filter_options[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_adaptive_filter_options, function), 0, &names_function_selector, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_filter_adaptive_filter_options, function), 0, &mip_names_function_selector,
+     NULL, NULL, NULL, 0},
     {"level", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_adaptive_filter_options, level), 0, &names_filter_adaptive_level, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_filter_adaptive_filter_options, level), 0, &mip_names_filter_adaptive_level,
+     NULL, NULL, NULL, 0},
     {"time_limit", "ms", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
      ONE(struct mip_filter_adaptive_filter_options, time_limit), 0, NULL, NULL, NULL, NULL, 0},
 };
@@ -4637,8 +3117,8 @@ static const uint8_t required_filter_adaptive_filter_options[] = {0, 2, 0, 0, 0,
 
 static const struct mip_parameter parameters_filter_multi_antenna_offset[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_multi_antenna_offset, function), 0, &names_function_selector, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_filter_multi_antenna_offset, function), 0, &mip_names_function_selector, NULL,
+     NULL, NULL, 0},
     {"receiver_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
      ONE(struct mip_filter_multi_antenna_offset, receiver_id), 0, NULL, NULL, NULL, NULL, 0},
     {"antenna_offset", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 2, 0,
@@ -4653,14 +3133,14 @@ static const uint8_t required_filter_multi_antenna_offset[] = {0, 2, 1, 1, 1, 1}
 
 static const struct mip_parameter parameters_filter_relative_position_config[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_relative_position_config, function), 0, &names_function_selector, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_filter_relative_position_config, function), 0, &mip_names_function_selector,
+     NULL, NULL, NULL, 0},
     {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
      ONE(struct mip_filter_relative_position_config, source), 0,
-     &names_filter_relative_position_source, NULL, NULL, NULL, 0},
+     &mip_names_filter_relative_position_source, NULL, NULL, NULL, 0},
     {"reference_frame_selector", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
      ONE(struct mip_filter_relative_position_config, reference_frame_selector), 0,
-     &names_filter_reference_frame, NULL, NULL, NULL, 0},
+     &mip_names_filter_reference_frame, NULL, NULL, NULL, 0},
     {"reference_coordinates", "", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 3, 0, 3, 0,
      ONE(struct mip_filter_relative_position_config, reference_coordinates), 0, NULL, NULL, NULL,
      NULL, 0},
@@ -4674,11 +3154,11 @@ static const uint8_t required_filter_relative_position_config[] = {0, 3, 0, 0, 0
 
 static const struct mip_parameter parameters_filter_reference_point_lever_arm[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_reference_point_lever_arm, function), 0, &names_function_selector, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_filter_reference_point_lever_arm, function), 0, &mip_names_function_selector,
+     NULL, NULL, NULL, 0},
     {"reference_point", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
      ONE(struct mip_filter_reference_point_lever_arm, reference_point), 0,
-     &names_filter_reference_point, NULL, NULL, NULL, 0},
+     &mip_names_filter_reference_point, NULL, NULL, NULL, 0},
     {"lever_arm_offset", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 2, 0,
      ONE(struct mip_filter_reference_point_lever_arm, lever_arm_offset), 0, NULL, NULL, NULL, NULL,
      0},
@@ -4708,7 +3188,7 @@ static const struct mip_record record_filter_speed_measurement = {
 
 static const struct mip_parameter parameters_filter_speed_lever_arm[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_speed_lever_arm, function), 0, &names_function_selector, NULL, NULL,
+     ONE(struct mip_filter_speed_lever_arm, function), 0, &mip_names_function_selector, NULL, NULL,
      NULL, 0},
     {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
      ONE(struct mip_filter_speed_lever_arm, source), 0, NULL, NULL, NULL, NULL, 0},
@@ -4724,8 +3204,8 @@ static const uint8_t required_filter_speed_lever_arm[] = {0, 2, 1, 1, 1, 1};
 
 static const struct mip_parameter parameters_filter_vertical_gyro_constraint_control[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_vertical_gyro_constraint_control, function), 0, &names_function_selector,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_vertical_gyro_constraint_control, function), 0,
+     &mip_names_function_selector, NULL, NULL, NULL, 0},
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
      ONE(struct mip_filter_vertical_gyro_constraint_control, enable), 0, NULL, NULL, NULL, NULL, 0},
 };
@@ -4739,7 +3219,7 @@ static const uint8_t required_filter_vertical_gyro_constraint_control[] = {0, 1,
 static const struct mip_parameter parameters_filter_wheeled_vehicle_constraint_control[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_wheeled_vehicle_constraint_control, function), 0,
-     &names_function_selector, NULL, NULL, NULL, 0},
+     &mip_names_function_selector, NULL, NULL, NULL, 0},
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
      ONE(struct mip_filter_wheeled_vehicle_constraint_control, enable), 0, NULL, NULL, NULL, NULL,
      0},
@@ -4753,8 +3233,8 @@ static const uint8_t required_filter_wheeled_vehicle_constraint_control[] = {0, 
 
 static const struct mip_parameter parameters_filter_gnss_antenna_calibration_control[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_gnss_antenna_calibration_control, function), 0, &names_function_selector,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_gnss_antenna_calibration_control, function), 0,
+     &mip_names_function_selector, NULL, NULL, NULL, 0},
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
      ONE(struct mip_filter_gnss_antenna_calibration_control, enable), 0, NULL, NULL, NULL, NULL, 0},
     {"max_offset", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
@@ -4770,8 +3250,8 @@ static const uint8_t required_filter_gnss_antenna_calibration_control[] = {0, 2,
 
 static const struct mip_parameter parameters_filter_vehicle_dynamics_mode_response[] = {
     {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_vehicle_dynamics_mode_response, mode), 0, &names_filter_dynamics_mode,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_vehicle_dynamics_mode_response, mode), 0,
+     &mip_names_filter_dynamics_mode, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_vehicle_dynamics_mode_response = {
     parameters_filter_vehicle_dynamics_mode_response,
@@ -4819,8 +3299,8 @@ static const struct mip_record record_filter_antenna_offset_response = {
 
 static const struct mip_parameter parameters_filter_estimation_control_response[] = {
     {"flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_estimation_control_response, flags), 0, &names_filter_estimated_states,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_estimation_control_response, flags), 0,
+     &mip_names_filter_estimated_states, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_estimation_control_response = {
     parameters_filter_estimation_control_response,
@@ -4830,8 +3310,8 @@ static const struct mip_record record_filter_estimation_control_response = {
 
 static const struct mip_parameter parameters_filter_gnss_source_response[] = {
     {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_gnss_source_response, source), 0, &names_filter_gnss_aiding_source, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_filter_gnss_source_response, source), 0, &mip_names_filter_gnss_aiding_source,
+     NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_gnss_source_response = {
     parameters_filter_gnss_source_response,
@@ -4841,8 +3321,8 @@ static const struct mip_record record_filter_gnss_source_response = {
 
 static const struct mip_parameter parameters_filter_heading_source_response[] = {
     {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_heading_source_response, source), 0, &names_filter_heading_update_source,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_heading_source_response, source), 0,
+     &mip_names_filter_heading_update_source, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_heading_source_response = {
     parameters_filter_heading_source_response,
@@ -4987,8 +3467,8 @@ static const struct mip_record record_filter_soft_iron_matrix_noise_response = {
 
 static const struct mip_parameter parameters_filter_tare_orientation_response[] = {
     {"axes", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_tare_orientation_response, axes), 0, &names_filter_tare_axes, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_filter_tare_orientation_response, axes), 0, &mip_names_filter_tare_axes, NULL,
+     NULL, NULL, 0},
 };
 static const struct mip_record record_filter_tare_orientation_response = {
     parameters_filter_tare_orientation_response,
@@ -4999,7 +3479,7 @@ static const struct mip_record record_filter_tare_orientation_response = {
 static const struct mip_parameter parameters_filter_enable_measurements_response[] = {
     {"control", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_enable_measurements_response, control), 0,
-     &names_filter_measurement_flags, NULL, NULL, NULL, 0},
+     &mip_names_filter_measurement_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_enable_measurements_response = {
     parameters_filter_enable_measurements_response,
@@ -5020,7 +3500,7 @@ static const struct mip_record record_filter_mag_noise_response = {
 static const struct mip_parameter parameters_filter_magnetic_declination_source_response[] = {
     {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_magnetic_declination_source_response, source), 0,
-     &names_filter_mag_parameter_source, NULL, NULL, NULL, 0},
+     &mip_names_filter_mag_parameter_source, NULL, NULL, NULL, 0},
     {"declination", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_magnetic_declination_source_response, declination), 0, NULL, NULL, NULL,
      NULL, 0},
@@ -5036,7 +3516,7 @@ static const struct mip_parameter
         {"adaptive_measurement", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
          ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement_response,
              adaptive_measurement),
-         0, &names_filter_adaptive_measurement_selector, NULL, NULL, NULL, 0},
+         0, &mip_names_filter_adaptive_measurement_selector, NULL, NULL, NULL, 0},
         {"frequency", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
          ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement_response, frequency), 0,
          NULL, NULL, NULL, NULL, 0},
@@ -5073,7 +3553,7 @@ static const struct mip_parameter
         {"adaptive_measurement", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
          ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement_response,
              adaptive_measurement),
-         0, &names_filter_adaptive_measurement_selector, NULL, NULL, NULL, 0},
+         0, &mip_names_filter_adaptive_measurement_selector, NULL, NULL, NULL, 0},
         {"frequency", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
          ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement_response, frequency), 0,
          NULL, NULL, NULL, NULL, 0},
@@ -5136,7 +3616,7 @@ static const struct mip_record record_filter_mag_dip_angle_error_adaptive_measur
 static const struct mip_parameter parameters_filter_altitude_aiding_response[] = {
     {"selector", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_altitude_aiding_response, selector), 0,
-     &names_filter_altitude_aiding_source, NULL, NULL, NULL, 0},
+     &mip_names_filter_altitude_aiding_source, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_altitude_aiding_response = {
     parameters_filter_altitude_aiding_response,
@@ -5147,7 +3627,7 @@ static const struct mip_record record_filter_altitude_aiding_response = {
 static const struct mip_parameter parameters_filter_pitch_roll_aiding_response[] = {
     {"aiding", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_pitch_roll_aiding_response, aiding), 0,
-     &names_filter_pitch_roll_aiding_source, NULL, NULL, NULL, 0},
+     &mip_names_filter_pitch_roll_aiding_source, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_pitch_roll_aiding_response = {
     parameters_filter_pitch_roll_aiding_response,
@@ -5158,7 +3638,7 @@ static const struct mip_record record_filter_pitch_roll_aiding_response = {
 static const struct mip_parameter parameters_filter_magnetic_inclination_source_response[] = {
     {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_magnetic_inclination_source_response, source), 0,
-     &names_filter_mag_parameter_source, NULL, NULL, NULL, 0},
+     &mip_names_filter_mag_parameter_source, NULL, NULL, NULL, 0},
     {"inclination", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_magnetic_inclination_source_response, inclination), 0, NULL, NULL, NULL,
      NULL, 0},
@@ -5172,7 +3652,7 @@ static const struct mip_record record_filter_magnetic_inclination_source_respons
 static const struct mip_parameter parameters_filter_magnetic_magnitude_source_response[] = {
     {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_magnetic_magnitude_source_response, source), 0,
-     &names_filter_mag_parameter_source, NULL, NULL, NULL, 0},
+     &mip_names_filter_mag_parameter_source, NULL, NULL, NULL, 0},
     {"magnitude", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_magnetic_magnitude_source_response, magnitude), 0, NULL, NULL, NULL,
      NULL, 0},
@@ -5209,7 +3689,7 @@ static const struct mip_record record_filter_sensor_to_vehicle_rotation_quaterni
 static const struct mip_parameter parameters_filter_aiding_measurement_enable_response[] = {
     {"aiding_source", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_aiding_measurement_enable_response, aiding_source), 0,
-     &names_filter_aiding_source, NULL, NULL, NULL, 0},
+     &mip_names_filter_aiding_source, NULL, NULL, NULL, 0},
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_aiding_measurement_enable_response, enable), 0, NULL, NULL, NULL, NULL,
      0},
@@ -5223,13 +3703,13 @@ static const struct mip_record record_filter_aiding_measurement_enable_response 
 static const struct mip_parameter parameters_filter_kinematic_constraint_response[] = {
     {"accel_constraint", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_kinematic_constraint_response, accel_constraint), 0,
-     &names_filter_accel_constraint, NULL, NULL, NULL, 0},
+     &mip_names_filter_accel_constraint, NULL, NULL, NULL, 0},
     {"velocity_constraint", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_kinematic_constraint_response, velocity_constraint), 0,
-     &names_filter_velocity_constraint, NULL, NULL, NULL, 0},
+     &mip_names_filter_velocity_constraint, NULL, NULL, NULL, 0},
     {"angular_constraint", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_kinematic_constraint_response, angular_constraint), 0,
-     &names_filter_angular_constraint, NULL, NULL, NULL, 0},
+     &mip_names_filter_angular_constraint, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_kinematic_constraint_response = {
     parameters_filter_kinematic_constraint_response,
@@ -5243,10 +3723,10 @@ static const struct mip_parameter parameters_filter_initialization_config_respon
      NULL, NULL, 0},
     {"initial_condition_source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_initialization_config_response, initial_condition_source), 0,
-     &names_filter_initial_condition_source, NULL, NULL, NULL, 0},
+     &mip_names_filter_initial_condition_source, NULL, NULL, NULL, 0},
     {"auto_heading_alignment_selector", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0,
      0, 0, ONE(struct mip_filter_initialization_config_response, auto_heading_alignment_selector),
-     0, &names_filter_heading_alignment, NULL, NULL, NULL, 0},
+     0, &mip_names_filter_heading_alignment, NULL, NULL, NULL, 0},
     {"initial_heading", "deg", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_initialization_config_response, initial_heading), 0, NULL, NULL, NULL,
      NULL, 0},
@@ -5264,7 +3744,7 @@ static const struct mip_parameter parameters_filter_initialization_config_respon
      NULL, 0},
     {"reference_frame_selector", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_initialization_config_response, reference_frame_selector), 0,
-     &names_filter_reference_frame, NULL, NULL, NULL, 0},
+     &mip_names_filter_reference_frame, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_initialization_config_response = {
     parameters_filter_initialization_config_response,
@@ -5275,7 +3755,7 @@ static const struct mip_record record_filter_initialization_config_response = {
 static const struct mip_parameter parameters_filter_adaptive_filter_options_response[] = {
     {"level", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_adaptive_filter_options_response, level), 0,
-     &names_filter_adaptive_level, NULL, NULL, NULL, 0},
+     &mip_names_filter_adaptive_level, NULL, NULL, NULL, 0},
     {"time_limit", "ms", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_adaptive_filter_options_response, time_limit), 0, NULL, NULL, NULL, NULL,
      0},
@@ -5303,10 +3783,10 @@ static const struct mip_record record_filter_multi_antenna_offset_response = {
 static const struct mip_parameter parameters_filter_relative_position_config_response[] = {
     {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_relative_position_config_response, source), 0,
-     &names_filter_relative_position_source, NULL, NULL, NULL, 0},
+     &mip_names_filter_relative_position_source, NULL, NULL, NULL, 0},
     {"reference_frame_selector", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_relative_position_config_response, reference_frame_selector), 0,
-     &names_filter_reference_frame, NULL, NULL, NULL, 0},
+     &mip_names_filter_reference_frame, NULL, NULL, NULL, 0},
     {"reference_coordinates", "", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_filter_relative_position_config_response, reference_coordinates), 0, NULL, NULL,
      NULL, NULL, 0},
@@ -5320,7 +3800,7 @@ static const struct mip_record record_filter_relative_position_config_response =
 static const struct mip_parameter parameters_filter_reference_point_lever_arm_response[] = {
     {"reference_point", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_reference_point_lever_arm_response, reference_point), 0,
-     &names_filter_reference_point, NULL, NULL, NULL, 0},
+     &mip_names_filter_reference_point, NULL, NULL, NULL, 0},
     {"lever_arm_offset", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_filter_reference_point_lever_arm_response, lever_arm_offset), 0, NULL, NULL,
      NULL, NULL, 0},
@@ -5389,20 +3869,20 @@ static const struct mip_record record_gnss_receiver_info = {
 
 static const struct mip_parameter parameters_gnss_signal_config[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_signal_config, function), 0, &names_function_selector, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_gnss_signal_config, function), 0, &mip_names_function_selector, NULL, NULL,
+     NULL, 0},
     {"gps_enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_gnss_signal_config, gps_enable), 0, &names_gnss_gps_signals, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_gnss_signal_config, gps_enable), 0, &mip_names_gnss_gps_signals, NULL, NULL,
+     NULL, 0},
     {"glonass_enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_gnss_signal_config, glonass_enable), 0, &names_gnss_glonass_signals, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_gnss_signal_config, glonass_enable), 0, &mip_names_gnss_glonass_signals, NULL,
+     NULL, NULL, 0},
     {"galileo_enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
-     ONE(struct mip_gnss_signal_config, galileo_enable), 0, &names_gnss_galileo_signals, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_gnss_signal_config, galileo_enable), 0, &mip_names_gnss_galileo_signals, NULL,
+     NULL, NULL, 0},
     {"beidou_enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 4, 0,
-     ONE(struct mip_gnss_signal_config, beidou_enable), 0, &names_gnss_beidou_signals, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_gnss_signal_config, beidou_enable), 0, &mip_names_gnss_beidou_signals, NULL,
+     NULL, NULL, 0},
     {"reserved", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 4, 1, 0, 5, 0,
      MANY(struct mip_gnss_signal_config, reserved), 0, NULL, NULL, NULL, NULL, 0},
 };
@@ -5415,7 +3895,7 @@ static const uint8_t required_gnss_signal_config[] = {0, 5, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_gnss_rtk_dongle_config[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_rtk_dongle_config, function), 0, &names_function_selector, NULL, NULL,
+     ONE(struct mip_gnss_rtk_dongle_config, function), 0, &mip_names_function_selector, NULL, NULL,
      NULL, 0},
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
      ONE(struct mip_gnss_rtk_dongle_config, enable), 0, NULL, NULL, NULL, NULL, 0},
@@ -5431,13 +3911,13 @@ static const uint8_t required_gnss_rtk_dongle_config[] = {0, 2, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_gnss_spartn_config[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_spartn_config, function), 0, &names_function_selector, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_gnss_spartn_config, function), 0, &mip_names_function_selector, NULL, NULL,
+     NULL, 0},
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
      ONE(struct mip_gnss_spartn_config, enable), 0, NULL, NULL, NULL, NULL, 0},
     {"type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_gnss_spartn_config, type), 0, &names_gnss_spartn_connection, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_gnss_spartn_config, type), 0, &mip_names_gnss_spartn_connection, NULL, NULL,
+     NULL, 0},
     {"current_key_tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
      ONE(struct mip_gnss_spartn_config, current_key_tow), 0, NULL, NULL, NULL, NULL, 0},
     {"current_key_week", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 4, 0,
@@ -5473,16 +3953,16 @@ static const struct mip_record record_gnss_receiver_info_response = {
 
 static const struct mip_parameter parameters_gnss_signal_config_response[] = {
     {"gps_enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_signal_config_response, gps_enable), 0, &names_gnss_gps_signals, NULL,
+     ONE(struct mip_gnss_signal_config_response, gps_enable), 0, &mip_names_gnss_gps_signals, NULL,
      NULL, NULL, 0},
     {"glonass_enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_signal_config_response, glonass_enable), 0, &names_gnss_glonass_signals,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_gnss_signal_config_response, glonass_enable), 0,
+     &mip_names_gnss_glonass_signals, NULL, NULL, NULL, 0},
     {"galileo_enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_signal_config_response, galileo_enable), 0, &names_gnss_galileo_signals,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_gnss_signal_config_response, galileo_enable), 0,
+     &mip_names_gnss_galileo_signals, NULL, NULL, NULL, 0},
     {"beidou_enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_signal_config_response, beidou_enable), 0, &names_gnss_beidou_signals,
+     ONE(struct mip_gnss_signal_config_response, beidou_enable), 0, &mip_names_gnss_beidou_signals,
      NULL, NULL, NULL, 0},
     {"reserved", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 4, 1, 0, 0, 0,
      MANY(struct mip_gnss_signal_config_response, reserved), 0, NULL, NULL, NULL, NULL, 0},
@@ -5509,7 +3989,7 @@ static const struct mip_parameter parameters_gnss_spartn_config_response[] = {
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_spartn_config_response, enable), 0, NULL, NULL, NULL, NULL, 0},
     {"type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_spartn_config_response, type), 0, &names_gnss_spartn_connection, NULL,
+     ONE(struct mip_gnss_spartn_config_response, type), 0, &mip_names_gnss_spartn_connection, NULL,
      NULL, NULL, 0},
     {"current_key_tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_spartn_config_response, current_key_tow), 0, NULL, NULL, NULL, NULL, 0},
@@ -5562,11 +4042,11 @@ static const struct mip_record record_rtk_get_rssi = {
 
 static const struct mip_parameter parameters_rtk_connected_device_type[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_rtk_connected_device_type, function), 0, &names_function_selector, NULL, NULL,
-     NULL, 0},
-    {"device_type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_rtk_connected_device_type, device_type), 0, &names_rtk_connected_device, NULL,
+     ONE(struct mip_rtk_connected_device_type, function), 0, &mip_names_function_selector, NULL,
      NULL, NULL, 0},
+    {"device_type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_rtk_connected_device_type, device_type), 0, &mip_names_rtk_connected_device,
+     NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_rtk_connected_device_type = {
     parameters_rtk_connected_device_type,
@@ -5601,7 +4081,8 @@ static const struct mip_record record_rtk_service_status = {
 
 static const struct mip_parameter parameters_rtk_erase_storage[] = {
     {"media", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_rtk_erase_storage, media), 0, &names_rtk_storage_medium, NULL, NULL, NULL, 0},
+     ONE(struct mip_rtk_erase_storage, media), 0, &mip_names_rtk_storage_medium, NULL, NULL, NULL,
+     0},
 };
 static const struct mip_record record_rtk_erase_storage = {
     parameters_rtk_erase_storage,
@@ -5615,7 +4096,7 @@ static const struct mip_parameter parameters_rtk_led_control[] = {
     {"alternate_color", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 3, 1, 0, 0, 0,
      MANY(struct mip_rtk_led_control, alternate_color), 0, NULL, NULL, NULL, NULL, 0},
     {"action", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_rtk_led_control, action), 0, &names_rtk_led_action, NULL, NULL, NULL, 0},
+     ONE(struct mip_rtk_led_control, action), 0, &mip_names_rtk_led_action, NULL, NULL, NULL, 0},
     {"period", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_rtk_led_control, period), 0, NULL, NULL, NULL, NULL, 0},
 };
@@ -5633,8 +4114,8 @@ static const struct mip_record record_rtk_modem_hard_reset = {
 
 static const struct mip_parameter parameters_rtk_get_status_flags_response[] = {
     {"flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_rtk_get_status_flags_response, flags), 0, &names_rtk_status_flags, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_rtk_get_status_flags_response, flags), 0, &mip_names_rtk_status_flags, NULL,
+     NULL, NULL, 0},
 };
 static const struct mip_record record_rtk_get_status_flags_response = {
     parameters_rtk_get_status_flags_response,
@@ -5689,7 +4170,7 @@ static const struct mip_record record_rtk_get_rssi_response = {
 static const struct mip_parameter parameters_rtk_connected_device_type_response[] = {
     {"device_type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_rtk_connected_device_type_response, device_type), 0,
-     &names_rtk_connected_device, NULL, NULL, NULL, 0},
+     &mip_names_rtk_connected_device, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_rtk_connected_device_type_response = {
     parameters_rtk_connected_device_type_response,
@@ -5721,8 +4202,8 @@ static const struct mip_record record_rtk_get_modem_firmware_version_response = 
 
 static const struct mip_parameter parameters_rtk_service_status_response[] = {
     {"flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_rtk_service_status_response, flags), 0, &names_rtk_service_flags, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_rtk_service_status_response, flags), 0, &mip_names_rtk_service_flags, NULL,
+     NULL, NULL, 0},
     {"received_bytes", "byte", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_rtk_service_status_response, received_bytes), 0, NULL, NULL, NULL, NULL, 0},
     {"last_bytes", "byte", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5748,13 +4229,13 @@ static const struct mip_case cases_aiding_frame_config_rotation[] = {
 };
 static const struct mip_parameter parameters_aiding_frame_config[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_aiding_frame_config, function), 0, &names_function_selector, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_aiding_frame_config, function), 0, &mip_names_function_selector, NULL, NULL,
+     NULL, 0},
     {"frame_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
      ONE(struct mip_aiding_frame_config, frame_id), 0, NULL, NULL, NULL, NULL, 0},
     {"format", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_aiding_frame_config, format), 0, &names_aiding_frame_format, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_aiding_frame_config, format), 0, &mip_names_aiding_frame_format, NULL, NULL,
+     NULL, 0},
     {"tracking_enabled", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
      ONE(struct mip_aiding_frame_config, tracking_enabled), 0, NULL, NULL, NULL, NULL, 0},
     {"translation", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 4, 0,
@@ -5772,10 +4253,11 @@ static const uint8_t required_aiding_frame_config[] = {0, 5, 2, 1, 1, 1};
 
 static const struct mip_parameter parameters_aiding_echo_control[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_aiding_echo_control, function), 0, &names_function_selector, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_aiding_echo_control, function), 0, &mip_names_function_selector, NULL, NULL,
+     NULL, 0},
     {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_aiding_echo_control, mode), 0, &names_aiding_echo_mode, NULL, NULL, NULL, 0},
+     ONE(struct mip_aiding_echo_control, mode), 0, &mip_names_aiding_echo_mode, NULL, NULL, NULL,
+     0},
 };
 static const struct mip_record record_aiding_echo_control = {
     parameters_aiding_echo_control,
@@ -5795,7 +4277,7 @@ static const struct mip_parameter parameters_aiding_ecef_position[] = {
     {"uncertainty", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_aiding_ecef_position, uncertainty), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_aiding_ecef_position, valid_flags), 0, &names_aiding_axis_flags, NULL, NULL,
+     ONE(struct mip_aiding_ecef_position, valid_flags), 0, &mip_names_aiding_axis_flags, NULL, NULL,
      NULL, 0},
 };
 static const struct mip_record record_aiding_ecef_position = {
@@ -5819,8 +4301,8 @@ static const struct mip_parameter parameters_aiding_llh_position[] = {
     {"uncertainty", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_aiding_llh_position, uncertainty), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_aiding_llh_position, valid_flags), 0, &names_aiding_llh_axis_flags, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_aiding_llh_position, valid_flags), 0, &mip_names_aiding_llh_axis_flags, NULL,
+     NULL, NULL, 0},
 };
 static const struct mip_record record_aiding_llh_position = {
     parameters_aiding_llh_position,
@@ -5858,7 +4340,7 @@ static const struct mip_parameter parameters_aiding_ecef_velocity[] = {
     {"uncertainty", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_aiding_ecef_velocity, uncertainty), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_aiding_ecef_velocity, valid_flags), 0, &names_aiding_axis_flags, NULL, NULL,
+     ONE(struct mip_aiding_ecef_velocity, valid_flags), 0, &mip_names_aiding_axis_flags, NULL, NULL,
      NULL, 0},
 };
 static const struct mip_record record_aiding_ecef_velocity = {
@@ -5878,7 +4360,7 @@ static const struct mip_parameter parameters_aiding_ned_velocity[] = {
     {"uncertainty", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_aiding_ned_velocity, uncertainty), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_aiding_ned_velocity, valid_flags), 0, &names_aiding_axis_flags, NULL, NULL,
+     ONE(struct mip_aiding_ned_velocity, valid_flags), 0, &mip_names_aiding_axis_flags, NULL, NULL,
      NULL, 0},
 };
 static const struct mip_record record_aiding_ned_velocity = {
@@ -5898,7 +4380,7 @@ static const struct mip_parameter parameters_aiding_body_frame_velocity[] = {
     {"uncertainty", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_aiding_body_frame_velocity, uncertainty), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_aiding_body_frame_velocity, valid_flags), 0, &names_aiding_axis_flags, NULL,
+     ONE(struct mip_aiding_body_frame_velocity, valid_flags), 0, &mip_names_aiding_axis_flags, NULL,
      NULL, NULL, 0},
 };
 static const struct mip_record record_aiding_body_frame_velocity = {
@@ -5937,8 +4419,8 @@ static const struct mip_parameter parameters_aiding_magnetic_field[] = {
     {"uncertainty", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_aiding_magnetic_field, uncertainty), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_aiding_magnetic_field, valid_flags), 0, &names_aiding_axis_flags, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_aiding_magnetic_field, valid_flags), 0, &mip_names_aiding_axis_flags, NULL,
+     NULL, NULL, 0},
 };
 static const struct mip_record record_aiding_magnetic_field = {
     parameters_aiding_magnetic_field,
@@ -5980,7 +4462,7 @@ static const struct mip_parameter parameters_aiding_frame_config_response[] = {
     {"frame_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_aiding_frame_config_response, frame_id), 0, NULL, NULL, NULL, NULL, 0},
     {"format", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_aiding_frame_config_response, format), 0, &names_aiding_frame_format, NULL,
+     ONE(struct mip_aiding_frame_config_response, format), 0, &mip_names_aiding_frame_format, NULL,
      NULL, NULL, 0},
     {"tracking_enabled", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_aiding_frame_config_response, tracking_enabled), 0, NULL, NULL, NULL, NULL, 0},
@@ -5998,7 +4480,7 @@ static const struct mip_record record_aiding_frame_config_response = {
 
 static const struct mip_parameter parameters_aiding_echo_control_response[] = {
     {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_aiding_echo_control_response, mode), 0, &names_aiding_echo_mode, NULL, NULL,
+     ONE(struct mip_aiding_echo_control_response, mode), 0, &mip_names_aiding_echo_mode, NULL, NULL,
      NULL, 0},
 };
 static const struct mip_record record_aiding_echo_control_response = {
@@ -6009,17 +4491,17 @@ static const struct mip_record record_aiding_echo_control_response = {
 
 static const struct mip_parameter parameters_system_interface_control[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_system_interface_control, function), 0, &names_function_selector, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_system_interface_control, function), 0, &mip_names_function_selector, NULL,
+     NULL, NULL, 0},
     {"port", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_system_interface_control, port), 0, &names_system_comm_interface, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_system_interface_control, port), 0, &mip_names_system_comm_interface, NULL,
+     NULL, NULL, 0},
     {"protocols_incoming", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_system_interface_control, protocols_incoming), 0, &names_system_comm_protocols,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_system_interface_control, protocols_incoming), 0,
+     &mip_names_system_comm_protocols, NULL, NULL, NULL, 0},
     {"protocols_outgoing", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
-     ONE(struct mip_system_interface_control, protocols_outgoing), 0, &names_system_comm_protocols,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_system_interface_control, protocols_outgoing), 0,
+     &mip_names_system_comm_protocols, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_system_interface_control = {
     parameters_system_interface_control,
@@ -6030,9 +4512,11 @@ static const uint8_t required_system_interface_control[] = {0, 3, 1, 1, 1, 1};
 
 static const struct mip_parameter parameters_system_comm_mode[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_system_comm_mode, function), 0, &names_function_selector, NULL, NULL, NULL, 0},
+     ONE(struct mip_system_comm_mode, function), 0, &mip_names_function_selector, NULL, NULL, NULL,
+     0},
     {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_system_comm_mode, mode), 0, &names_system_protocol_mode, NULL, NULL, NULL, 0},
+     ONE(struct mip_system_comm_mode, mode), 0, &mip_names_system_protocol_mode, NULL, NULL, NULL,
+     0},
 };
 static const struct mip_record record_system_comm_mode = {
     parameters_system_comm_mode,
@@ -6043,14 +4527,14 @@ static const uint8_t required_system_comm_mode[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_system_interface_control_response[] = {
     {"port", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_system_interface_control_response, port), 0, &names_system_comm_interface, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_system_interface_control_response, port), 0, &mip_names_system_comm_interface,
+     NULL, NULL, NULL, 0},
     {"protocols_incoming", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_system_interface_control_response, protocols_incoming), 0,
-     &names_system_comm_protocols, NULL, NULL, NULL, 0},
+     &mip_names_system_comm_protocols, NULL, NULL, NULL, 0},
     {"protocols_outgoing", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_system_interface_control_response, protocols_outgoing), 0,
-     &names_system_comm_protocols, NULL, NULL, NULL, 0},
+     &mip_names_system_comm_protocols, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_system_interface_control_response = {
     parameters_system_interface_control_response,
@@ -6060,8 +4544,8 @@ static const struct mip_record record_system_interface_control_response = {
 
 static const struct mip_parameter parameters_system_comm_mode_response[] = {
     {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_system_comm_mode_response, mode), 0, &names_system_protocol_mode, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_system_comm_mode_response, mode), 0, &mip_names_system_protocol_mode, NULL,
+     NULL, NULL, 0},
 };
 static const struct mip_record record_system_comm_mode_response = {
     parameters_system_comm_mode_response,
@@ -6247,8 +4731,8 @@ static const struct mip_record record_sensor_up_vector = {
 };
 
 static const struct mip_reading readings_sensor_gps_timestamp_valid_flags[] = {
-    {"3dm-gx5-15", 0, 0, &names_gx5_sensor_gps_timestamp_flags},
-    {"3dm-gx5-35", 0, 0, &names_gx5_sensor_gps_timestamp_flags},
+    {"3dm-gx5-15", 0, 0, &mip_names_gx5_sensor_gps_timestamp_flags},
+    {"3dm-gx5-35", 0, 0, &mip_names_gx5_sensor_gps_timestamp_flags},
 };
 static const struct mip_parameter parameters_sensor_gps_timestamp[] = {
     {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -6256,7 +4740,7 @@ static const struct mip_parameter parameters_sensor_gps_timestamp[] = {
     {"week_number", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_sensor_gps_timestamp, week_number), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_sensor_gps_timestamp, valid_flags), 0, &names_sensor_gps_timestamp_flags,
+     ONE(struct mip_sensor_gps_timestamp, valid_flags), 0, &mip_names_sensor_gps_timestamp_flags,
      readings_sensor_gps_timestamp_valid_flags, NULL, NULL, 2},
 };
 static const struct mip_record record_sensor_gps_timestamp = {
@@ -6301,8 +4785,8 @@ static const struct mip_record record_sensor_scaled_pressure = {
 
 static const struct mip_parameter parameters_sensor_overrange_status[] = {
     {"status", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_sensor_overrange_status, status), 0, &names_sensor_overrange_flags, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_sensor_overrange_status, status), 0, &mip_names_sensor_overrange_flags, NULL,
+     NULL, NULL, 0},
 };
 static const struct mip_record record_sensor_overrange_status = {
     parameters_sensor_overrange_status,
@@ -6316,7 +4800,7 @@ static const struct mip_parameter parameters_sensor_odometer[] = {
     {"uncertainty", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_sensor_odometer, uncertainty), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_sensor_odometer, valid_flags), 0, &names_sensor_odometer_flags, NULL, NULL,
+     ONE(struct mip_sensor_odometer, valid_flags), 0, &mip_names_sensor_odometer_flags, NULL, NULL,
      NULL, 0},
 };
 static const struct mip_record record_sensor_odometer = {
@@ -6333,8 +4817,8 @@ static const struct mip_parameter parameters_filter_data_llh_position[] = {
     {"ellipsoid_height", "m", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_llh_position, ellipsoid_height), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_llh_position, valid_flags), 0, &names_filter_data_valid_flags, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_filter_data_llh_position, valid_flags), 0, &mip_names_filter_data_valid_flags,
+     NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_llh_position = {
     parameters_filter_data_llh_position,
@@ -6350,8 +4834,8 @@ static const struct mip_parameter parameters_filter_data_ned_velocity[] = {
     {"down", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_ned_velocity, down), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_ned_velocity, valid_flags), 0, &names_filter_data_valid_flags, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_filter_data_ned_velocity, valid_flags), 0, &mip_names_filter_data_valid_flags,
+     NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_ned_velocity = {
     parameters_filter_data_ned_velocity,
@@ -6364,7 +4848,7 @@ static const struct mip_parameter parameters_filter_data_attitude_quaternion[] =
      ONE(struct mip_filter_data_attitude_quaternion, q), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_attitude_quaternion, valid_flags), 0,
-     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+     &mip_names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_attitude_quaternion = {
     parameters_filter_data_attitude_quaternion,
@@ -6376,8 +4860,8 @@ static const struct mip_parameter parameters_filter_data_attitude_dcm[] = {
     {"dcm", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 0, 0,
      ONE(struct mip_filter_data_attitude_dcm, dcm), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_attitude_dcm, valid_flags), 0, &names_filter_data_valid_flags, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_filter_data_attitude_dcm, valid_flags), 0, &mip_names_filter_data_valid_flags,
+     NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_attitude_dcm = {
     parameters_filter_data_attitude_dcm,
@@ -6393,8 +4877,8 @@ static const struct mip_parameter parameters_filter_data_euler_angles[] = {
     {"yaw", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_euler_angles, yaw), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_euler_angles, valid_flags), 0, &names_filter_data_valid_flags, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_filter_data_euler_angles, valid_flags), 0, &mip_names_filter_data_valid_flags,
+     NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_euler_angles = {
     parameters_filter_data_euler_angles,
@@ -6406,8 +4890,8 @@ static const struct mip_parameter parameters_filter_data_gyro_bias[] = {
     {"bias", "rad/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_filter_data_gyro_bias, bias), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_gyro_bias, valid_flags), 0, &names_filter_data_valid_flags, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_filter_data_gyro_bias, valid_flags), 0, &mip_names_filter_data_valid_flags,
+     NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_gyro_bias = {
     parameters_filter_data_gyro_bias,
@@ -6419,8 +4903,8 @@ static const struct mip_parameter parameters_filter_data_accel_bias[] = {
     {"bias", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_filter_data_accel_bias, bias), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_accel_bias, valid_flags), 0, &names_filter_data_valid_flags, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_filter_data_accel_bias, valid_flags), 0, &mip_names_filter_data_valid_flags,
+     NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_accel_bias = {
     parameters_filter_data_accel_bias,
@@ -6437,7 +4921,7 @@ static const struct mip_parameter parameters_filter_data_llh_position_uncertaint
      ONE(struct mip_filter_data_llh_position_uncertainty, down), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_llh_position_uncertainty, valid_flags), 0,
-     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+     &mip_names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_llh_position_uncertainty = {
     parameters_filter_data_llh_position_uncertainty,
@@ -6454,7 +4938,7 @@ static const struct mip_parameter parameters_filter_data_ned_velocity_uncertaint
      ONE(struct mip_filter_data_ned_velocity_uncertainty, down), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_ned_velocity_uncertainty, valid_flags), 0,
-     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+     &mip_names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_ned_velocity_uncertainty = {
     parameters_filter_data_ned_velocity_uncertainty,
@@ -6471,7 +4955,7 @@ static const struct mip_parameter parameters_filter_data_euler_angles_uncertaint
      ONE(struct mip_filter_data_euler_angles_uncertainty, yaw), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_euler_angles_uncertainty, valid_flags), 0,
-     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+     &mip_names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_euler_angles_uncertainty = {
     parameters_filter_data_euler_angles_uncertainty,
@@ -6485,7 +4969,7 @@ static const struct mip_parameter parameters_filter_data_gyro_bias_uncertainty[]
      0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_gyro_bias_uncertainty, valid_flags), 0,
-     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+     &mip_names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_gyro_bias_uncertainty = {
     parameters_filter_data_gyro_bias_uncertainty,
@@ -6499,7 +4983,7 @@ static const struct mip_parameter parameters_filter_data_accel_bias_uncertainty[
      NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_accel_bias_uncertainty, valid_flags), 0,
-     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+     &mip_names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_accel_bias_uncertainty = {
     parameters_filter_data_accel_bias_uncertainty,
@@ -6511,8 +4995,8 @@ static const struct mip_parameter parameters_filter_data_linear_accel[] = {
     {"accel", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_filter_data_linear_accel, accel), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_linear_accel, valid_flags), 0, &names_filter_data_valid_flags, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_filter_data_linear_accel, valid_flags), 0, &mip_names_filter_data_valid_flags,
+     NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_linear_accel = {
     parameters_filter_data_linear_accel,
@@ -6524,8 +5008,8 @@ static const struct mip_parameter parameters_filter_data_comp_angular_rate[] = {
     {"gyro", "rad/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_filter_data_comp_angular_rate, gyro), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_comp_angular_rate, valid_flags), 0, &names_filter_data_valid_flags,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_data_comp_angular_rate, valid_flags), 0,
+     &mip_names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_comp_angular_rate = {
     parameters_filter_data_comp_angular_rate,
@@ -6539,7 +5023,7 @@ static const struct mip_parameter parameters_filter_data_wgs84_gravity_magnitude
      NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_wgs84_gravity_magnitude, valid_flags), 0,
-     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+     &mip_names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_wgs84_gravity_magnitude = {
     parameters_filter_data_wgs84_gravity_magnitude,
@@ -6548,16 +5032,16 @@ static const struct mip_record record_filter_data_wgs84_gravity_magnitude = {
 };
 
 static const struct mip_reading readings_filter_data_status_filter_state[] = {
-    {"3dm-cv7-gnss-ins", 0, 0, &names_filter_data_cv7_filter_state},
-    {"3dm-gx5-15", 0, 0, &names_filter_data_gx5_filter_state},
+    {"3dm-cv7-gnss-ins", 0, 0, &mip_names_filter_data_cv7_filter_state},
+    {"3dm-gx5-15", 0, 0, &mip_names_filter_data_gx5_filter_state},
 };
 static const struct mip_reading readings_filter_data_status_dynamics_mode[] = {
-    {"3dm-cv7-gnss-ins", 0, 0, &names_filter_data_cv7_dynamics_mode},
-    {"3dm-gx5-15", 0, 0, &names_filter_data_gx5_dynamics_mode},
+    {"3dm-cv7-gnss-ins", 0, 0, &mip_names_filter_data_cv7_dynamics_mode},
+    {"3dm-gx5-15", 0, 0, &mip_names_filter_data_gx5_dynamics_mode},
 };
 static const struct mip_reading readings_filter_data_status_status_flags[] = {
-    {"3dm-cv7-gnss-ins", 0, 0, &names_filter_data_cv7_status_flags},
-    {"3dm-gx5-15", 0, 0, &names_filter_data_gx5_status_flags},
+    {"3dm-cv7-gnss-ins", 0, 0, &mip_names_filter_data_cv7_status_flags},
+    {"3dm-gx5-15", 0, 0, &mip_names_filter_data_gx5_status_flags},
 };
 static const struct mip_parameter parameters_filter_data_status[] = {
     {"filter_state", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -6582,8 +5066,8 @@ static const struct mip_parameter parameters_filter_data_timestamp[] = {
     {"week_number", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_timestamp, week_number), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_timestamp, valid_flags), 0, &names_filter_data_valid_flags, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_filter_data_timestamp, valid_flags), 0, &mip_names_filter_data_valid_flags,
+     NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_timestamp = {
     parameters_filter_data_timestamp,
@@ -6596,7 +5080,7 @@ static const struct mip_parameter parameters_filter_data_quaternion_attitude_unc
      ONE(struct mip_filter_data_quaternion_attitude_uncertainty, q), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_quaternion_attitude_uncertainty, valid_flags), 0,
-     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+     &mip_names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_quaternion_attitude_uncertainty = {
     parameters_filter_data_quaternion_attitude_uncertainty,
@@ -6608,7 +5092,7 @@ static const struct mip_parameter parameters_filter_data_gravity_vector[] = {
     {"gravity", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_filter_data_gravity_vector, gravity), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_gravity_vector, valid_flags), 0, &names_filter_data_valid_flags,
+     ONE(struct mip_filter_data_gravity_vector, valid_flags), 0, &mip_names_filter_data_valid_flags,
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_gravity_vector = {
@@ -6625,10 +5109,10 @@ static const struct mip_parameter parameters_filter_data_heading_update_state[] 
      NULL, 0},
     {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_heading_update_state, source), 0,
-     &names_filter_data_heading_source_flags, NULL, NULL, NULL, 0},
+     &mip_names_filter_data_heading_source_flags, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_heading_update_state, valid_flags), 0,
-     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+     &mip_names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_heading_update_state = {
     parameters_filter_data_heading_update_state,
@@ -6648,7 +5132,7 @@ static const struct mip_parameter parameters_filter_data_magnetic_model[] = {
     {"declination", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_magnetic_model, declination), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_magnetic_model, valid_flags), 0, &names_filter_data_valid_flags,
+     ONE(struct mip_filter_data_magnetic_model, valid_flags), 0, &mip_names_filter_data_valid_flags,
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_magnetic_model = {
@@ -6661,8 +5145,8 @@ static const struct mip_parameter parameters_filter_data_gyro_scale_factor[] = {
     {"scale_factor", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_filter_data_gyro_scale_factor, scale_factor), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_gyro_scale_factor, valid_flags), 0, &names_filter_data_valid_flags,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_data_gyro_scale_factor, valid_flags), 0,
+     &mip_names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_gyro_scale_factor = {
     parameters_filter_data_gyro_scale_factor,
@@ -6674,8 +5158,8 @@ static const struct mip_parameter parameters_filter_data_accel_scale_factor[] = 
     {"scale_factor", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_filter_data_accel_scale_factor, scale_factor), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_accel_scale_factor, valid_flags), 0, &names_filter_data_valid_flags,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_data_accel_scale_factor, valid_flags), 0,
+     &mip_names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_accel_scale_factor = {
     parameters_filter_data_accel_scale_factor,
@@ -6689,7 +5173,7 @@ static const struct mip_parameter parameters_filter_data_gyro_scale_factor_uncer
      NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_gyro_scale_factor_uncertainty, valid_flags), 0,
-     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+     &mip_names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_gyro_scale_factor_uncertainty = {
     parameters_filter_data_gyro_scale_factor_uncertainty,
@@ -6703,7 +5187,7 @@ static const struct mip_parameter parameters_filter_data_accel_scale_factor_unce
      NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_accel_scale_factor_uncertainty, valid_flags), 0,
-     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+     &mip_names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_accel_scale_factor_uncertainty = {
     parameters_filter_data_accel_scale_factor_uncertainty,
@@ -6715,7 +5199,7 @@ static const struct mip_parameter parameters_filter_data_mag_bias[] = {
     {"bias", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_filter_data_mag_bias, bias), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_mag_bias, valid_flags), 0, &names_filter_data_valid_flags, NULL,
+     ONE(struct mip_filter_data_mag_bias, valid_flags), 0, &mip_names_filter_data_valid_flags, NULL,
      NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_mag_bias = {
@@ -6730,7 +5214,7 @@ static const struct mip_parameter parameters_filter_data_mag_bias_uncertainty[] 
      0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_mag_bias_uncertainty, valid_flags), 0,
-     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+     &mip_names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_mag_bias_uncertainty = {
     parameters_filter_data_mag_bias_uncertainty,
@@ -6742,8 +5226,8 @@ static const struct mip_parameter parameters_filter_data_comp_accel[] = {
     {"accel", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_filter_data_comp_accel, accel), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_comp_accel, valid_flags), 0, &names_filter_data_valid_flags, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_filter_data_comp_accel, valid_flags), 0, &mip_names_filter_data_valid_flags,
+     NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_comp_accel = {
     parameters_filter_data_comp_accel,
@@ -6769,7 +5253,7 @@ static const struct mip_parameter parameters_filter_data_standard_atmosphere[] =
      0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_standard_atmosphere, valid_flags), 0,
-     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+     &mip_names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_standard_atmosphere = {
     parameters_filter_data_standard_atmosphere,
@@ -6782,8 +5266,8 @@ static const struct mip_parameter parameters_filter_data_pressure_altitude[] = {
      ONE(struct mip_filter_data_pressure_altitude, pressure_altitude), 0, NULL, NULL, NULL, NULL,
      0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_pressure_altitude, valid_flags), 0, &names_filter_data_valid_flags,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_data_pressure_altitude, valid_flags), 0,
+     &mip_names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_pressure_altitude = {
     parameters_filter_data_pressure_altitude,
@@ -6795,8 +5279,8 @@ static const struct mip_parameter parameters_filter_data_density_altitude[] = {
     {"density_altitude", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_density_altitude, density_altitude), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_density_altitude, valid_flags), 0, &names_filter_data_valid_flags,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_data_density_altitude, valid_flags), 0,
+     &mip_names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_density_altitude = {
     parameters_filter_data_density_altitude,
@@ -6808,8 +5292,8 @@ static const struct mip_parameter parameters_filter_data_mag_offset[] = {
     {"hard_iron", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_filter_data_mag_offset, hard_iron), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_mag_offset, valid_flags), 0, &names_filter_data_valid_flags, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_filter_data_mag_offset, valid_flags), 0, &mip_names_filter_data_valid_flags,
+     NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_mag_offset = {
     parameters_filter_data_mag_offset,
@@ -6821,8 +5305,8 @@ static const struct mip_parameter parameters_filter_data_mag_matrix[] = {
     {"soft_iron", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 0, 0,
      ONE(struct mip_filter_data_mag_matrix, soft_iron), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_mag_matrix, valid_flags), 0, &names_filter_data_valid_flags, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_filter_data_mag_matrix, valid_flags), 0, &mip_names_filter_data_valid_flags,
+     NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_mag_matrix = {
     parameters_filter_data_mag_matrix,
@@ -6836,7 +5320,7 @@ static const struct mip_parameter parameters_filter_data_mag_offset_uncertainty[
      NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_mag_offset_uncertainty, valid_flags), 0,
-     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+     &mip_names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_mag_offset_uncertainty = {
     parameters_filter_data_mag_offset_uncertainty,
@@ -6850,7 +5334,7 @@ static const struct mip_parameter parameters_filter_data_mag_matrix_uncertainty[
      NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_mag_matrix_uncertainty, valid_flags), 0,
-     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+     &mip_names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_mag_matrix_uncertainty = {
     parameters_filter_data_mag_matrix_uncertainty,
@@ -6863,7 +5347,7 @@ static const struct mip_parameter parameters_filter_data_mag_covariance_matrix[]
      ONE(struct mip_filter_data_mag_covariance_matrix, covariance), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_mag_covariance_matrix, valid_flags), 0,
-     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+     &mip_names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_mag_covariance_matrix = {
     parameters_filter_data_mag_covariance_matrix,
@@ -6876,7 +5360,7 @@ static const struct mip_parameter parameters_filter_data_mag_residual_vector[] =
      ONE(struct mip_filter_data_mag_residual_vector, residual), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_mag_residual_vector, valid_flags), 0,
-     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+     &mip_names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_mag_residual_vector = {
     parameters_filter_data_mag_residual_vector,
@@ -6889,7 +5373,7 @@ static const struct mip_parameter parameters_filter_data_antenna_offset_correcti
      ONE(struct mip_filter_data_antenna_offset_correction, offset), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_antenna_offset_correction, valid_flags), 0,
-     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+     &mip_names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_antenna_offset_correction = {
     parameters_filter_data_antenna_offset_correction,
@@ -6903,7 +5387,7 @@ static const struct mip_parameter parameters_filter_data_antenna_offset_correcti
      NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_antenna_offset_correction_uncertainty, valid_flags), 0,
-     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+     &mip_names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_antenna_offset_correction_uncertainty = {
     parameters_filter_data_antenna_offset_correction_uncertainty,
@@ -6919,8 +5403,8 @@ static const struct mip_parameter parameters_filter_data_clock_correction[] = {
     {"bias_drift", "s/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_clock_correction, bias_drift), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_clock_correction, valid_flags), 0, &names_filter_data_valid_flags,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_data_clock_correction, valid_flags), 0,
+     &mip_names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_clock_correction = {
     parameters_filter_data_clock_correction,
@@ -6940,7 +5424,7 @@ static const struct mip_parameter parameters_filter_data_clock_correction_uncert
      NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_clock_correction_uncertainty, valid_flags), 0,
-     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+     &mip_names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_clock_correction_uncertainty = {
     parameters_filter_data_clock_correction_uncertainty,
@@ -6957,7 +5441,7 @@ static const struct mip_parameter parameters_filter_data_multi_antenna_offset_co
      0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_multi_antenna_offset_correction, valid_flags), 0,
-     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+     &mip_names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_multi_antenna_offset_correction = {
     parameters_filter_data_multi_antenna_offset_correction,
@@ -6977,7 +5461,7 @@ static const struct mip_parameter
          0, NULL, NULL, NULL, NULL, 0},
         {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
          ONE(struct mip_filter_data_multi_antenna_offset_correction_uncertainty, valid_flags), 0,
-         &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+         &mip_names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_multi_antenna_offset_correction_uncertainty = {
     parameters_filter_data_multi_antenna_offset_correction_uncertainty,
@@ -6991,7 +5475,7 @@ static const struct mip_parameter parameters_filter_data_ecef_position_uncertain
      NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_ecef_position_uncertainty, valid_flags), 0,
-     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+     &mip_names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_ecef_position_uncertainty = {
     parameters_filter_data_ecef_position_uncertainty,
@@ -7005,7 +5489,7 @@ static const struct mip_parameter parameters_filter_data_ecef_velocity_uncertain
      NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_ecef_velocity_uncertainty, valid_flags), 0,
-     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+     &mip_names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_ecef_velocity_uncertainty = {
     parameters_filter_data_ecef_velocity_uncertainty,
@@ -7017,7 +5501,7 @@ static const struct mip_parameter parameters_filter_data_ecef_position[] = {
     {"position", "m", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_filter_data_ecef_position, position), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_ecef_position, valid_flags), 0, &names_filter_data_valid_flags,
+     ONE(struct mip_filter_data_ecef_position, valid_flags), 0, &mip_names_filter_data_valid_flags,
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_ecef_position = {
@@ -7030,7 +5514,7 @@ static const struct mip_parameter parameters_filter_data_ecef_velocity[] = {
     {"velocity", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_filter_data_ecef_velocity, velocity), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_ecef_velocity, valid_flags), 0, &names_filter_data_valid_flags,
+     ONE(struct mip_filter_data_ecef_velocity, valid_flags), 0, &mip_names_filter_data_valid_flags,
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_ecef_velocity = {
@@ -7045,7 +5529,7 @@ static const struct mip_parameter parameters_filter_data_ned_relative_position[]
      NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_ned_relative_position, valid_flags), 0,
-     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+     &mip_names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_ned_relative_position = {
     parameters_filter_data_ned_relative_position,
@@ -7061,7 +5545,7 @@ static const struct mip_parameter parameters_filter_data_gnss_position_aiding_st
      ONE(struct mip_filter_data_gnss_position_aiding_status, tow), 0, NULL, NULL, NULL, NULL, 0},
     {"status", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_gnss_position_aiding_status, status), 0,
-     &names_filter_data_gnss_aiding_status, NULL, NULL, NULL, 0},
+     &mip_names_filter_data_gnss_aiding_status, NULL, NULL, NULL, 0},
     {"reserved", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 8, 1, 0, 0, 0,
      MANY(struct mip_filter_data_gnss_position_aiding_status, reserved), 0, NULL, NULL, NULL, NULL,
      0},
@@ -7077,7 +5561,7 @@ static const struct mip_parameter parameters_filter_data_gnss_attitude_aiding_st
      ONE(struct mip_filter_data_gnss_attitude_aiding_status, tow), 0, NULL, NULL, NULL, NULL, 0},
     {"status", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_gnss_attitude_aiding_status, status), 0,
-     &names_filter_data_gnss_aiding_status, NULL, NULL, NULL, 0},
+     &mip_names_filter_data_gnss_aiding_status, NULL, NULL, NULL, 0},
     {"reserved", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 8, 1, 0, 0, 0,
      MANY(struct mip_filter_data_gnss_attitude_aiding_status, reserved), 0, NULL, NULL, NULL, NULL,
      0},
@@ -7093,7 +5577,7 @@ static const struct mip_parameter parameters_filter_data_heading_aiding_status[]
      ONE(struct mip_filter_data_heading_aiding_status, tow), 0, NULL, NULL, NULL, NULL, 0},
     {"type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_heading_aiding_status, type), 0,
-     &names_filter_data_heading_aiding_type, NULL, NULL, NULL, 0},
+     &mip_names_filter_data_heading_aiding_type, NULL, NULL, NULL, 0},
     {"reserved", "", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_FIXED, 2, 1, 0, 0, 0,
      MANY(struct mip_filter_data_heading_aiding_status, reserved), 0, NULL, NULL, NULL, NULL, 0},
 };
@@ -7110,10 +5594,10 @@ static const struct mip_parameter parameters_filter_data_aiding_measurement_summ
      ONE(struct mip_filter_data_aiding_measurement_summary, source), 0, NULL, NULL, NULL, NULL, 0},
     {"type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_aiding_measurement_summary, type), 0,
-     &names_filter_data_aiding_measurement_type, NULL, NULL, NULL, 0},
+     &mip_names_filter_data_aiding_measurement_type, NULL, NULL, NULL, 0},
     {"indicator", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_aiding_measurement_summary, indicator), 0,
-     &names_filter_data_aiding_measurement_indicator, NULL, NULL, NULL, 0},
+     &mip_names_filter_data_aiding_measurement_indicator, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_aiding_measurement_summary = {
     parameters_filter_data_aiding_measurement_summary,
@@ -7127,7 +5611,7 @@ static const struct mip_parameter parameters_filter_data_odometer_scale_factor_e
      NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_odometer_scale_factor_error, valid_flags), 0,
-     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+     &mip_names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_odometer_scale_factor_error = {
     parameters_filter_data_odometer_scale_factor_error,
@@ -7144,7 +5628,7 @@ static const struct mip_parameter parameters_filter_data_odometer_scale_factor_e
          0, NULL, NULL, NULL, NULL, 0},
         {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
          ONE(struct mip_filter_data_odometer_scale_factor_error_uncertainty, valid_flags), 0,
-         &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+         &mip_names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_odometer_scale_factor_error_uncertainty = {
     parameters_filter_data_odometer_scale_factor_error_uncertainty,
@@ -7162,13 +5646,13 @@ static const struct mip_parameter parameters_filter_data_gnss_dual_antenna_statu
      NULL, 0},
     {"fix_type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_gnss_dual_antenna_status, fix_type), 0,
-     &names_filter_data_dual_antenna_fix_type, NULL, NULL, NULL, 0},
+     &mip_names_filter_data_dual_antenna_fix_type, NULL, NULL, NULL, 0},
     {"status_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_gnss_dual_antenna_status, status_flags), 0,
-     &names_filter_data_dual_antenna_status_flags, NULL, NULL, NULL, 0},
+     &mip_names_filter_data_dual_antenna_status_flags, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_gnss_dual_antenna_status, valid_flags), 0,
-     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+     &mip_names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_gnss_dual_antenna_status = {
     parameters_filter_data_gnss_dual_antenna_status,
@@ -7222,8 +5706,8 @@ static const struct mip_parameter parameters_gnss_1_llh_position[] = {
     {"vertical_accuracy", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_llh_position, vertical_accuracy), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_llh_position, valid_flags), 0, &names_gnss_1_llh_position_flags, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_gnss_1_llh_position, valid_flags), 0, &mip_names_gnss_1_llh_position_flags,
+     NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_llh_position = {
     parameters_gnss_1_llh_position,
@@ -7237,8 +5721,8 @@ static const struct mip_parameter parameters_gnss_1_ecef_position[] = {
     {"position_accuracy", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_ecef_position, position_accuracy), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_ecef_position, valid_flags), 0, &names_gnss_1_ecef_position_flags, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_gnss_1_ecef_position, valid_flags), 0, &mip_names_gnss_1_ecef_position_flags,
+     NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_ecef_position = {
     parameters_gnss_1_ecef_position,
@@ -7260,8 +5744,8 @@ static const struct mip_parameter parameters_gnss_1_ned_velocity[] = {
     {"heading_accuracy", "deg", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_ned_velocity, heading_accuracy), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_ned_velocity, valid_flags), 0, &names_gnss_1_ned_velocity_flags, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_gnss_1_ned_velocity, valid_flags), 0, &mip_names_gnss_1_ned_velocity_flags,
+     NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_ned_velocity = {
     parameters_gnss_1_ned_velocity,
@@ -7275,8 +5759,8 @@ static const struct mip_parameter parameters_gnss_1_ecef_velocity[] = {
     {"velocity_accuracy", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_ecef_velocity, velocity_accuracy), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_ecef_velocity, valid_flags), 0, &names_gnss_1_ecef_velocity_flags, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_gnss_1_ecef_velocity, valid_flags), 0, &mip_names_gnss_1_ecef_velocity_flags,
+     NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_ecef_velocity = {
     parameters_gnss_1_ecef_velocity,
@@ -7300,7 +5784,7 @@ static const struct mip_parameter parameters_gnss_1_dop[] = {
     {"edop", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_dop, edop), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_dop, valid_flags), 0, &names_gnss_1_dop_flags, NULL, NULL, NULL, 0},
+     ONE(struct mip_gnss_1_dop, valid_flags), 0, &mip_names_gnss_1_dop_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_dop = {
     parameters_gnss_1_dop,
@@ -7324,7 +5808,7 @@ static const struct mip_parameter parameters_gnss_1_utc_time[] = {
     {"msec", "ms", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_utc_time, msec), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_utc_time, valid_flags), 0, &names_gnss_1_utc_time_flags, NULL, NULL,
+     ONE(struct mip_gnss_1_utc_time, valid_flags), 0, &mip_names_gnss_1_utc_time_flags, NULL, NULL,
      NULL, 0},
 };
 static const struct mip_record record_gnss_1_utc_time = {
@@ -7339,7 +5823,7 @@ static const struct mip_parameter parameters_gnss_1_gps_time[] = {
     {"week_number", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_gps_time, week_number), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_gps_time, valid_flags), 0, &names_gnss_1_gps_time_flags, NULL, NULL,
+     ONE(struct mip_gnss_1_gps_time, valid_flags), 0, &mip_names_gnss_1_gps_time_flags, NULL, NULL,
      NULL, 0},
 };
 static const struct mip_record record_gnss_1_gps_time = {
@@ -7356,8 +5840,8 @@ static const struct mip_parameter parameters_gnss_1_clock_info[] = {
     {"accuracy_estimate", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_clock_info, accuracy_estimate), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_clock_info, valid_flags), 0, &names_gnss_1_clock_info_flags, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_gnss_1_clock_info, valid_flags), 0, &mip_names_gnss_1_clock_info_flags, NULL,
+     NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_clock_info = {
     parameters_gnss_1_clock_info,
@@ -7367,13 +5851,14 @@ static const struct mip_record record_gnss_1_clock_info = {
 
 static const struct mip_parameter parameters_gnss_1_fix_info[] = {
     {"fix_type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_fix_info, fix_type), 0, &names_gnss_fix_type, NULL, NULL, NULL, 0},
+     ONE(struct mip_gnss_1_fix_info, fix_type), 0, &mip_names_gnss_fix_type, NULL, NULL, NULL, 0},
     {"num_sv", "1", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_fix_info, num_sv), 0, NULL, NULL, NULL, NULL, 0},
     {"fix_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_fix_info, fix_flags), 0, &names_gnss_1_fix_flags, NULL, NULL, NULL, 0},
+     ONE(struct mip_gnss_1_fix_info, fix_flags), 0, &mip_names_gnss_1_fix_flags, NULL, NULL, NULL,
+     0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_fix_info, valid_flags), 0, &names_gnss_1_fix_info_flags, NULL, NULL,
+     ONE(struct mip_gnss_1_fix_info, valid_flags), 0, &mip_names_gnss_1_fix_info_flags, NULL, NULL,
      NULL, 0},
 };
 static const struct mip_record record_gnss_1_fix_info = {
@@ -7394,10 +5879,10 @@ static const struct mip_parameter parameters_gnss_1_sv_info[] = {
     {"elevation", "deg", MIP_KIND_NUMBER, MIP_SCALAR_S16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_sv_info, elevation), 0, NULL, NULL, NULL, NULL, 0},
     {"sv_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_sv_info, sv_flags), 0, &names_gnss_1_sv_flags, NULL, NULL, NULL, 0},
+     ONE(struct mip_gnss_1_sv_info, sv_flags), 0, &mip_names_gnss_1_sv_flags, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_sv_info, valid_flags), 0, &names_gnss_1_sv_info_flags, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_gnss_1_sv_info, valid_flags), 0, &mip_names_gnss_1_sv_info_flags, NULL, NULL,
+     NULL, 0},
 };
 static const struct mip_record record_gnss_1_sv_info = {
     parameters_gnss_1_sv_info,
@@ -7407,17 +5892,17 @@ static const struct mip_record record_gnss_1_sv_info = {
 
 static const struct mip_parameter parameters_gnss_1_hardware_status[] = {
     {"receiver_state", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_hardware_status, receiver_state), 0, &names_gnss_1_receiver_state, NULL,
-     NULL, NULL, 0},
-    {"antenna_state", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_hardware_status, antenna_state), 0, &names_gnss_1_antenna_state, NULL,
-     NULL, NULL, 0},
-    {"antenna_power", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_hardware_status, antenna_power), 0, &names_gnss_1_antenna_power, NULL,
-     NULL, NULL, 0},
-    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_hardware_status, valid_flags), 0, &names_gnss_1_hardware_status_flags,
+     ONE(struct mip_gnss_1_hardware_status, receiver_state), 0, &mip_names_gnss_1_receiver_state,
      NULL, NULL, NULL, 0},
+    {"antenna_state", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_hardware_status, antenna_state), 0, &mip_names_gnss_1_antenna_state,
+     NULL, NULL, NULL, 0},
+    {"antenna_power", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_hardware_status, antenna_power), 0, &mip_names_gnss_1_antenna_power,
+     NULL, NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_hardware_status, valid_flags), 0,
+     &mip_names_gnss_1_hardware_status_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_hardware_status = {
     parameters_gnss_1_hardware_status,
@@ -7435,8 +5920,8 @@ static const struct mip_parameter parameters_gnss_1_dgps_info[] = {
     {"num_channels", "1", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_dgps_info, num_channels), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_dgps_info, valid_flags), 0, &names_gnss_1_dgps_info_flags, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_gnss_1_dgps_info, valid_flags), 0, &mip_names_gnss_1_dgps_info_flags, NULL,
+     NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_dgps_info = {
     parameters_gnss_1_dgps_info,
@@ -7454,8 +5939,8 @@ static const struct mip_parameter parameters_gnss_1_dgps_channel[] = {
     {"range_rate_correction", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0,
      0, ONE(struct mip_gnss_1_dgps_channel, range_rate_correction), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_dgps_channel, valid_flags), 0, &names_gnss_1_dgps_channel_flags, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_gnss_1_dgps_channel, valid_flags), 0, &mip_names_gnss_1_dgps_channel_flags,
+     NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_dgps_channel = {
     parameters_gnss_1_dgps_channel,
@@ -7474,8 +5959,8 @@ static const struct mip_parameter parameters_gnss_1_clock_info_2[] = {
      0, 0, ONE(struct mip_gnss_1_clock_info_2, drift_accuracy_estimate), 0, NULL, NULL, NULL, NULL,
      0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_clock_info_2, valid_flags), 0, &names_gnss_1_clock_info_2_flags, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_gnss_1_clock_info_2, valid_flags), 0, &mip_names_gnss_1_clock_info_2_flags,
+     NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_clock_info_2 = {
     parameters_gnss_1_clock_info_2,
@@ -7487,8 +5972,8 @@ static const struct mip_parameter parameters_gnss_1_gps_leap_seconds[] = {
     {"leap_seconds", "s", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_gps_leap_seconds, leap_seconds), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_gps_leap_seconds, valid_flags), 0, &names_gnss_1_gps_leap_seconds_flags,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_gnss_1_gps_leap_seconds, valid_flags), 0,
+     &mip_names_gnss_1_gps_leap_seconds_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_gps_leap_seconds = {
     parameters_gnss_1_gps_leap_seconds,
@@ -7502,18 +5987,18 @@ static const struct mip_parameter parameters_gnss_1_sbas_info[] = {
     {"week_number", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_sbas_info, week_number), 0, NULL, NULL, NULL, NULL, 0},
     {"sbas_system", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_sbas_info, sbas_system), 0, &names_gnss_1_sbas_system, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_gnss_1_sbas_info, sbas_system), 0, &mip_names_gnss_1_sbas_system, NULL, NULL,
+     NULL, 0},
     {"sbas_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_sbas_info, sbas_id), 0, NULL, NULL, NULL, NULL, 0},
     {"count", "1", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_sbas_info, count), 0, NULL, NULL, NULL, NULL, 0},
     {"sbas_status", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_sbas_info, sbas_status), 0, &names_gnss_1_sbas_status, NULL, NULL, NULL,
-     0},
-    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_sbas_info, valid_flags), 0, &names_gnss_1_sbas_info_flags, NULL, NULL,
+     ONE(struct mip_gnss_1_sbas_info, sbas_status), 0, &mip_names_gnss_1_sbas_status, NULL, NULL,
      NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_sbas_info, valid_flags), 0, &mip_names_gnss_1_sbas_info_flags, NULL,
+     NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_sbas_info = {
     parameters_gnss_1_sbas_info,
@@ -7531,7 +6016,7 @@ static const struct mip_parameter parameters_gnss_1_sbas_correction[] = {
     {"week_number", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_sbas_correction, week_number), 0, NULL, NULL, NULL, NULL, 0},
     {"gnss_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_sbas_correction, gnss_id), 0, &names_gnss_constellation, NULL, NULL,
+     ONE(struct mip_gnss_1_sbas_correction, gnss_id), 0, &mip_names_gnss_constellation, NULL, NULL,
      NULL, 0},
     {"satellite_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_sbas_correction, satellite_id), 0, NULL, NULL, NULL, NULL, 0},
@@ -7543,8 +6028,8 @@ static const struct mip_parameter parameters_gnss_1_sbas_correction[] = {
     {"iono_correction", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_sbas_correction, iono_correction), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_sbas_correction, valid_flags), 0, &names_gnss_1_sbas_correction_flags,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_gnss_1_sbas_correction, valid_flags), 0,
+     &mip_names_gnss_1_sbas_correction_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_sbas_correction = {
     parameters_gnss_1_sbas_correction,
@@ -7554,19 +6039,19 @@ static const struct mip_record record_gnss_1_sbas_correction = {
 
 static const struct mip_parameter parameters_gnss_1_rf_error_detection[] = {
     {"rf_band", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_rf_error_detection, rf_band), 0, &names_gnss_1_rf_band, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_gnss_1_rf_error_detection, rf_band), 0, &mip_names_gnss_1_rf_band, NULL, NULL,
+     NULL, 0},
     {"jamming_state", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_rf_error_detection, jamming_state), 0, &names_gnss_1_jamming_state, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_gnss_1_rf_error_detection, jamming_state), 0, &mip_names_gnss_1_jamming_state,
+     NULL, NULL, NULL, 0},
     {"spoofing_state", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_rf_error_detection, spoofing_state), 0, &names_gnss_1_spoofing_state,
+     ONE(struct mip_gnss_1_rf_error_detection, spoofing_state), 0, &mip_names_gnss_1_spoofing_state,
      NULL, NULL, NULL, 0},
     {"reserved", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 4, 1, 0, 0, 0,
      MANY(struct mip_gnss_1_rf_error_detection, reserved), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_rf_error_detection, valid_flags), 0,
-     &names_gnss_1_rf_error_detection_flags, NULL, NULL, NULL, 0},
+     &mip_names_gnss_1_rf_error_detection_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_rf_error_detection = {
     parameters_gnss_1_rf_error_detection,
@@ -7584,7 +6069,7 @@ static const struct mip_parameter parameters_gnss_1_satellite_status[] = {
     {"week_number", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_satellite_status, week_number), 0, NULL, NULL, NULL, NULL, 0},
     {"gnss_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_satellite_status, gnss_id), 0, &names_gnss_constellation, NULL, NULL,
+     ONE(struct mip_gnss_1_satellite_status, gnss_id), 0, &mip_names_gnss_constellation, NULL, NULL,
      NULL, 0},
     {"satellite_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_satellite_status, satellite_id), 0, NULL, NULL, NULL, NULL, 0},
@@ -7595,8 +6080,8 @@ static const struct mip_parameter parameters_gnss_1_satellite_status[] = {
     {"health", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_satellite_status, health), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_satellite_status, valid_flags), 0, &names_gnss_1_satellite_status_flags,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_gnss_1_satellite_status, valid_flags), 0,
+     &mip_names_gnss_1_satellite_status_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_satellite_status = {
     parameters_gnss_1_satellite_status,
@@ -7618,15 +6103,15 @@ static const struct mip_parameter parameters_gnss_1_raw[] = {
     {"tracking_channel", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_raw, tracking_channel), 0, NULL, NULL, NULL, NULL, 0},
     {"gnss_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_raw, gnss_id), 0, &names_gnss_constellation, NULL, NULL, NULL, 0},
+     ONE(struct mip_gnss_1_raw, gnss_id), 0, &mip_names_gnss_constellation, NULL, NULL, NULL, 0},
     {"satellite_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_raw, satellite_id), 0, NULL, NULL, NULL, NULL, 0},
     {"signal_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_raw, signal_id), 0, &names_gnss_signal, NULL, NULL, NULL, 0},
+     ONE(struct mip_gnss_1_raw, signal_id), 0, &mip_names_gnss_signal, NULL, NULL, NULL, 0},
     {"signal_strength", "dB-Hz", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_raw, signal_strength), 0, NULL, NULL, NULL, NULL, 0},
     {"quality", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_raw, quality), 0, &names_gnss_1_signal_quality, NULL, NULL, NULL, 0},
+     ONE(struct mip_gnss_1_raw, quality), 0, &mip_names_gnss_1_signal_quality, NULL, NULL, NULL, 0},
     {"pseudorange", "m", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_raw, pseudorange), 0, NULL, NULL, NULL, NULL, 0},
     {"carrier_phase", "cycle", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -7642,7 +6127,7 @@ static const struct mip_parameter parameters_gnss_1_raw[] = {
     {"lock_time", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_raw, lock_time), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_raw, valid_flags), 0, &names_gnss_1_raw_flags, NULL, NULL, NULL, 0},
+     ONE(struct mip_gnss_1_raw, valid_flags), 0, &mip_names_gnss_1_raw_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_raw = {
     parameters_gnss_1_raw,
@@ -7662,11 +6147,11 @@ static const struct mip_parameter parameters_gnss_1_base_station_info[] = {
     {"station_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_base_station_info, station_id), 0, NULL, NULL, NULL, NULL, 0},
     {"indicators", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_base_station_info, indicators), 0, &names_gnss_1_base_station_indicators,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_gnss_1_base_station_info, indicators), 0,
+     &mip_names_gnss_1_base_station_indicators, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_base_station_info, valid_flags), 0,
-     &names_gnss_1_base_station_info_flags, NULL, NULL, NULL, 0},
+     &mip_names_gnss_1_base_station_info_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_base_station_info = {
     parameters_gnss_1_base_station_info,
@@ -7680,11 +6165,11 @@ static const struct mip_parameter parameters_gnss_1_rtk_corrections_status[] = {
     {"week_number", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_rtk_corrections_status, week_number), 0, NULL, NULL, NULL, NULL, 0},
     {"epoch_status", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_rtk_corrections_status, epoch_status), 0, &names_gnss_1_rtk_epoch_status,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_gnss_1_rtk_corrections_status, epoch_status), 0,
+     &mip_names_gnss_1_rtk_epoch_status, NULL, NULL, NULL, 0},
     {"dongle_status", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_rtk_corrections_status, dongle_status), 0, &names_rtk_status_flags, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_gnss_1_rtk_corrections_status, dongle_status), 0, &mip_names_rtk_status_flags,
+     NULL, NULL, NULL, 0},
     {"gps_correction_latency", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0,
      0, ONE(struct mip_gnss_1_rtk_corrections_status, gps_correction_latency), 0, NULL, NULL, NULL,
      NULL, 0},
@@ -7701,7 +6186,7 @@ static const struct mip_parameter parameters_gnss_1_rtk_corrections_status[] = {
      MANY(struct mip_gnss_1_rtk_corrections_status, reserved), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_rtk_corrections_status, valid_flags), 0,
-     &names_gnss_1_rtk_corrections_status_flags, NULL, NULL, NULL, 0},
+     &mip_names_gnss_1_rtk_corrections_status_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_rtk_corrections_status = {
     parameters_gnss_1_rtk_corrections_status,
@@ -7778,7 +6263,7 @@ static const struct mip_parameter parameters_gnss_1_gps_ephemeris[] = {
     {"c_rs", "m", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_gps_ephemeris, c_rs), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_gps_ephemeris, valid_flags), 0, &names_gnss_1_ephemeris_flags, NULL,
+     ONE(struct mip_gnss_1_gps_ephemeris, valid_flags), 0, &mip_names_gnss_1_ephemeris_flags, NULL,
      NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_gps_ephemeris = {
@@ -7806,7 +6291,7 @@ static const struct mip_parameter parameters_gnss_1_glonass_ephemeris[] = {
      ONE(struct mip_gnss_1_glonass_ephemeris, tb), 0, NULL, NULL, NULL, NULL, 0},
     {"satellite_type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_glonass_ephemeris, satellite_type), 0,
-     &names_gnss_1_glonass_satellite_type, NULL, NULL, NULL, 0},
+     &mip_names_gnss_1_glonass_satellite_type, NULL, NULL, NULL, 0},
     {"gamma", "1", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_glonass_ephemeris, gamma), 0, NULL, NULL, NULL, NULL, 0},
     {"tau_n", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -7839,7 +6324,7 @@ static const struct mip_parameter parameters_gnss_1_glonass_ephemeris[] = {
      ONE(struct mip_gnss_1_glonass_ephemeris, p4), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_glonass_ephemeris, valid_flags), 0,
-     &names_gnss_1_glonass_ephemeris_flags, NULL, NULL, NULL, 0},
+     &mip_names_gnss_1_glonass_ephemeris_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_glonass_ephemeris = {
     parameters_gnss_1_glonass_ephemeris,
@@ -7917,8 +6402,8 @@ static const struct mip_parameter parameters_gnss_1_galileo_ephemeris[] = {
     {"c_rs", "m", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_galileo_ephemeris, c_rs), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_galileo_ephemeris, valid_flags), 0, &names_gnss_1_ephemeris_flags, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_gnss_1_galileo_ephemeris, valid_flags), 0, &mip_names_gnss_1_ephemeris_flags,
+     NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_galileo_ephemeris = {
     parameters_gnss_1_galileo_ephemeris,
@@ -7995,8 +6480,8 @@ static const struct mip_parameter parameters_gnss_1_beidou_ephemeris[] = {
     {"c_rs", "m", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_beidou_ephemeris, c_rs), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_beidou_ephemeris, valid_flags), 0, &names_gnss_1_ephemeris_flags, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_gnss_1_beidou_ephemeris, valid_flags), 0, &mip_names_gnss_1_ephemeris_flags,
+     NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_beidou_ephemeris = {
     parameters_gnss_1_beidou_ephemeris,
@@ -8015,7 +6500,7 @@ static const struct mip_parameter parameters_gnss_1_gps_iono_correction[] = {
      MANY(struct mip_gnss_1_gps_iono_correction, beta), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_gps_iono_correction, valid_flags), 0,
-     &names_gnss_1_gps_iono_correction_flags, NULL, NULL, NULL, 0},
+     &mip_names_gnss_1_gps_iono_correction_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_gps_iono_correction = {
     parameters_gnss_1_gps_iono_correction,
@@ -8035,7 +6520,7 @@ static const struct mip_parameter parameters_gnss_1_galileo_iono_correction[] = 
      0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_galileo_iono_correction, valid_flags), 0,
-     &names_gnss_1_galileo_iono_correction_flags, NULL, NULL, NULL, 0},
+     &mip_names_gnss_1_galileo_iono_correction_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_galileo_iono_correction = {
     parameters_gnss_1_galileo_iono_correction,
@@ -8057,7 +6542,7 @@ static const struct mip_parameter parameters_gnss_1_beidou_iono_correction[] = {
      0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_beidou_iono_correction, valid_flags), 0,
-     &names_gnss_1_beidou_iono_correction_flags, NULL, NULL, NULL, 0},
+     &mip_names_gnss_1_beidou_iono_correction_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_beidou_iono_correction = {
     parameters_gnss_1_beidou_iono_correction,
@@ -8066,7 +6551,7 @@ static const struct mip_record record_gnss_1_beidou_iono_correction = {
 };
 
 static const struct mip_reading readings_system_data_built_in_test_result[] = {
-    {"3dm-cv7-gnss-ins", 0, 0, &names_cv7_continuous_built_in_test},
+    {"3dm-cv7-gnss-ins", 0, 0, &mip_names_cv7_continuous_built_in_test},
 };
 static const struct mip_parameter parameters_system_data_built_in_test[] = {
     {"result", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 16, 1, 0, 0, 0,
@@ -8093,8 +6578,8 @@ static const struct mip_record record_system_data_time_sync_status = {
 
 static const struct mip_parameter parameters_system_data_gpio_state[] = {
     {"states", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_system_data_gpio_state, states), 0, &names_system_data_gpio_pin_states, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_system_data_gpio_state, states), 0, &mip_names_system_data_gpio_pin_states,
+     NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_system_data_gpio_state = {
     parameters_system_data_gpio_state,
@@ -8150,8 +6635,8 @@ static const struct mip_parameter parameters_shared_gps_timestamp[] = {
     {"week_number", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_shared_gps_timestamp, week_number), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_shared_gps_timestamp, valid_flags), 0, &names_shared_gps_timestamp_flags, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_shared_gps_timestamp, valid_flags), 0, &mip_names_shared_gps_timestamp_flags,
+     NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_shared_gps_timestamp = {
     parameters_shared_gps_timestamp,
@@ -8194,7 +6679,7 @@ static const struct mip_parameter parameters_shared_external_timestamp[] = {
      ONE(struct mip_shared_external_timestamp, nanoseconds), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_shared_external_timestamp, valid_flags), 0,
-     &names_shared_external_timestamp_flags, NULL, NULL, NULL, 0},
+     &mip_names_shared_external_timestamp_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_shared_external_timestamp = {
     parameters_shared_external_timestamp,
@@ -8207,7 +6692,7 @@ static const struct mip_parameter parameters_shared_external_time_delta[] = {
      ONE(struct mip_shared_external_time_delta, dt_nanos), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_shared_external_time_delta, valid_flags), 0,
-     &names_shared_external_time_delta_flags, NULL, NULL, NULL, 0},
+     &mip_names_shared_external_time_delta_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_shared_external_time_delta = {
     parameters_shared_external_time_delta,
@@ -8818,6 +7303,48 @@ const struct mip_reflection mip_reflections[] = {
     {&mip_sensor_scaled_pressure_codec, &record_sensor_scaled_pressure, false, false, NULL, 0, 0},
     {&mip_sensor_overrange_status_codec, &record_sensor_overrange_status, false, false, NULL, 0, 0},
     {&mip_sensor_odometer_codec, &record_sensor_odometer, false, false, NULL, 0, 0},
+    {&mip_gnss_data_llh_position_codec, &record_gnss_1_llh_position, false, false, NULL, 0, 0},
+    {&mip_gnss_data_ecef_position_codec, &record_gnss_1_ecef_position, false, false, NULL, 0, 0},
+    {&mip_gnss_data_ned_velocity_codec, &record_gnss_1_ned_velocity, false, false, NULL, 0, 0},
+    {&mip_gnss_data_ecef_velocity_codec, &record_gnss_1_ecef_velocity, false, false, NULL, 0, 0},
+    {&mip_gnss_data_dop_codec, &record_gnss_1_dop, false, false, NULL, 0, 0},
+    {&mip_gnss_data_utc_time_codec, &record_gnss_1_utc_time, false, false, NULL, 0, 0},
+    {&mip_gnss_data_gps_time_codec, &record_gnss_1_gps_time, false, false, NULL, 0, 0},
+    {&mip_gnss_data_clock_info_codec, &record_gnss_1_clock_info, false, false, NULL, 0, 0},
+    {&mip_gnss_data_fix_info_codec, &record_gnss_1_fix_info, false, false, NULL, 0, 0},
+    {&mip_gnss_data_sv_info_codec, &record_gnss_1_sv_info, false, false, NULL, 0, 0},
+    {&mip_gnss_data_hardware_status_codec, &record_gnss_1_hardware_status, false, false, NULL, 0,
+     0},
+    {&mip_gnss_data_dgps_info_codec, &record_gnss_1_dgps_info, false, false, NULL, 0, 0},
+    {&mip_gnss_data_dgps_channel_codec, &record_gnss_1_dgps_channel, false, false, NULL, 0, 0},
+    {&mip_gnss_data_clock_info_2_codec, &record_gnss_1_clock_info_2, false, false, NULL, 0, 0},
+    {&mip_gnss_data_gps_leap_seconds_codec, &record_gnss_1_gps_leap_seconds, false, false, NULL, 0,
+     0},
+    {&mip_gnss_data_sbas_info_codec, &record_gnss_1_sbas_info, false, false, NULL, 0, 0},
+    {&mip_gnss_data_sbas_correction_codec, &record_gnss_1_sbas_correction, false, false, NULL, 0,
+     0},
+    {&mip_gnss_data_rf_error_detection_codec, &record_gnss_1_rf_error_detection, false, false, NULL,
+     0, 0},
+    {&mip_gnss_data_satellite_status_codec, &record_gnss_1_satellite_status, false, false, NULL, 0,
+     0},
+    {&mip_gnss_data_raw_codec, &record_gnss_1_raw, false, false, NULL, 0, 0},
+    {&mip_gnss_data_base_station_info_codec, &record_gnss_1_base_station_info, false, false, NULL,
+     0, 0},
+    {&mip_gnss_data_rtk_corrections_status_codec, &record_gnss_1_rtk_corrections_status, false,
+     false, NULL, 0, 0},
+    {&mip_gnss_data_gps_ephemeris_codec, &record_gnss_1_gps_ephemeris, false, false, NULL, 0, 0},
+    {&mip_gnss_data_glonass_ephemeris_codec, &record_gnss_1_glonass_ephemeris, false, false, NULL,
+     0, 0},
+    {&mip_gnss_data_galileo_ephemeris_codec, &record_gnss_1_galileo_ephemeris, false, false, NULL,
+     0, 0},
+    {&mip_gnss_data_beidou_ephemeris_codec, &record_gnss_1_beidou_ephemeris, false, false, NULL, 0,
+     0},
+    {&mip_gnss_data_gps_iono_correction_codec, &record_gnss_1_gps_iono_correction, false, false,
+     NULL, 0, 0},
+    {&mip_gnss_data_galileo_iono_correction_codec, &record_gnss_1_galileo_iono_correction, false,
+     false, NULL, 0, 0},
+    {&mip_gnss_data_beidou_iono_correction_codec, &record_gnss_1_beidou_iono_correction, false,
+     false, NULL, 0, 0},
     {&mip_filter_data_llh_position_codec, &record_filter_data_llh_position, false, false, NULL, 0,
      0},
     {&mip_filter_data_ned_velocity_codec, &record_filter_data_ned_velocity, false, false, NULL, 0,
@@ -8961,6 +7488,186 @@ const struct mip_reflection mip_reflections[] = {
      false, NULL, 0, 0},
     {&mip_gnss_1_beidou_iono_correction_codec, &record_gnss_1_beidou_iono_correction, false, false,
      NULL, 0, 0},
+    {&mip_gnss_2_llh_position_codec, &record_gnss_1_llh_position, false, false, NULL, 0, 0},
+    {&mip_gnss_2_ecef_position_codec, &record_gnss_1_ecef_position, false, false, NULL, 0, 0},
+    {&mip_gnss_2_ned_velocity_codec, &record_gnss_1_ned_velocity, false, false, NULL, 0, 0},
+    {&mip_gnss_2_ecef_velocity_codec, &record_gnss_1_ecef_velocity, false, false, NULL, 0, 0},
+    {&mip_gnss_2_dop_codec, &record_gnss_1_dop, false, false, NULL, 0, 0},
+    {&mip_gnss_2_utc_time_codec, &record_gnss_1_utc_time, false, false, NULL, 0, 0},
+    {&mip_gnss_2_gps_time_codec, &record_gnss_1_gps_time, false, false, NULL, 0, 0},
+    {&mip_gnss_2_clock_info_codec, &record_gnss_1_clock_info, false, false, NULL, 0, 0},
+    {&mip_gnss_2_fix_info_codec, &record_gnss_1_fix_info, false, false, NULL, 0, 0},
+    {&mip_gnss_2_sv_info_codec, &record_gnss_1_sv_info, false, false, NULL, 0, 0},
+    {&mip_gnss_2_hardware_status_codec, &record_gnss_1_hardware_status, false, false, NULL, 0, 0},
+    {&mip_gnss_2_dgps_info_codec, &record_gnss_1_dgps_info, false, false, NULL, 0, 0},
+    {&mip_gnss_2_dgps_channel_codec, &record_gnss_1_dgps_channel, false, false, NULL, 0, 0},
+    {&mip_gnss_2_clock_info_2_codec, &record_gnss_1_clock_info_2, false, false, NULL, 0, 0},
+    {&mip_gnss_2_gps_leap_seconds_codec, &record_gnss_1_gps_leap_seconds, false, false, NULL, 0, 0},
+    {&mip_gnss_2_sbas_info_codec, &record_gnss_1_sbas_info, false, false, NULL, 0, 0},
+    {&mip_gnss_2_sbas_correction_codec, &record_gnss_1_sbas_correction, false, false, NULL, 0, 0},
+    {&mip_gnss_2_rf_error_detection_codec, &record_gnss_1_rf_error_detection, false, false, NULL, 0,
+     0},
+    {&mip_gnss_2_satellite_status_codec, &record_gnss_1_satellite_status, false, false, NULL, 0, 0},
+    {&mip_gnss_2_raw_codec, &record_gnss_1_raw, false, false, NULL, 0, 0},
+    {&mip_gnss_2_base_station_info_codec, &record_gnss_1_base_station_info, false, false, NULL, 0,
+     0},
+    {&mip_gnss_2_rtk_corrections_status_codec, &record_gnss_1_rtk_corrections_status, false, false,
+     NULL, 0, 0},
+    {&mip_gnss_2_gps_ephemeris_codec, &record_gnss_1_gps_ephemeris, false, false, NULL, 0, 0},
+    {&mip_gnss_2_glonass_ephemeris_codec, &record_gnss_1_glonass_ephemeris, false, false, NULL, 0,
+     0},
+    {&mip_gnss_2_galileo_ephemeris_codec, &record_gnss_1_galileo_ephemeris, false, false, NULL, 0,
+     0},
+    {&mip_gnss_2_beidou_ephemeris_codec, &record_gnss_1_beidou_ephemeris, false, false, NULL, 0, 0},
+    {&mip_gnss_2_gps_iono_correction_codec, &record_gnss_1_gps_iono_correction, false, false, NULL,
+     0, 0},
+    {&mip_gnss_2_galileo_iono_correction_codec, &record_gnss_1_galileo_iono_correction, false,
+     false, NULL, 0, 0},
+    {&mip_gnss_2_beidou_iono_correction_codec, &record_gnss_1_beidou_iono_correction, false, false,
+     NULL, 0, 0},
+    {&mip_gnss_corrections_llh_position_codec, &record_gnss_1_llh_position, false, false, NULL, 0,
+     0},
+    {&mip_gnss_corrections_ecef_position_codec, &record_gnss_1_ecef_position, false, false, NULL, 0,
+     0},
+    {&mip_gnss_corrections_ned_velocity_codec, &record_gnss_1_ned_velocity, false, false, NULL, 0,
+     0},
+    {&mip_gnss_corrections_ecef_velocity_codec, &record_gnss_1_ecef_velocity, false, false, NULL, 0,
+     0},
+    {&mip_gnss_corrections_dop_codec, &record_gnss_1_dop, false, false, NULL, 0, 0},
+    {&mip_gnss_corrections_utc_time_codec, &record_gnss_1_utc_time, false, false, NULL, 0, 0},
+    {&mip_gnss_corrections_gps_time_codec, &record_gnss_1_gps_time, false, false, NULL, 0, 0},
+    {&mip_gnss_corrections_clock_info_codec, &record_gnss_1_clock_info, false, false, NULL, 0, 0},
+    {&mip_gnss_corrections_fix_info_codec, &record_gnss_1_fix_info, false, false, NULL, 0, 0},
+    {&mip_gnss_corrections_sv_info_codec, &record_gnss_1_sv_info, false, false, NULL, 0, 0},
+    {&mip_gnss_corrections_hardware_status_codec, &record_gnss_1_hardware_status, false, false,
+     NULL, 0, 0},
+    {&mip_gnss_corrections_dgps_info_codec, &record_gnss_1_dgps_info, false, false, NULL, 0, 0},
+    {&mip_gnss_corrections_dgps_channel_codec, &record_gnss_1_dgps_channel, false, false, NULL, 0,
+     0},
+    {&mip_gnss_corrections_clock_info_2_codec, &record_gnss_1_clock_info_2, false, false, NULL, 0,
+     0},
+    {&mip_gnss_corrections_gps_leap_seconds_codec, &record_gnss_1_gps_leap_seconds, false, false,
+     NULL, 0, 0},
+    {&mip_gnss_corrections_sbas_info_codec, &record_gnss_1_sbas_info, false, false, NULL, 0, 0},
+    {&mip_gnss_corrections_sbas_correction_codec, &record_gnss_1_sbas_correction, false, false,
+     NULL, 0, 0},
+    {&mip_gnss_corrections_rf_error_detection_codec, &record_gnss_1_rf_error_detection, false,
+     false, NULL, 0, 0},
+    {&mip_gnss_corrections_satellite_status_codec, &record_gnss_1_satellite_status, false, false,
+     NULL, 0, 0},
+    {&mip_gnss_corrections_raw_codec, &record_gnss_1_raw, false, false, NULL, 0, 0},
+    {&mip_gnss_corrections_base_station_info_codec, &record_gnss_1_base_station_info, false, false,
+     NULL, 0, 0},
+    {&mip_gnss_corrections_rtk_corrections_status_codec, &record_gnss_1_rtk_corrections_status,
+     false, false, NULL, 0, 0},
+    {&mip_gnss_corrections_gps_ephemeris_codec, &record_gnss_1_gps_ephemeris, false, false, NULL, 0,
+     0},
+    {&mip_gnss_corrections_glonass_ephemeris_codec, &record_gnss_1_glonass_ephemeris, false, false,
+     NULL, 0, 0},
+    {&mip_gnss_corrections_galileo_ephemeris_codec, &record_gnss_1_galileo_ephemeris, false, false,
+     NULL, 0, 0},
+    {&mip_gnss_corrections_beidou_ephemeris_codec, &record_gnss_1_beidou_ephemeris, false, false,
+     NULL, 0, 0},
+    {&mip_gnss_corrections_gps_iono_correction_codec, &record_gnss_1_gps_iono_correction, false,
+     false, NULL, 0, 0},
+    {&mip_gnss_corrections_galileo_iono_correction_codec, &record_gnss_1_galileo_iono_correction,
+     false, false, NULL, 0, 0},
+    {&mip_gnss_corrections_beidou_iono_correction_codec, &record_gnss_1_beidou_iono_correction,
+     false, false, NULL, 0, 0},
+    {&mip_gnss_external_llh_position_codec, &record_gnss_1_llh_position, false, false, NULL, 0, 0},
+    {&mip_gnss_external_ecef_position_codec, &record_gnss_1_ecef_position, false, false, NULL, 0,
+     0},
+    {&mip_gnss_external_ned_velocity_codec, &record_gnss_1_ned_velocity, false, false, NULL, 0, 0},
+    {&mip_gnss_external_ecef_velocity_codec, &record_gnss_1_ecef_velocity, false, false, NULL, 0,
+     0},
+    {&mip_gnss_external_dop_codec, &record_gnss_1_dop, false, false, NULL, 0, 0},
+    {&mip_gnss_external_utc_time_codec, &record_gnss_1_utc_time, false, false, NULL, 0, 0},
+    {&mip_gnss_external_gps_time_codec, &record_gnss_1_gps_time, false, false, NULL, 0, 0},
+    {&mip_gnss_external_clock_info_codec, &record_gnss_1_clock_info, false, false, NULL, 0, 0},
+    {&mip_gnss_external_fix_info_codec, &record_gnss_1_fix_info, false, false, NULL, 0, 0},
+    {&mip_gnss_external_sv_info_codec, &record_gnss_1_sv_info, false, false, NULL, 0, 0},
+    {&mip_gnss_external_hardware_status_codec, &record_gnss_1_hardware_status, false, false, NULL,
+     0, 0},
+    {&mip_gnss_external_dgps_info_codec, &record_gnss_1_dgps_info, false, false, NULL, 0, 0},
+    {&mip_gnss_external_dgps_channel_codec, &record_gnss_1_dgps_channel, false, false, NULL, 0, 0},
+    {&mip_gnss_external_clock_info_2_codec, &record_gnss_1_clock_info_2, false, false, NULL, 0, 0},
+    {&mip_gnss_external_gps_leap_seconds_codec, &record_gnss_1_gps_leap_seconds, false, false, NULL,
+     0, 0},
+    {&mip_gnss_external_sbas_info_codec, &record_gnss_1_sbas_info, false, false, NULL, 0, 0},
+    {&mip_gnss_external_sbas_correction_codec, &record_gnss_1_sbas_correction, false, false, NULL,
+     0, 0},
+    {&mip_gnss_external_rf_error_detection_codec, &record_gnss_1_rf_error_detection, false, false,
+     NULL, 0, 0},
+    {&mip_gnss_external_satellite_status_codec, &record_gnss_1_satellite_status, false, false, NULL,
+     0, 0},
+    {&mip_gnss_external_raw_codec, &record_gnss_1_raw, false, false, NULL, 0, 0},
+    {&mip_gnss_external_base_station_info_codec, &record_gnss_1_base_station_info, false, false,
+     NULL, 0, 0},
+    {&mip_gnss_external_rtk_corrections_status_codec, &record_gnss_1_rtk_corrections_status, false,
+     false, NULL, 0, 0},
+    {&mip_gnss_external_gps_ephemeris_codec, &record_gnss_1_gps_ephemeris, false, false, NULL, 0,
+     0},
+    {&mip_gnss_external_glonass_ephemeris_codec, &record_gnss_1_glonass_ephemeris, false, false,
+     NULL, 0, 0},
+    {&mip_gnss_external_galileo_ephemeris_codec, &record_gnss_1_galileo_ephemeris, false, false,
+     NULL, 0, 0},
+    {&mip_gnss_external_beidou_ephemeris_codec, &record_gnss_1_beidou_ephemeris, false, false, NULL,
+     0, 0},
+    {&mip_gnss_external_gps_iono_correction_codec, &record_gnss_1_gps_iono_correction, false, false,
+     NULL, 0, 0},
+    {&mip_gnss_external_galileo_iono_correction_codec, &record_gnss_1_galileo_iono_correction,
+     false, false, NULL, 0, 0},
+    {&mip_gnss_external_beidou_iono_correction_codec, &record_gnss_1_beidou_iono_correction, false,
+     false, NULL, 0, 0},
+    {&mip_gnss_external_2_llh_position_codec, &record_gnss_1_llh_position, false, false, NULL, 0,
+     0},
+    {&mip_gnss_external_2_ecef_position_codec, &record_gnss_1_ecef_position, false, false, NULL, 0,
+     0},
+    {&mip_gnss_external_2_ned_velocity_codec, &record_gnss_1_ned_velocity, false, false, NULL, 0,
+     0},
+    {&mip_gnss_external_2_ecef_velocity_codec, &record_gnss_1_ecef_velocity, false, false, NULL, 0,
+     0},
+    {&mip_gnss_external_2_dop_codec, &record_gnss_1_dop, false, false, NULL, 0, 0},
+    {&mip_gnss_external_2_utc_time_codec, &record_gnss_1_utc_time, false, false, NULL, 0, 0},
+    {&mip_gnss_external_2_gps_time_codec, &record_gnss_1_gps_time, false, false, NULL, 0, 0},
+    {&mip_gnss_external_2_clock_info_codec, &record_gnss_1_clock_info, false, false, NULL, 0, 0},
+    {&mip_gnss_external_2_fix_info_codec, &record_gnss_1_fix_info, false, false, NULL, 0, 0},
+    {&mip_gnss_external_2_sv_info_codec, &record_gnss_1_sv_info, false, false, NULL, 0, 0},
+    {&mip_gnss_external_2_hardware_status_codec, &record_gnss_1_hardware_status, false, false, NULL,
+     0, 0},
+    {&mip_gnss_external_2_dgps_info_codec, &record_gnss_1_dgps_info, false, false, NULL, 0, 0},
+    {&mip_gnss_external_2_dgps_channel_codec, &record_gnss_1_dgps_channel, false, false, NULL, 0,
+     0},
+    {&mip_gnss_external_2_clock_info_2_codec, &record_gnss_1_clock_info_2, false, false, NULL, 0,
+     0},
+    {&mip_gnss_external_2_gps_leap_seconds_codec, &record_gnss_1_gps_leap_seconds, false, false,
+     NULL, 0, 0},
+    {&mip_gnss_external_2_sbas_info_codec, &record_gnss_1_sbas_info, false, false, NULL, 0, 0},
+    {&mip_gnss_external_2_sbas_correction_codec, &record_gnss_1_sbas_correction, false, false, NULL,
+     0, 0},
+    {&mip_gnss_external_2_rf_error_detection_codec, &record_gnss_1_rf_error_detection, false, false,
+     NULL, 0, 0},
+    {&mip_gnss_external_2_satellite_status_codec, &record_gnss_1_satellite_status, false, false,
+     NULL, 0, 0},
+    {&mip_gnss_external_2_raw_codec, &record_gnss_1_raw, false, false, NULL, 0, 0},
+    {&mip_gnss_external_2_base_station_info_codec, &record_gnss_1_base_station_info, false, false,
+     NULL, 0, 0},
+    {&mip_gnss_external_2_rtk_corrections_status_codec, &record_gnss_1_rtk_corrections_status,
+     false, false, NULL, 0, 0},
+    {&mip_gnss_external_2_gps_ephemeris_codec, &record_gnss_1_gps_ephemeris, false, false, NULL, 0,
+     0},
+    {&mip_gnss_external_2_glonass_ephemeris_codec, &record_gnss_1_glonass_ephemeris, false, false,
+     NULL, 0, 0},
+    {&mip_gnss_external_2_galileo_ephemeris_codec, &record_gnss_1_galileo_ephemeris, false, false,
+     NULL, 0, 0},
+    {&mip_gnss_external_2_beidou_ephemeris_codec, &record_gnss_1_beidou_ephemeris, false, false,
+     NULL, 0, 0},
+    {&mip_gnss_external_2_gps_iono_correction_codec, &record_gnss_1_gps_iono_correction, false,
+     false, NULL, 0, 0},
+    {&mip_gnss_external_2_galileo_iono_correction_codec, &record_gnss_1_galileo_iono_correction,
+     false, false, NULL, 0, 0},
+    {&mip_gnss_external_2_beidou_iono_correction_codec, &record_gnss_1_beidou_iono_correction,
+     false, false, NULL, 0, 0},
     {&mip_system_data_built_in_test_codec, &record_system_data_built_in_test, false, false, NULL, 0,
      0},
     {&mip_system_data_time_sync_status_codec, &record_system_data_time_sync_status, false, false,

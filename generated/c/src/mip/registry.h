@@ -6,7 +6,7 @@
 #ifndef MIP_REGISTRY_H
 #define MIP_REGISTRY_H
 
-#include "mip/core.h"
+#include "mip/client.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -25,26 +25,28 @@ struct mip_entry {
     /** Name in the specification: "3dm.pps_source_control". */
     const char *name;
     const struct mip_codec *codec;
+    /** NULL if it is no command. */
+    const struct mip_command *command;
 };
 
 /** All fields, by descriptor set and descriptor. */
-extern const struct mip_entry mip_registry[];
-extern const size_t mip_registry_size;
-extern const uint16_t mip_registry_links[];
+extern MIP_API const struct mip_entry mip_registry[];
+extern MIP_API const size_t mip_registry_size;
+extern MIP_API const uint16_t mip_registry_links[];
 
 /** The layouts of a descriptor in packets of a set: the first one, and how many. */
-const struct mip_entry *mip_registry_candidates(uint8_t descriptor_set, uint8_t descriptor,
-                                                size_t *count);
+MIP_API const struct mip_entry *mip_registry_candidates(uint8_t descriptor_set, uint8_t descriptor,
+                                                        size_t *count);
 
 /** The layout of a field; NULL if it is unknown, or if the data have none of those that are known.
  */
-const struct mip_entry *mip_registry_find(const struct mip_field *field);
+MIP_API const struct mip_entry *mip_registry_find(const struct mip_field *field);
 
 /** A field by its name; NULL if there is none. */
-const struct mip_entry *mip_registry_by_name(const char *name);
+MIP_API const struct mip_entry *mip_registry_by_name(const char *name);
 
 /** The responses of a command, or the commands of a response, from 0; NULL after the last one. */
-const struct mip_entry *mip_registry_link(const struct mip_entry *entry, size_t number);
+MIP_API const struct mip_entry *mip_registry_link(const struct mip_entry *entry, size_t number);
 
 #ifdef __cplusplus
 }

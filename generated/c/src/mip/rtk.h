@@ -26,12 +26,15 @@ extern "C" {
  *
  * - mip-sdk-4: Connected Device Type (0x0F,0x06)
  */
-typedef uint8_t mip_rtk_connected_device;
-/** Any device. */
-#define MIP_RTK_CONNECTED_DEVICE_GENERIC 0
-/** 3DM-GQ7. */
-#define MIP_RTK_CONNECTED_DEVICE_GQ7 1
+enum mip_rtk_connected_device {
+    /** Any device. */
+    MIP_RTK_CONNECTED_DEVICE_GENERIC = 0,
+    /** 3DM-GQ7. */
+    MIP_RTK_CONNECTED_DEVICE_GQ7 = 1
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_rtk_connected_device_name(uint8_t value);
 /**
  * State of the correction service.
  *
@@ -42,31 +45,36 @@ typedef uint8_t mip_rtk_service_flags;
 #define MIP_RTK_SERVICE_FLAGS_THROTTLE 0x01U
 /** Bit 1. There are no corrections. */
 #define MIP_RTK_SERVICE_FLAGS_CORRECTIONS_UNAVAILABLE 0x02U
-
 /**
  * A storage medium of a corrections modem.
  *
  * - mip-sdk-4: Prod Erase Storage (0x0F,0x20)
  */
-typedef uint8_t mip_rtk_storage_medium;
-/** External flash memory. */
-#define MIP_RTK_STORAGE_MEDIUM_EXTERNAL_FLASH 0
-/** SD card. */
-#define MIP_RTK_STORAGE_MEDIUM_SD 1
+enum mip_rtk_storage_medium {
+    /** External flash memory. */
+    MIP_RTK_STORAGE_MEDIUM_EXTERNAL_FLASH = 0,
+    /** SD card. */
+    MIP_RTK_STORAGE_MEDIUM_SD = 1
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_rtk_storage_medium_name(uint8_t value);
 /**
  * Pattern of an LED.
  *
  * - mip-sdk-4: Led Control (0x0F,0x21)
  */
-typedef uint8_t mip_rtk_led_action;
-/** No pattern. */
-#define MIP_RTK_LED_ACTION_NONE 0
-/** Flashing. */
-#define MIP_RTK_LED_ACTION_FLASH 1
-/** Pulsating. */
-#define MIP_RTK_LED_ACTION_PULSATE 2
+enum mip_rtk_led_action {
+    /** No pattern. */
+    MIP_RTK_LED_ACTION_NONE = 0,
+    /** Flashing. */
+    MIP_RTK_LED_ACTION_FLASH = 1,
+    /** Pulsating. */
+    MIP_RTK_LED_ACTION_PULSATE = 2
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_rtk_led_action_name(uint8_t value);
 /**
  * Get status flags: command (0x0F,0x01).
  *
@@ -84,15 +92,25 @@ struct mip_rtk_get_status_flags {
     uint8_t empty;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_RTK_GET_STATUS_FLAGS 0x0F01
 #define MIP_RTK_GET_STATUS_FLAGS_DESCRIPTOR 0x01
 #define MIP_RTK_GET_STATUS_FLAGS_NAME "rtk.get_status_flags"
 
-extern const struct mip_codec mip_rtk_get_status_flags_codec;
-mip_error mip_rtk_get_status_flags_decode(struct mip_rtk_get_status_flags *value,
-                                          const struct mip_field *field);
-mip_error mip_rtk_get_status_flags_encode(const struct mip_rtk_get_status_flags *value,
-                                          struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_rtk_get_status_flags_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_rtk_get_status_flags_decode(struct mip_rtk_get_status_flags *value,
+                                                        const struct mip_field *field) {
+    return mip_decode(&mip_rtk_get_status_flags_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_rtk_get_status_flags_encode(
+    const struct mip_rtk_get_status_flags *value, struct mip_builder *builder) {
+    return mip_encode(&mip_rtk_get_status_flags_codec, value, builder);
+}
 /**
  * Get status flags response: response (0x0F,0x81).
  *
@@ -105,15 +123,49 @@ struct mip_rtk_get_status_flags_response {
     mip_rtk_status_flags flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_RTK_GET_STATUS_FLAGS_RESPONSE 0x0F81
 #define MIP_RTK_GET_STATUS_FLAGS_RESPONSE_DESCRIPTOR 0x81
 #define MIP_RTK_GET_STATUS_FLAGS_RESPONSE_NAME "rtk.get_status_flags_response"
 
-extern const struct mip_codec mip_rtk_get_status_flags_response_codec;
-mip_error mip_rtk_get_status_flags_response_decode(struct mip_rtk_get_status_flags_response *value,
-                                                   const struct mip_field *field);
-mip_error mip_rtk_get_status_flags_response_encode(
-    const struct mip_rtk_get_status_flags_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_rtk_get_status_flags_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_rtk_get_status_flags_response_decode(
+    struct mip_rtk_get_status_flags_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_rtk_get_status_flags_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_rtk_get_status_flags_response_encode(
+    const struct mip_rtk_get_status_flags_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_rtk_get_status_flags_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_rtk_get_status_flags_response_decode_inline(
+    struct mip_rtk_get_status_flags_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0F, 0x81, 4);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->flags = mip_get_32(field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_rtk_get_status_flags_response_encode_inline(
+    const struct mip_rtk_get_status_flags_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0F, 0x81, 4, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_32(data, value->flags);
+    return MIP_OK;
+}
 /**
  * Get IMEI: command (0x0F,0x02).
  *
@@ -129,14 +181,25 @@ struct mip_rtk_get_imei {
     uint8_t empty;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_RTK_GET_IMEI 0x0F02
 #define MIP_RTK_GET_IMEI_DESCRIPTOR 0x02
 #define MIP_RTK_GET_IMEI_NAME "rtk.get_imei"
 
-extern const struct mip_codec mip_rtk_get_imei_codec;
-mip_error mip_rtk_get_imei_decode(struct mip_rtk_get_imei *value, const struct mip_field *field);
-mip_error mip_rtk_get_imei_encode(const struct mip_rtk_get_imei *value,
-                                  struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_rtk_get_imei_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_rtk_get_imei_decode(struct mip_rtk_get_imei *value,
+                                                const struct mip_field *field) {
+    return mip_decode(&mip_rtk_get_imei_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_rtk_get_imei_encode(const struct mip_rtk_get_imei *value,
+                                                struct mip_builder *builder) {
+    return mip_encode(&mip_rtk_get_imei_codec, value, builder);
+}
 /**
  * Get IMEI response: response (0x0F,0x82).
  *
@@ -149,15 +212,50 @@ struct mip_rtk_get_imei_response {
     char imei[33];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_RTK_GET_IMEI_RESPONSE 0x0F82
 #define MIP_RTK_GET_IMEI_RESPONSE_DESCRIPTOR 0x82
 #define MIP_RTK_GET_IMEI_RESPONSE_NAME "rtk.get_imei_response"
 
-extern const struct mip_codec mip_rtk_get_imei_response_codec;
-mip_error mip_rtk_get_imei_response_decode(struct mip_rtk_get_imei_response *value,
-                                           const struct mip_field *field);
-mip_error mip_rtk_get_imei_response_encode(const struct mip_rtk_get_imei_response *value,
-                                           struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_rtk_get_imei_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_rtk_get_imei_response_decode(struct mip_rtk_get_imei_response *value,
+                                                         const struct mip_field *field) {
+    return mip_decode(&mip_rtk_get_imei_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_rtk_get_imei_response_encode(
+    const struct mip_rtk_get_imei_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_rtk_get_imei_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_rtk_get_imei_response_decode_inline(
+    struct mip_rtk_get_imei_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0F, 0x82, 32);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    memcpy(value->imei, field->data, 32);
+    value->imei[32] = '\0';
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_rtk_get_imei_response_encode_inline(
+    const struct mip_rtk_get_imei_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0F, 0x82, 32, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    memcpy(data, value->imei, 32);
+    return MIP_OK;
+}
 /**
  * Get IMSI: command (0x0F,0x03).
  *
@@ -173,14 +271,25 @@ struct mip_rtk_get_imsi {
     uint8_t empty;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_RTK_GET_IMSI 0x0F03
 #define MIP_RTK_GET_IMSI_DESCRIPTOR 0x03
 #define MIP_RTK_GET_IMSI_NAME "rtk.get_imsi"
 
-extern const struct mip_codec mip_rtk_get_imsi_codec;
-mip_error mip_rtk_get_imsi_decode(struct mip_rtk_get_imsi *value, const struct mip_field *field);
-mip_error mip_rtk_get_imsi_encode(const struct mip_rtk_get_imsi *value,
-                                  struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_rtk_get_imsi_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_rtk_get_imsi_decode(struct mip_rtk_get_imsi *value,
+                                                const struct mip_field *field) {
+    return mip_decode(&mip_rtk_get_imsi_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_rtk_get_imsi_encode(const struct mip_rtk_get_imsi *value,
+                                                struct mip_builder *builder) {
+    return mip_encode(&mip_rtk_get_imsi_codec, value, builder);
+}
 /**
  * Get IMSI response: response (0x0F,0x83).
  *
@@ -193,15 +302,50 @@ struct mip_rtk_get_imsi_response {
     char imsi[33];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_RTK_GET_IMSI_RESPONSE 0x0F83
 #define MIP_RTK_GET_IMSI_RESPONSE_DESCRIPTOR 0x83
 #define MIP_RTK_GET_IMSI_RESPONSE_NAME "rtk.get_imsi_response"
 
-extern const struct mip_codec mip_rtk_get_imsi_response_codec;
-mip_error mip_rtk_get_imsi_response_decode(struct mip_rtk_get_imsi_response *value,
-                                           const struct mip_field *field);
-mip_error mip_rtk_get_imsi_response_encode(const struct mip_rtk_get_imsi_response *value,
-                                           struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_rtk_get_imsi_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_rtk_get_imsi_response_decode(struct mip_rtk_get_imsi_response *value,
+                                                         const struct mip_field *field) {
+    return mip_decode(&mip_rtk_get_imsi_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_rtk_get_imsi_response_encode(
+    const struct mip_rtk_get_imsi_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_rtk_get_imsi_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_rtk_get_imsi_response_decode_inline(
+    struct mip_rtk_get_imsi_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0F, 0x83, 32);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    memcpy(value->imsi, field->data, 32);
+    value->imsi[32] = '\0';
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_rtk_get_imsi_response_encode_inline(
+    const struct mip_rtk_get_imsi_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0F, 0x83, 32, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    memcpy(data, value->imsi, 32);
+    return MIP_OK;
+}
 /**
  * Get ICCID: command (0x0F,0x04).
  *
@@ -217,14 +361,25 @@ struct mip_rtk_get_iccid {
     uint8_t empty;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_RTK_GET_ICCID 0x0F04
 #define MIP_RTK_GET_ICCID_DESCRIPTOR 0x04
 #define MIP_RTK_GET_ICCID_NAME "rtk.get_iccid"
 
-extern const struct mip_codec mip_rtk_get_iccid_codec;
-mip_error mip_rtk_get_iccid_decode(struct mip_rtk_get_iccid *value, const struct mip_field *field);
-mip_error mip_rtk_get_iccid_encode(const struct mip_rtk_get_iccid *value,
-                                   struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_rtk_get_iccid_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_rtk_get_iccid_decode(struct mip_rtk_get_iccid *value,
+                                                 const struct mip_field *field) {
+    return mip_decode(&mip_rtk_get_iccid_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_rtk_get_iccid_encode(const struct mip_rtk_get_iccid *value,
+                                                 struct mip_builder *builder) {
+    return mip_encode(&mip_rtk_get_iccid_codec, value, builder);
+}
 /**
  * Get ICCID response: response (0x0F,0x84).
  *
@@ -237,15 +392,50 @@ struct mip_rtk_get_iccid_response {
     char iccid[33];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_RTK_GET_ICCID_RESPONSE 0x0F84
 #define MIP_RTK_GET_ICCID_RESPONSE_DESCRIPTOR 0x84
 #define MIP_RTK_GET_ICCID_RESPONSE_NAME "rtk.get_iccid_response"
 
-extern const struct mip_codec mip_rtk_get_iccid_response_codec;
-mip_error mip_rtk_get_iccid_response_decode(struct mip_rtk_get_iccid_response *value,
-                                            const struct mip_field *field);
-mip_error mip_rtk_get_iccid_response_encode(const struct mip_rtk_get_iccid_response *value,
-                                            struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_rtk_get_iccid_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_rtk_get_iccid_response_decode(struct mip_rtk_get_iccid_response *value,
+                                                          const struct mip_field *field) {
+    return mip_decode(&mip_rtk_get_iccid_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_rtk_get_iccid_response_encode(
+    const struct mip_rtk_get_iccid_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_rtk_get_iccid_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_rtk_get_iccid_response_decode_inline(
+    struct mip_rtk_get_iccid_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0F, 0x84, 32);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    memcpy(value->iccid, field->data, 32);
+    value->iccid[32] = '\0';
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_rtk_get_iccid_response_encode_inline(
+    const struct mip_rtk_get_iccid_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0F, 0x84, 32, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    memcpy(data, value->iccid, 32);
+    return MIP_OK;
+}
 /**
  * Get RSSI: command (0x0F,0x05).
  *
@@ -261,14 +451,25 @@ struct mip_rtk_get_rssi {
     uint8_t empty;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_RTK_GET_RSSI 0x0F05
 #define MIP_RTK_GET_RSSI_DESCRIPTOR 0x05
 #define MIP_RTK_GET_RSSI_NAME "rtk.get_rssi"
 
-extern const struct mip_codec mip_rtk_get_rssi_codec;
-mip_error mip_rtk_get_rssi_decode(struct mip_rtk_get_rssi *value, const struct mip_field *field);
-mip_error mip_rtk_get_rssi_encode(const struct mip_rtk_get_rssi *value,
-                                  struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_rtk_get_rssi_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_rtk_get_rssi_decode(struct mip_rtk_get_rssi *value,
+                                                const struct mip_field *field) {
+    return mip_decode(&mip_rtk_get_rssi_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_rtk_get_rssi_encode(const struct mip_rtk_get_rssi *value,
+                                                struct mip_builder *builder) {
+    return mip_encode(&mip_rtk_get_rssi_codec, value, builder);
+}
 /**
  * Get RSSI response: response (0x0F,0x85).
  *
@@ -286,15 +487,53 @@ struct mip_rtk_get_rssi_response {
     int32_t signal_quality;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_RTK_GET_RSSI_RESPONSE 0x0F85
 #define MIP_RTK_GET_RSSI_RESPONSE_DESCRIPTOR 0x85
 #define MIP_RTK_GET_RSSI_RESPONSE_NAME "rtk.get_rssi_response"
 
-extern const struct mip_codec mip_rtk_get_rssi_response_codec;
-mip_error mip_rtk_get_rssi_response_decode(struct mip_rtk_get_rssi_response *value,
-                                           const struct mip_field *field);
-mip_error mip_rtk_get_rssi_response_encode(const struct mip_rtk_get_rssi_response *value,
-                                           struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_rtk_get_rssi_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_rtk_get_rssi_response_decode(struct mip_rtk_get_rssi_response *value,
+                                                         const struct mip_field *field) {
+    return mip_decode(&mip_rtk_get_rssi_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_rtk_get_rssi_response_encode(
+    const struct mip_rtk_get_rssi_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_rtk_get_rssi_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_rtk_get_rssi_response_decode_inline(
+    struct mip_rtk_get_rssi_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0F, 0x85, 9);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->valid = mip_get_8(field->data);
+    value->rssi = (int32_t)mip_get_32(field->data + 1);
+    value->signal_quality = (int32_t)mip_get_32(field->data + 5);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_rtk_get_rssi_response_encode_inline(
+    const struct mip_rtk_get_rssi_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0F, 0x85, 9, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->valid);
+    mip_put_32(data + 1, (uint32_t)value->rssi);
+    mip_put_32(data + 5, (uint32_t)value->signal_quality);
+    return MIP_OK;
+}
 /**
  * Connected device type: command (0x0F,0x06).
  *
@@ -309,32 +548,87 @@ mip_error mip_rtk_get_rssi_response_encode(const struct mip_rtk_get_rssi_respons
 struct mip_rtk_connected_device_type {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
-    /** Type of the device. Required for write. */
-    mip_rtk_connected_device device_type;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
+    /** Type of the device. A value of enum mip_rtk_connected_device. Required for write. */
+    uint8_t device_type;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_RTK_CONNECTED_DEVICE_TYPE 0x0F06
 #define MIP_RTK_CONNECTED_DEVICE_TYPE_DESCRIPTOR 0x06
 #define MIP_RTK_CONNECTED_DEVICE_TYPE_NAME "rtk.connected_device_type"
 
-extern const struct mip_codec mip_rtk_connected_device_type_codec;
-mip_error mip_rtk_connected_device_type_decode(struct mip_rtk_connected_device_type *value,
-                                               const struct mip_field *field);
-mip_error mip_rtk_connected_device_type_encode(const struct mip_rtk_connected_device_type *value,
-                                               struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_rtk_connected_device_type
-mip_rtk_connected_device_type_write(mip_rtk_connected_device device_type);
-/** Send the current setting back in a response. */
-struct mip_rtk_connected_device_type mip_rtk_connected_device_type_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_rtk_connected_device_type mip_rtk_connected_device_type_save(void);
-/** Load the saved setting. */
-struct mip_rtk_connected_device_type mip_rtk_connected_device_type_load(void);
-/** Load the factory default setting. */
-struct mip_rtk_connected_device_type mip_rtk_connected_device_type_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_rtk_connected_device_type_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_rtk_connected_device_type_decode(
+    struct mip_rtk_connected_device_type *value, const struct mip_field *field) {
+    return mip_decode(&mip_rtk_connected_device_type_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_rtk_connected_device_type_encode(
+    const struct mip_rtk_connected_device_type *value, struct mip_builder *builder) {
+    return mip_encode(&mip_rtk_connected_device_type_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_rtk_connected_device_type *mip_rtk_connected_device_type_write(
+    struct mip_rtk_connected_device_type *command, enum mip_rtk_connected_device device_type) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->device_type = (uint8_t)device_type;
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_rtk_connected_device_type *
+mip_rtk_connected_device_type_read(struct mip_rtk_connected_device_type *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_rtk_connected_device_type *
+mip_rtk_connected_device_type_save(struct mip_rtk_connected_device_type *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_rtk_connected_device_type *
+mip_rtk_connected_device_type_load(struct mip_rtk_connected_device_type *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_rtk_connected_device_type *
+mip_rtk_connected_device_type_default(struct mip_rtk_connected_device_type *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * Connected device type response: response (0x0F,0x86).
  *
@@ -343,19 +637,53 @@ struct mip_rtk_connected_device_type mip_rtk_connected_device_type_default(void)
  * - mip-sdk-4: Connected Device Type (0x0F,0x06)
  */
 struct mip_rtk_connected_device_type_response {
-    /** Type of the device. */
-    mip_rtk_connected_device device_type;
+    /** Type of the device. A value of enum mip_rtk_connected_device. */
+    uint8_t device_type;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_RTK_CONNECTED_DEVICE_TYPE_RESPONSE 0x0F86
 #define MIP_RTK_CONNECTED_DEVICE_TYPE_RESPONSE_DESCRIPTOR 0x86
 #define MIP_RTK_CONNECTED_DEVICE_TYPE_RESPONSE_NAME "rtk.connected_device_type_response"
 
-extern const struct mip_codec mip_rtk_connected_device_type_response_codec;
-mip_error mip_rtk_connected_device_type_response_decode(
-    struct mip_rtk_connected_device_type_response *value, const struct mip_field *field);
-mip_error mip_rtk_connected_device_type_response_encode(
-    const struct mip_rtk_connected_device_type_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_rtk_connected_device_type_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_rtk_connected_device_type_response_decode(
+    struct mip_rtk_connected_device_type_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_rtk_connected_device_type_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_rtk_connected_device_type_response_encode(
+    const struct mip_rtk_connected_device_type_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_rtk_connected_device_type_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_rtk_connected_device_type_response_decode_inline(
+    struct mip_rtk_connected_device_type_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0F, 0x86, 1);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->device_type = mip_get_8(field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_rtk_connected_device_type_response_encode_inline(
+    const struct mip_rtk_connected_device_type_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0F, 0x86, 1, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->device_type);
+    return MIP_OK;
+}
 /**
  * Get activation code: command (0x0F,0x07).
  *
@@ -371,15 +699,25 @@ struct mip_rtk_get_activation_code {
     uint8_t empty;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_RTK_GET_ACTIVATION_CODE 0x0F07
 #define MIP_RTK_GET_ACTIVATION_CODE_DESCRIPTOR 0x07
 #define MIP_RTK_GET_ACTIVATION_CODE_NAME "rtk.get_activation_code"
 
-extern const struct mip_codec mip_rtk_get_activation_code_codec;
-mip_error mip_rtk_get_activation_code_decode(struct mip_rtk_get_activation_code *value,
-                                             const struct mip_field *field);
-mip_error mip_rtk_get_activation_code_encode(const struct mip_rtk_get_activation_code *value,
-                                             struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_rtk_get_activation_code_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_rtk_get_activation_code_decode(
+    struct mip_rtk_get_activation_code *value, const struct mip_field *field) {
+    return mip_decode(&mip_rtk_get_activation_code_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_rtk_get_activation_code_encode(
+    const struct mip_rtk_get_activation_code *value, struct mip_builder *builder) {
+    return mip_encode(&mip_rtk_get_activation_code_codec, value, builder);
+}
 /**
  * Get activation code response: response (0x0F,0x87).
  *
@@ -393,15 +731,50 @@ struct mip_rtk_get_activation_code_response {
     char activation_code[33];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_RTK_GET_ACTIVATION_CODE_RESPONSE 0x0F87
 #define MIP_RTK_GET_ACTIVATION_CODE_RESPONSE_DESCRIPTOR 0x87
 #define MIP_RTK_GET_ACTIVATION_CODE_RESPONSE_NAME "rtk.get_activation_code_response"
 
-extern const struct mip_codec mip_rtk_get_activation_code_response_codec;
-mip_error mip_rtk_get_activation_code_response_decode(
-    struct mip_rtk_get_activation_code_response *value, const struct mip_field *field);
-mip_error mip_rtk_get_activation_code_response_encode(
-    const struct mip_rtk_get_activation_code_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_rtk_get_activation_code_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_rtk_get_activation_code_response_decode(
+    struct mip_rtk_get_activation_code_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_rtk_get_activation_code_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_rtk_get_activation_code_response_encode(
+    const struct mip_rtk_get_activation_code_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_rtk_get_activation_code_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_rtk_get_activation_code_response_decode_inline(
+    struct mip_rtk_get_activation_code_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0F, 0x87, 32);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    memcpy(value->activation_code, field->data, 32);
+    value->activation_code[32] = '\0';
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_rtk_get_activation_code_response_encode_inline(
+    const struct mip_rtk_get_activation_code_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0F, 0x87, 32, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    memcpy(data, value->activation_code, 32);
+    return MIP_OK;
+}
 /**
  * Get modem firmware version: command (0x0F,0x08).
  *
@@ -417,15 +790,25 @@ struct mip_rtk_get_modem_firmware_version {
     uint8_t empty;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_RTK_GET_MODEM_FIRMWARE_VERSION 0x0F08
 #define MIP_RTK_GET_MODEM_FIRMWARE_VERSION_DESCRIPTOR 0x08
 #define MIP_RTK_GET_MODEM_FIRMWARE_VERSION_NAME "rtk.get_modem_firmware_version"
 
-extern const struct mip_codec mip_rtk_get_modem_firmware_version_codec;
-mip_error mip_rtk_get_modem_firmware_version_decode(
-    struct mip_rtk_get_modem_firmware_version *value, const struct mip_field *field);
-mip_error mip_rtk_get_modem_firmware_version_encode(
-    const struct mip_rtk_get_modem_firmware_version *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_rtk_get_modem_firmware_version_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_rtk_get_modem_firmware_version_decode(
+    struct mip_rtk_get_modem_firmware_version *value, const struct mip_field *field) {
+    return mip_decode(&mip_rtk_get_modem_firmware_version_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_rtk_get_modem_firmware_version_encode(
+    const struct mip_rtk_get_modem_firmware_version *value, struct mip_builder *builder) {
+    return mip_encode(&mip_rtk_get_modem_firmware_version_codec, value, builder);
+}
 /**
  * Get modem firmware version response: response (0x0F,0x88).
  *
@@ -438,15 +821,50 @@ struct mip_rtk_get_modem_firmware_version_response {
     char modem_firmware_version[33];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_RTK_GET_MODEM_FIRMWARE_VERSION_RESPONSE 0x0F88
 #define MIP_RTK_GET_MODEM_FIRMWARE_VERSION_RESPONSE_DESCRIPTOR 0x88
 #define MIP_RTK_GET_MODEM_FIRMWARE_VERSION_RESPONSE_NAME "rtk.get_modem_firmware_version_response"
 
-extern const struct mip_codec mip_rtk_get_modem_firmware_version_response_codec;
-mip_error mip_rtk_get_modem_firmware_version_response_decode(
-    struct mip_rtk_get_modem_firmware_version_response *value, const struct mip_field *field);
-mip_error mip_rtk_get_modem_firmware_version_response_encode(
-    const struct mip_rtk_get_modem_firmware_version_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_rtk_get_modem_firmware_version_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_rtk_get_modem_firmware_version_response_decode(
+    struct mip_rtk_get_modem_firmware_version_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_rtk_get_modem_firmware_version_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_rtk_get_modem_firmware_version_response_encode(
+    const struct mip_rtk_get_modem_firmware_version_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_rtk_get_modem_firmware_version_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_rtk_get_modem_firmware_version_response_decode_inline(
+    struct mip_rtk_get_modem_firmware_version_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0F, 0x88, 32);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    memcpy(value->modem_firmware_version, field->data, 32);
+    value->modem_firmware_version[32] = '\0';
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_rtk_get_modem_firmware_version_response_encode_inline(
+    const struct mip_rtk_get_modem_firmware_version_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0F, 0x88, 32, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    memcpy(data, value->modem_firmware_version, 32);
+    return MIP_OK;
+}
 /**
  * Service status: command (0x0F,0x0A).
  *
@@ -466,15 +884,51 @@ struct mip_rtk_service_status {
     uint32_t reserved2;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_RTK_SERVICE_STATUS 0x0F0A
 #define MIP_RTK_SERVICE_STATUS_DESCRIPTOR 0x0A
 #define MIP_RTK_SERVICE_STATUS_NAME "rtk.service_status"
 
-extern const struct mip_codec mip_rtk_service_status_codec;
-mip_error mip_rtk_service_status_decode(struct mip_rtk_service_status *value,
-                                        const struct mip_field *field);
-mip_error mip_rtk_service_status_encode(const struct mip_rtk_service_status *value,
-                                        struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_rtk_service_status_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_rtk_service_status_decode(struct mip_rtk_service_status *value,
+                                                      const struct mip_field *field) {
+    return mip_decode(&mip_rtk_service_status_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_rtk_service_status_encode(const struct mip_rtk_service_status *value,
+                                                      struct mip_builder *builder) {
+    return mip_encode(&mip_rtk_service_status_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_rtk_service_status_decode_inline(struct mip_rtk_service_status *value,
+                                                             const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0F, 0x0A, 8);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->reserved1 = mip_get_32(field->data);
+    value->reserved2 = mip_get_32(field->data + 4);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_rtk_service_status_encode_inline(
+    const struct mip_rtk_service_status *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0F, 0x0A, 8, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_32(data, value->reserved1);
+    mip_put_32(data + 4, value->reserved2);
+    return MIP_OK;
+}
 /**
  * Service status response: response (0x0F,0x8A).
  *
@@ -496,15 +950,55 @@ struct mip_rtk_service_status_response {
     uint64_t last_bytes_time;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_RTK_SERVICE_STATUS_RESPONSE 0x0F8A
 #define MIP_RTK_SERVICE_STATUS_RESPONSE_DESCRIPTOR 0x8A
 #define MIP_RTK_SERVICE_STATUS_RESPONSE_NAME "rtk.service_status_response"
 
-extern const struct mip_codec mip_rtk_service_status_response_codec;
-mip_error mip_rtk_service_status_response_decode(struct mip_rtk_service_status_response *value,
-                                                 const struct mip_field *field);
-mip_error mip_rtk_service_status_response_encode(
-    const struct mip_rtk_service_status_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_rtk_service_status_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_rtk_service_status_response_decode(
+    struct mip_rtk_service_status_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_rtk_service_status_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_rtk_service_status_response_encode(
+    const struct mip_rtk_service_status_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_rtk_service_status_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_rtk_service_status_response_decode_inline(
+    struct mip_rtk_service_status_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0F, 0x8A, 17);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->flags = mip_get_8(field->data);
+    value->received_bytes = mip_get_32(field->data + 1);
+    value->last_bytes = mip_get_32(field->data + 5);
+    value->last_bytes_time = mip_get_64(field->data + 9);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_rtk_service_status_response_encode_inline(
+    const struct mip_rtk_service_status_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0F, 0x8A, 17, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->flags);
+    mip_put_32(data + 1, value->received_bytes);
+    mip_put_32(data + 5, value->last_bytes);
+    mip_put_64(data + 9, value->last_bytes_time);
+    return MIP_OK;
+}
 /**
  * Erase storage: command (0x0F,0x20).
  *
@@ -520,21 +1014,64 @@ mip_error mip_rtk_service_status_response_encode(
  * - mip-sdk-4: Prod Erase Storage (0x0F,0x20)
  */
 struct mip_rtk_erase_storage {
-    /** The medium. */
-    mip_rtk_storage_medium media;
+    /** The medium. A value of enum mip_rtk_storage_medium. */
+    uint8_t media;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_RTK_ERASE_STORAGE 0x0F20
 #define MIP_RTK_ERASE_STORAGE_DESCRIPTOR 0x20
 #define MIP_RTK_ERASE_STORAGE_NAME "rtk.erase_storage"
 
-extern const struct mip_codec mip_rtk_erase_storage_codec;
-mip_error mip_rtk_erase_storage_decode(struct mip_rtk_erase_storage *value,
-                                       const struct mip_field *field);
-mip_error mip_rtk_erase_storage_encode(const struct mip_rtk_erase_storage *value,
-                                       struct mip_builder *builder);
-/** Erase storage. */
-struct mip_rtk_erase_storage mip_rtk_erase_storage_make(mip_rtk_storage_medium media);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_rtk_erase_storage_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_rtk_erase_storage_decode(struct mip_rtk_erase_storage *value,
+                                                     const struct mip_field *field) {
+    return mip_decode(&mip_rtk_erase_storage_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_rtk_erase_storage_encode(const struct mip_rtk_erase_storage *value,
+                                                     struct mip_builder *builder) {
+    return mip_encode(&mip_rtk_erase_storage_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_rtk_erase_storage_decode_inline(struct mip_rtk_erase_storage *value,
+                                                            const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0F, 0x20, 1);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->media = mip_get_8(field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_rtk_erase_storage_encode_inline(
+    const struct mip_rtk_erase_storage *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0F, 0x20, 1, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->media);
+    return MIP_OK;
+}
+/**
+ * Erase storage.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_rtk_erase_storage *mip_rtk_erase_storage_make(
+    struct mip_rtk_erase_storage *command, enum mip_rtk_storage_medium media) {
+    memset(command, 0, sizeof(*command));
+    command->media = (uint8_t)media;
+    return command;
+}
 /**
  * LED control: command (0x0F,0x21).
  *
@@ -551,25 +1088,76 @@ struct mip_rtk_led_control {
     uint8_t primary_color[3];
     /** Second colour. Uncertain: The order of its parts; red, green, blue is likely. */
     uint8_t alternate_color[3];
-    /** Pattern. */
-    mip_rtk_led_action action;
+    /** Pattern. A value of enum mip_rtk_led_action. */
+    uint8_t action;
     /** Period of the pattern. Uncertain: The unit; ms is likely. */
     uint32_t period;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_RTK_LED_CONTROL 0x0F21
 #define MIP_RTK_LED_CONTROL_DESCRIPTOR 0x21
 #define MIP_RTK_LED_CONTROL_NAME "rtk.led_control"
 
-extern const struct mip_codec mip_rtk_led_control_codec;
-mip_error mip_rtk_led_control_decode(struct mip_rtk_led_control *value,
-                                     const struct mip_field *field);
-mip_error mip_rtk_led_control_encode(const struct mip_rtk_led_control *value,
-                                     struct mip_builder *builder);
-/** LED control. */
-struct mip_rtk_led_control mip_rtk_led_control_make(const uint8_t primary_color[3],
-                                                    const uint8_t alternate_color[3],
-                                                    mip_rtk_led_action action, uint32_t period);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_rtk_led_control_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_rtk_led_control_decode(struct mip_rtk_led_control *value,
+                                                   const struct mip_field *field) {
+    return mip_decode(&mip_rtk_led_control_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_rtk_led_control_encode(const struct mip_rtk_led_control *value,
+                                                   struct mip_builder *builder) {
+    return mip_encode(&mip_rtk_led_control_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_rtk_led_control_decode_inline(struct mip_rtk_led_control *value,
+                                                          const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0F, 0x21, 11);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    memcpy(value->primary_color, field->data, 3);
+    memcpy(value->alternate_color, field->data + 3, 3);
+    value->action = mip_get_8(field->data + 6);
+    value->period = mip_get_32(field->data + 7);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_rtk_led_control_encode_inline(const struct mip_rtk_led_control *value,
+                                                          struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0F, 0x21, 11, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    memcpy(data, value->primary_color, 3);
+    memcpy(data + 3, value->alternate_color, 3);
+    mip_put_8(data + 6, value->action);
+    mip_put_32(data + 7, value->period);
+    return MIP_OK;
+}
+/**
+ * LED control.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_rtk_led_control *mip_rtk_led_control_make(
+    struct mip_rtk_led_control *command, const uint8_t primary_color[3],
+    const uint8_t alternate_color[3], enum mip_rtk_led_action action, uint32_t period) {
+    memset(command, 0, sizeof(*command));
+    memcpy(command->primary_color, primary_color, sizeof(command->primary_color));
+    memcpy(command->alternate_color, alternate_color, sizeof(command->alternate_color));
+    command->action = (uint8_t)action;
+    command->period = period;
+    return command;
+}
 /**
  * Modem hard reset: command (0x0F,0x22).
  *
@@ -588,14 +1176,25 @@ struct mip_rtk_modem_hard_reset {
     uint8_t empty;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_RTK_MODEM_HARD_RESET 0x0F22
 #define MIP_RTK_MODEM_HARD_RESET_DESCRIPTOR 0x22
 #define MIP_RTK_MODEM_HARD_RESET_NAME "rtk.modem_hard_reset"
 
-extern const struct mip_codec mip_rtk_modem_hard_reset_codec;
-mip_error mip_rtk_modem_hard_reset_decode(struct mip_rtk_modem_hard_reset *value,
-                                          const struct mip_field *field);
-mip_error mip_rtk_modem_hard_reset_encode(const struct mip_rtk_modem_hard_reset *value,
-                                          struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_rtk_modem_hard_reset_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_rtk_modem_hard_reset_decode(struct mip_rtk_modem_hard_reset *value,
+                                                        const struct mip_field *field) {
+    return mip_decode(&mip_rtk_modem_hard_reset_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_rtk_modem_hard_reset_encode(
+    const struct mip_rtk_modem_hard_reset *value, struct mip_builder *builder) {
+    return mip_encode(&mip_rtk_modem_hard_reset_codec, value, builder);
+}
 
 #ifdef __cplusplus
 }

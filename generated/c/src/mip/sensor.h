@@ -42,12 +42,10 @@ typedef uint16_t mip_sensor_overrange_flags;
 #define MIP_SENSOR_OVERRANGE_FLAGS_MAG_Z 0x0400U
 /** Bit 12. Pressure sensor. */
 #define MIP_SENSOR_OVERRANGE_FLAGS_PRESSURE 0x1000U
-
 /** Whether the odometer values are valid. */
 typedef uint16_t mip_sensor_odometer_flags;
 /** Bit 0. The odometer is configured. */
 #define MIP_SENSOR_ODOMETER_FLAGS_ODOMETER 0x0001U
-
 /**
  * Raw accel: data (0x80,0x01).
  *
@@ -62,15 +60,53 @@ struct mip_sensor_raw_accel {
     float raw_accel[3];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_SENSOR_RAW_ACCEL 0x8001
 #define MIP_SENSOR_RAW_ACCEL_DESCRIPTOR 0x01
 #define MIP_SENSOR_RAW_ACCEL_NAME "sensor.raw_accel"
 
-extern const struct mip_codec mip_sensor_raw_accel_codec;
-mip_error mip_sensor_raw_accel_decode(struct mip_sensor_raw_accel *value,
-                                      const struct mip_field *field);
-mip_error mip_sensor_raw_accel_encode(const struct mip_sensor_raw_accel *value,
-                                      struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_sensor_raw_accel_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_sensor_raw_accel_decode(struct mip_sensor_raw_accel *value,
+                                                    const struct mip_field *field) {
+    return mip_decode(&mip_sensor_raw_accel_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_sensor_raw_accel_encode(const struct mip_sensor_raw_accel *value,
+                                                    struct mip_builder *builder) {
+    return mip_encode(&mip_sensor_raw_accel_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_sensor_raw_accel_decode_inline(struct mip_sensor_raw_accel *value,
+                                                           const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x80, 0x01, 12);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->raw_accel[i], field->data + 4 * i);
+    }
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_sensor_raw_accel_encode_inline(const struct mip_sensor_raw_accel *value,
+                                                           struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x80, 0x01, 12, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 4 * i, &value->raw_accel[i]);
+    }
+    return MIP_OK;
+}
 /**
  * Raw gyro: data (0x80,0x02).
  *
@@ -85,15 +121,53 @@ struct mip_sensor_raw_gyro {
     float raw_gyro[3];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_SENSOR_RAW_GYRO 0x8002
 #define MIP_SENSOR_RAW_GYRO_DESCRIPTOR 0x02
 #define MIP_SENSOR_RAW_GYRO_NAME "sensor.raw_gyro"
 
-extern const struct mip_codec mip_sensor_raw_gyro_codec;
-mip_error mip_sensor_raw_gyro_decode(struct mip_sensor_raw_gyro *value,
-                                     const struct mip_field *field);
-mip_error mip_sensor_raw_gyro_encode(const struct mip_sensor_raw_gyro *value,
-                                     struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_sensor_raw_gyro_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_sensor_raw_gyro_decode(struct mip_sensor_raw_gyro *value,
+                                                   const struct mip_field *field) {
+    return mip_decode(&mip_sensor_raw_gyro_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_sensor_raw_gyro_encode(const struct mip_sensor_raw_gyro *value,
+                                                   struct mip_builder *builder) {
+    return mip_encode(&mip_sensor_raw_gyro_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_sensor_raw_gyro_decode_inline(struct mip_sensor_raw_gyro *value,
+                                                          const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x80, 0x02, 12);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->raw_gyro[i], field->data + 4 * i);
+    }
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_sensor_raw_gyro_encode_inline(const struct mip_sensor_raw_gyro *value,
+                                                          struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x80, 0x02, 12, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 4 * i, &value->raw_gyro[i]);
+    }
+    return MIP_OK;
+}
 /**
  * Raw mag: data (0x80,0x03).
  *
@@ -112,15 +186,53 @@ struct mip_sensor_raw_mag {
     float raw_mag[3];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_SENSOR_RAW_MAG 0x8003
 #define MIP_SENSOR_RAW_MAG_DESCRIPTOR 0x03
 #define MIP_SENSOR_RAW_MAG_NAME "sensor.raw_mag"
 
-extern const struct mip_codec mip_sensor_raw_mag_codec;
-mip_error mip_sensor_raw_mag_decode(struct mip_sensor_raw_mag *value,
-                                    const struct mip_field *field);
-mip_error mip_sensor_raw_mag_encode(const struct mip_sensor_raw_mag *value,
-                                    struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_sensor_raw_mag_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_sensor_raw_mag_decode(struct mip_sensor_raw_mag *value,
+                                                  const struct mip_field *field) {
+    return mip_decode(&mip_sensor_raw_mag_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_sensor_raw_mag_encode(const struct mip_sensor_raw_mag *value,
+                                                  struct mip_builder *builder) {
+    return mip_encode(&mip_sensor_raw_mag_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_sensor_raw_mag_decode_inline(struct mip_sensor_raw_mag *value,
+                                                         const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x80, 0x03, 12);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->raw_mag[i], field->data + 4 * i);
+    }
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_sensor_raw_mag_encode_inline(const struct mip_sensor_raw_mag *value,
+                                                         struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x80, 0x03, 12, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 4 * i, &value->raw_mag[i]);
+    }
+    return MIP_OK;
+}
 /**
  * Scaled accel: data (0x80,0x04).
  *
@@ -136,15 +248,53 @@ struct mip_sensor_scaled_accel {
     float scaled_accel[3];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_SENSOR_SCALED_ACCEL 0x8004
 #define MIP_SENSOR_SCALED_ACCEL_DESCRIPTOR 0x04
 #define MIP_SENSOR_SCALED_ACCEL_NAME "sensor.scaled_accel"
 
-extern const struct mip_codec mip_sensor_scaled_accel_codec;
-mip_error mip_sensor_scaled_accel_decode(struct mip_sensor_scaled_accel *value,
-                                         const struct mip_field *field);
-mip_error mip_sensor_scaled_accel_encode(const struct mip_sensor_scaled_accel *value,
-                                         struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_sensor_scaled_accel_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_sensor_scaled_accel_decode(struct mip_sensor_scaled_accel *value,
+                                                       const struct mip_field *field) {
+    return mip_decode(&mip_sensor_scaled_accel_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_sensor_scaled_accel_encode(const struct mip_sensor_scaled_accel *value,
+                                                       struct mip_builder *builder) {
+    return mip_encode(&mip_sensor_scaled_accel_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_sensor_scaled_accel_decode_inline(struct mip_sensor_scaled_accel *value,
+                                                              const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x80, 0x04, 12);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->scaled_accel[i], field->data + 4 * i);
+    }
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_sensor_scaled_accel_encode_inline(
+    const struct mip_sensor_scaled_accel *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x80, 0x04, 12, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 4 * i, &value->scaled_accel[i]);
+    }
+    return MIP_OK;
+}
 /**
  * Scaled gyro: data (0x80,0x05).
  *
@@ -160,15 +310,53 @@ struct mip_sensor_scaled_gyro {
     float scaled_gyro[3];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_SENSOR_SCALED_GYRO 0x8005
 #define MIP_SENSOR_SCALED_GYRO_DESCRIPTOR 0x05
 #define MIP_SENSOR_SCALED_GYRO_NAME "sensor.scaled_gyro"
 
-extern const struct mip_codec mip_sensor_scaled_gyro_codec;
-mip_error mip_sensor_scaled_gyro_decode(struct mip_sensor_scaled_gyro *value,
-                                        const struct mip_field *field);
-mip_error mip_sensor_scaled_gyro_encode(const struct mip_sensor_scaled_gyro *value,
-                                        struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_sensor_scaled_gyro_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_sensor_scaled_gyro_decode(struct mip_sensor_scaled_gyro *value,
+                                                      const struct mip_field *field) {
+    return mip_decode(&mip_sensor_scaled_gyro_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_sensor_scaled_gyro_encode(const struct mip_sensor_scaled_gyro *value,
+                                                      struct mip_builder *builder) {
+    return mip_encode(&mip_sensor_scaled_gyro_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_sensor_scaled_gyro_decode_inline(struct mip_sensor_scaled_gyro *value,
+                                                             const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x80, 0x05, 12);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->scaled_gyro[i], field->data + 4 * i);
+    }
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_sensor_scaled_gyro_encode_inline(
+    const struct mip_sensor_scaled_gyro *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x80, 0x05, 12, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 4 * i, &value->scaled_gyro[i]);
+    }
+    return MIP_OK;
+}
 /**
  * Scaled mag: data (0x80,0x06).
  *
@@ -183,15 +371,53 @@ struct mip_sensor_scaled_mag {
     float scaled_mag[3];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_SENSOR_SCALED_MAG 0x8006
 #define MIP_SENSOR_SCALED_MAG_DESCRIPTOR 0x06
 #define MIP_SENSOR_SCALED_MAG_NAME "sensor.scaled_mag"
 
-extern const struct mip_codec mip_sensor_scaled_mag_codec;
-mip_error mip_sensor_scaled_mag_decode(struct mip_sensor_scaled_mag *value,
-                                       const struct mip_field *field);
-mip_error mip_sensor_scaled_mag_encode(const struct mip_sensor_scaled_mag *value,
-                                       struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_sensor_scaled_mag_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_sensor_scaled_mag_decode(struct mip_sensor_scaled_mag *value,
+                                                     const struct mip_field *field) {
+    return mip_decode(&mip_sensor_scaled_mag_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_sensor_scaled_mag_encode(const struct mip_sensor_scaled_mag *value,
+                                                     struct mip_builder *builder) {
+    return mip_encode(&mip_sensor_scaled_mag_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_sensor_scaled_mag_decode_inline(struct mip_sensor_scaled_mag *value,
+                                                            const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x80, 0x06, 12);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->scaled_mag[i], field->data + 4 * i);
+    }
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_sensor_scaled_mag_encode_inline(
+    const struct mip_sensor_scaled_mag *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x80, 0x06, 12, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 4 * i, &value->scaled_mag[i]);
+    }
+    return MIP_OK;
+}
 /**
  * Delta theta: data (0x80,0x07).
  *
@@ -207,15 +433,53 @@ struct mip_sensor_delta_theta {
     float delta_theta[3];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_SENSOR_DELTA_THETA 0x8007
 #define MIP_SENSOR_DELTA_THETA_DESCRIPTOR 0x07
 #define MIP_SENSOR_DELTA_THETA_NAME "sensor.delta_theta"
 
-extern const struct mip_codec mip_sensor_delta_theta_codec;
-mip_error mip_sensor_delta_theta_decode(struct mip_sensor_delta_theta *value,
-                                        const struct mip_field *field);
-mip_error mip_sensor_delta_theta_encode(const struct mip_sensor_delta_theta *value,
-                                        struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_sensor_delta_theta_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_sensor_delta_theta_decode(struct mip_sensor_delta_theta *value,
+                                                      const struct mip_field *field) {
+    return mip_decode(&mip_sensor_delta_theta_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_sensor_delta_theta_encode(const struct mip_sensor_delta_theta *value,
+                                                      struct mip_builder *builder) {
+    return mip_encode(&mip_sensor_delta_theta_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_sensor_delta_theta_decode_inline(struct mip_sensor_delta_theta *value,
+                                                             const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x80, 0x07, 12);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->delta_theta[i], field->data + 4 * i);
+    }
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_sensor_delta_theta_encode_inline(
+    const struct mip_sensor_delta_theta *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x80, 0x07, 12, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 4 * i, &value->delta_theta[i]);
+    }
+    return MIP_OK;
+}
 /**
  * Delta velocity: data (0x80,0x08).
  *
@@ -233,15 +497,53 @@ struct mip_sensor_delta_velocity {
     float delta_velocity[3];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_SENSOR_DELTA_VELOCITY 0x8008
 #define MIP_SENSOR_DELTA_VELOCITY_DESCRIPTOR 0x08
 #define MIP_SENSOR_DELTA_VELOCITY_NAME "sensor.delta_velocity"
 
-extern const struct mip_codec mip_sensor_delta_velocity_codec;
-mip_error mip_sensor_delta_velocity_decode(struct mip_sensor_delta_velocity *value,
-                                           const struct mip_field *field);
-mip_error mip_sensor_delta_velocity_encode(const struct mip_sensor_delta_velocity *value,
-                                           struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_sensor_delta_velocity_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_sensor_delta_velocity_decode(struct mip_sensor_delta_velocity *value,
+                                                         const struct mip_field *field) {
+    return mip_decode(&mip_sensor_delta_velocity_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_sensor_delta_velocity_encode(
+    const struct mip_sensor_delta_velocity *value, struct mip_builder *builder) {
+    return mip_encode(&mip_sensor_delta_velocity_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_sensor_delta_velocity_decode_inline(
+    struct mip_sensor_delta_velocity *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x80, 0x08, 12);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->delta_velocity[i], field->data + 4 * i);
+    }
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_sensor_delta_velocity_encode_inline(
+    const struct mip_sensor_delta_velocity *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x80, 0x08, 12, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 4 * i, &value->delta_velocity[i]);
+    }
+    return MIP_OK;
+}
 /**
  * Complementary filter orientation matrix: data (0x80,0x09).
  *
@@ -262,15 +564,53 @@ struct mip_sensor_comp_orientation_matrix {
     float m[9];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_SENSOR_COMP_ORIENTATION_MATRIX 0x8009
 #define MIP_SENSOR_COMP_ORIENTATION_MATRIX_DESCRIPTOR 0x09
 #define MIP_SENSOR_COMP_ORIENTATION_MATRIX_NAME "sensor.comp_orientation_matrix"
 
-extern const struct mip_codec mip_sensor_comp_orientation_matrix_codec;
-mip_error mip_sensor_comp_orientation_matrix_decode(
-    struct mip_sensor_comp_orientation_matrix *value, const struct mip_field *field);
-mip_error mip_sensor_comp_orientation_matrix_encode(
-    const struct mip_sensor_comp_orientation_matrix *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_sensor_comp_orientation_matrix_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_sensor_comp_orientation_matrix_decode(
+    struct mip_sensor_comp_orientation_matrix *value, const struct mip_field *field) {
+    return mip_decode(&mip_sensor_comp_orientation_matrix_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_sensor_comp_orientation_matrix_encode(
+    const struct mip_sensor_comp_orientation_matrix *value, struct mip_builder *builder) {
+    return mip_encode(&mip_sensor_comp_orientation_matrix_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_sensor_comp_orientation_matrix_decode_inline(
+    struct mip_sensor_comp_orientation_matrix *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x80, 0x09, 36);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 9; i++) {
+        mip_get_float(&value->m[i], field->data + 4 * i);
+    }
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_sensor_comp_orientation_matrix_encode_inline(
+    const struct mip_sensor_comp_orientation_matrix *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x80, 0x09, 36, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 9; i++) {
+        mip_put_float(data + 4 * i, &value->m[i]);
+    }
+    return MIP_OK;
+}
 /**
  * Complementary filter quaternion: data (0x80,0x0A).
  *
@@ -292,15 +632,53 @@ struct mip_sensor_comp_quaternion {
     float q[4];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_SENSOR_COMP_QUATERNION 0x800A
 #define MIP_SENSOR_COMP_QUATERNION_DESCRIPTOR 0x0A
 #define MIP_SENSOR_COMP_QUATERNION_NAME "sensor.comp_quaternion"
 
-extern const struct mip_codec mip_sensor_comp_quaternion_codec;
-mip_error mip_sensor_comp_quaternion_decode(struct mip_sensor_comp_quaternion *value,
-                                            const struct mip_field *field);
-mip_error mip_sensor_comp_quaternion_encode(const struct mip_sensor_comp_quaternion *value,
-                                            struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_sensor_comp_quaternion_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_sensor_comp_quaternion_decode(struct mip_sensor_comp_quaternion *value,
+                                                          const struct mip_field *field) {
+    return mip_decode(&mip_sensor_comp_quaternion_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_sensor_comp_quaternion_encode(
+    const struct mip_sensor_comp_quaternion *value, struct mip_builder *builder) {
+    return mip_encode(&mip_sensor_comp_quaternion_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_sensor_comp_quaternion_decode_inline(
+    struct mip_sensor_comp_quaternion *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x80, 0x0A, 16);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 4; i++) {
+        mip_get_float(&value->q[i], field->data + 4 * i);
+    }
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_sensor_comp_quaternion_encode_inline(
+    const struct mip_sensor_comp_quaternion *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x80, 0x0A, 16, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 4; i++) {
+        mip_put_float(data + 4 * i, &value->q[i]);
+    }
+    return MIP_OK;
+}
 /**
  * Complementary filter orientation update matrix: data (0x80,0x0B).
  *
@@ -319,15 +697,53 @@ struct mip_sensor_comp_orientation_update_matrix {
     float m[9];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_SENSOR_COMP_ORIENTATION_UPDATE_MATRIX 0x800B
 #define MIP_SENSOR_COMP_ORIENTATION_UPDATE_MATRIX_DESCRIPTOR 0x0B
 #define MIP_SENSOR_COMP_ORIENTATION_UPDATE_MATRIX_NAME "sensor.comp_orientation_update_matrix"
 
-extern const struct mip_codec mip_sensor_comp_orientation_update_matrix_codec;
-mip_error mip_sensor_comp_orientation_update_matrix_decode(
-    struct mip_sensor_comp_orientation_update_matrix *value, const struct mip_field *field);
-mip_error mip_sensor_comp_orientation_update_matrix_encode(
-    const struct mip_sensor_comp_orientation_update_matrix *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_sensor_comp_orientation_update_matrix_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_sensor_comp_orientation_update_matrix_decode(
+    struct mip_sensor_comp_orientation_update_matrix *value, const struct mip_field *field) {
+    return mip_decode(&mip_sensor_comp_orientation_update_matrix_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_sensor_comp_orientation_update_matrix_encode(
+    const struct mip_sensor_comp_orientation_update_matrix *value, struct mip_builder *builder) {
+    return mip_encode(&mip_sensor_comp_orientation_update_matrix_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_sensor_comp_orientation_update_matrix_decode_inline(
+    struct mip_sensor_comp_orientation_update_matrix *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x80, 0x0B, 36);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 9; i++) {
+        mip_get_float(&value->m[i], field->data + 4 * i);
+    }
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_sensor_comp_orientation_update_matrix_encode_inline(
+    const struct mip_sensor_comp_orientation_update_matrix *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x80, 0x0B, 36, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 9; i++) {
+        mip_put_float(data + 4 * i, &value->m[i]);
+    }
+    return MIP_OK;
+}
 /**
  * Complementary filter Euler angles: data (0x80,0x0C).
  *
@@ -349,15 +765,53 @@ struct mip_sensor_comp_euler_angles {
     float yaw;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_SENSOR_COMP_EULER_ANGLES 0x800C
 #define MIP_SENSOR_COMP_EULER_ANGLES_DESCRIPTOR 0x0C
 #define MIP_SENSOR_COMP_EULER_ANGLES_NAME "sensor.comp_euler_angles"
 
-extern const struct mip_codec mip_sensor_comp_euler_angles_codec;
-mip_error mip_sensor_comp_euler_angles_decode(struct mip_sensor_comp_euler_angles *value,
-                                              const struct mip_field *field);
-mip_error mip_sensor_comp_euler_angles_encode(const struct mip_sensor_comp_euler_angles *value,
-                                              struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_sensor_comp_euler_angles_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_sensor_comp_euler_angles_decode(
+    struct mip_sensor_comp_euler_angles *value, const struct mip_field *field) {
+    return mip_decode(&mip_sensor_comp_euler_angles_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_sensor_comp_euler_angles_encode(
+    const struct mip_sensor_comp_euler_angles *value, struct mip_builder *builder) {
+    return mip_encode(&mip_sensor_comp_euler_angles_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_sensor_comp_euler_angles_decode_inline(
+    struct mip_sensor_comp_euler_angles *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x80, 0x0C, 12);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_float(&value->roll, field->data);
+    mip_get_float(&value->pitch, field->data + 4);
+    mip_get_float(&value->yaw, field->data + 8);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_sensor_comp_euler_angles_encode_inline(
+    const struct mip_sensor_comp_euler_angles *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x80, 0x0C, 12, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_float(data, &value->roll);
+    mip_put_float(data + 4, &value->pitch);
+    mip_put_float(data + 8, &value->yaw);
+    return MIP_OK;
+}
 /**
  * Orientation raw temperatures: data (0x80,0x0D).
  *
@@ -375,15 +829,53 @@ struct mip_sensor_orientation_raw_temperature {
     uint16_t raw_temperature[4];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_SENSOR_ORIENTATION_RAW_TEMPERATURE 0x800D
 #define MIP_SENSOR_ORIENTATION_RAW_TEMPERATURE_DESCRIPTOR 0x0D
 #define MIP_SENSOR_ORIENTATION_RAW_TEMPERATURE_NAME "sensor.orientation_raw_temperature"
 
-extern const struct mip_codec mip_sensor_orientation_raw_temperature_codec;
-mip_error mip_sensor_orientation_raw_temperature_decode(
-    struct mip_sensor_orientation_raw_temperature *value, const struct mip_field *field);
-mip_error mip_sensor_orientation_raw_temperature_encode(
-    const struct mip_sensor_orientation_raw_temperature *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_sensor_orientation_raw_temperature_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_sensor_orientation_raw_temperature_decode(
+    struct mip_sensor_orientation_raw_temperature *value, const struct mip_field *field) {
+    return mip_decode(&mip_sensor_orientation_raw_temperature_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_sensor_orientation_raw_temperature_encode(
+    const struct mip_sensor_orientation_raw_temperature *value, struct mip_builder *builder) {
+    return mip_encode(&mip_sensor_orientation_raw_temperature_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_sensor_orientation_raw_temperature_decode_inline(
+    struct mip_sensor_orientation_raw_temperature *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x80, 0x0D, 8);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 4; i++) {
+        value->raw_temperature[i] = mip_get_16(field->data + 2 * i);
+    }
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_sensor_orientation_raw_temperature_encode_inline(
+    const struct mip_sensor_orientation_raw_temperature *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x80, 0x0D, 8, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 4; i++) {
+        mip_put_16(data + 2 * i, value->raw_temperature[i]);
+    }
+    return MIP_OK;
+}
 /**
  * Internal timestamp: data (0x80,0x0E).
  *
@@ -399,15 +891,49 @@ struct mip_sensor_internal_timestamp {
     uint32_t counts;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_SENSOR_INTERNAL_TIMESTAMP 0x800E
 #define MIP_SENSOR_INTERNAL_TIMESTAMP_DESCRIPTOR 0x0E
 #define MIP_SENSOR_INTERNAL_TIMESTAMP_NAME "sensor.internal_timestamp"
 
-extern const struct mip_codec mip_sensor_internal_timestamp_codec;
-mip_error mip_sensor_internal_timestamp_decode(struct mip_sensor_internal_timestamp *value,
-                                               const struct mip_field *field);
-mip_error mip_sensor_internal_timestamp_encode(const struct mip_sensor_internal_timestamp *value,
-                                               struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_sensor_internal_timestamp_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_sensor_internal_timestamp_decode(
+    struct mip_sensor_internal_timestamp *value, const struct mip_field *field) {
+    return mip_decode(&mip_sensor_internal_timestamp_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_sensor_internal_timestamp_encode(
+    const struct mip_sensor_internal_timestamp *value, struct mip_builder *builder) {
+    return mip_encode(&mip_sensor_internal_timestamp_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_sensor_internal_timestamp_decode_inline(
+    struct mip_sensor_internal_timestamp *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x80, 0x0E, 4);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->counts = mip_get_32(field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_sensor_internal_timestamp_encode_inline(
+    const struct mip_sensor_internal_timestamp *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x80, 0x0E, 4, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_32(data, value->counts);
+    return MIP_OK;
+}
 /**
  * PPS timestamp: data (0x80,0x0F).
  *
@@ -425,15 +951,51 @@ struct mip_sensor_pps_timestamp {
     uint32_t useconds;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_SENSOR_PPS_TIMESTAMP 0x800F
 #define MIP_SENSOR_PPS_TIMESTAMP_DESCRIPTOR 0x0F
 #define MIP_SENSOR_PPS_TIMESTAMP_NAME "sensor.pps_timestamp"
 
-extern const struct mip_codec mip_sensor_pps_timestamp_codec;
-mip_error mip_sensor_pps_timestamp_decode(struct mip_sensor_pps_timestamp *value,
-                                          const struct mip_field *field);
-mip_error mip_sensor_pps_timestamp_encode(const struct mip_sensor_pps_timestamp *value,
-                                          struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_sensor_pps_timestamp_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_sensor_pps_timestamp_decode(struct mip_sensor_pps_timestamp *value,
+                                                        const struct mip_field *field) {
+    return mip_decode(&mip_sensor_pps_timestamp_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_sensor_pps_timestamp_encode(
+    const struct mip_sensor_pps_timestamp *value, struct mip_builder *builder) {
+    return mip_encode(&mip_sensor_pps_timestamp_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_sensor_pps_timestamp_decode_inline(
+    struct mip_sensor_pps_timestamp *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x80, 0x0F, 8);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->seconds = mip_get_32(field->data);
+    value->useconds = mip_get_32(field->data + 4);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_sensor_pps_timestamp_encode_inline(
+    const struct mip_sensor_pps_timestamp *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x80, 0x0F, 8, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_32(data, value->seconds);
+    mip_put_32(data + 4, value->useconds);
+    return MIP_OK;
+}
 /**
  * Complementary filter stabilized north vector: data (0x80,0x10).
  *
@@ -452,15 +1014,53 @@ struct mip_sensor_north_vector {
     float stabilized_mag[3];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_SENSOR_NORTH_VECTOR 0x8010
 #define MIP_SENSOR_NORTH_VECTOR_DESCRIPTOR 0x10
 #define MIP_SENSOR_NORTH_VECTOR_NAME "sensor.north_vector"
 
-extern const struct mip_codec mip_sensor_north_vector_codec;
-mip_error mip_sensor_north_vector_decode(struct mip_sensor_north_vector *value,
-                                         const struct mip_field *field);
-mip_error mip_sensor_north_vector_encode(const struct mip_sensor_north_vector *value,
-                                         struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_sensor_north_vector_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_sensor_north_vector_decode(struct mip_sensor_north_vector *value,
+                                                       const struct mip_field *field) {
+    return mip_decode(&mip_sensor_north_vector_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_sensor_north_vector_encode(const struct mip_sensor_north_vector *value,
+                                                       struct mip_builder *builder) {
+    return mip_encode(&mip_sensor_north_vector_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_sensor_north_vector_decode_inline(struct mip_sensor_north_vector *value,
+                                                              const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x80, 0x10, 12);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->stabilized_mag[i], field->data + 4 * i);
+    }
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_sensor_north_vector_encode_inline(
+    const struct mip_sensor_north_vector *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x80, 0x10, 12, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 4 * i, &value->stabilized_mag[i]);
+    }
+    return MIP_OK;
+}
 /**
  * Complementary filter stabilized up vector: data (0x80,0x11).
  *
@@ -480,15 +1080,53 @@ struct mip_sensor_up_vector {
     float stabilized_accel[3];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_SENSOR_UP_VECTOR 0x8011
 #define MIP_SENSOR_UP_VECTOR_DESCRIPTOR 0x11
 #define MIP_SENSOR_UP_VECTOR_NAME "sensor.up_vector"
 
-extern const struct mip_codec mip_sensor_up_vector_codec;
-mip_error mip_sensor_up_vector_decode(struct mip_sensor_up_vector *value,
-                                      const struct mip_field *field);
-mip_error mip_sensor_up_vector_encode(const struct mip_sensor_up_vector *value,
-                                      struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_sensor_up_vector_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_sensor_up_vector_decode(struct mip_sensor_up_vector *value,
+                                                    const struct mip_field *field) {
+    return mip_decode(&mip_sensor_up_vector_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_sensor_up_vector_encode(const struct mip_sensor_up_vector *value,
+                                                    struct mip_builder *builder) {
+    return mip_encode(&mip_sensor_up_vector_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_sensor_up_vector_decode_inline(struct mip_sensor_up_vector *value,
+                                                           const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x80, 0x11, 12);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->stabilized_accel[i], field->data + 4 * i);
+    }
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_sensor_up_vector_encode_inline(const struct mip_sensor_up_vector *value,
+                                                           struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x80, 0x11, 12, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 4 * i, &value->stabilized_accel[i]);
+    }
+    return MIP_OK;
+}
 /**
  * GPS timestamp: data (0x80,0x12).
  *
@@ -527,15 +1165,53 @@ struct mip_sensor_gps_timestamp {
     mip_sensor_gps_timestamp_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_SENSOR_GPS_TIMESTAMP 0x8012
 #define MIP_SENSOR_GPS_TIMESTAMP_DESCRIPTOR 0x12
 #define MIP_SENSOR_GPS_TIMESTAMP_NAME "sensor.gps_timestamp"
 
-extern const struct mip_codec mip_sensor_gps_timestamp_codec;
-mip_error mip_sensor_gps_timestamp_decode(struct mip_sensor_gps_timestamp *value,
-                                          const struct mip_field *field);
-mip_error mip_sensor_gps_timestamp_encode(const struct mip_sensor_gps_timestamp *value,
-                                          struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_sensor_gps_timestamp_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_sensor_gps_timestamp_decode(struct mip_sensor_gps_timestamp *value,
+                                                        const struct mip_field *field) {
+    return mip_decode(&mip_sensor_gps_timestamp_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_sensor_gps_timestamp_encode(
+    const struct mip_sensor_gps_timestamp *value, struct mip_builder *builder) {
+    return mip_encode(&mip_sensor_gps_timestamp_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_sensor_gps_timestamp_decode_inline(
+    struct mip_sensor_gps_timestamp *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x80, 0x12, 12);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_double(&value->tow, field->data);
+    value->week_number = mip_get_16(field->data + 8);
+    value->valid_flags = mip_get_16(field->data + 10);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_sensor_gps_timestamp_encode_inline(
+    const struct mip_sensor_gps_timestamp *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x80, 0x12, 12, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_double(data, &value->tow);
+    mip_put_16(data + 8, value->week_number);
+    mip_put_16(data + 10, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Temperature statistics: data (0x80,0x14).
  *
@@ -556,15 +1232,53 @@ struct mip_sensor_temperature_statistics {
     float mean_temperature;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_SENSOR_TEMPERATURE_STATISTICS 0x8014
 #define MIP_SENSOR_TEMPERATURE_STATISTICS_DESCRIPTOR 0x14
 #define MIP_SENSOR_TEMPERATURE_STATISTICS_NAME "sensor.temperature_statistics"
 
-extern const struct mip_codec mip_sensor_temperature_statistics_codec;
-mip_error mip_sensor_temperature_statistics_decode(struct mip_sensor_temperature_statistics *value,
-                                                   const struct mip_field *field);
-mip_error mip_sensor_temperature_statistics_encode(
-    const struct mip_sensor_temperature_statistics *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_sensor_temperature_statistics_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_sensor_temperature_statistics_decode(
+    struct mip_sensor_temperature_statistics *value, const struct mip_field *field) {
+    return mip_decode(&mip_sensor_temperature_statistics_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_sensor_temperature_statistics_encode(
+    const struct mip_sensor_temperature_statistics *value, struct mip_builder *builder) {
+    return mip_encode(&mip_sensor_temperature_statistics_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_sensor_temperature_statistics_decode_inline(
+    struct mip_sensor_temperature_statistics *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x80, 0x14, 12);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_float(&value->min_temperature, field->data);
+    mip_get_float(&value->max_temperature, field->data + 4);
+    mip_get_float(&value->mean_temperature, field->data + 8);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_sensor_temperature_statistics_encode_inline(
+    const struct mip_sensor_temperature_statistics *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x80, 0x14, 12, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_float(data, &value->min_temperature);
+    mip_put_float(data + 4, &value->max_temperature);
+    mip_put_float(data + 8, &value->mean_temperature);
+    return MIP_OK;
+}
 /**
  * Raw pressure: data (0x80,0x16).
  *
@@ -579,15 +1293,49 @@ struct mip_sensor_raw_pressure {
     float raw_pressure;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_SENSOR_RAW_PRESSURE 0x8016
 #define MIP_SENSOR_RAW_PRESSURE_DESCRIPTOR 0x16
 #define MIP_SENSOR_RAW_PRESSURE_NAME "sensor.raw_pressure"
 
-extern const struct mip_codec mip_sensor_raw_pressure_codec;
-mip_error mip_sensor_raw_pressure_decode(struct mip_sensor_raw_pressure *value,
-                                         const struct mip_field *field);
-mip_error mip_sensor_raw_pressure_encode(const struct mip_sensor_raw_pressure *value,
-                                         struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_sensor_raw_pressure_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_sensor_raw_pressure_decode(struct mip_sensor_raw_pressure *value,
+                                                       const struct mip_field *field) {
+    return mip_decode(&mip_sensor_raw_pressure_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_sensor_raw_pressure_encode(const struct mip_sensor_raw_pressure *value,
+                                                       struct mip_builder *builder) {
+    return mip_encode(&mip_sensor_raw_pressure_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_sensor_raw_pressure_decode_inline(struct mip_sensor_raw_pressure *value,
+                                                              const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x80, 0x16, 4);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_float(&value->raw_pressure, field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_sensor_raw_pressure_encode_inline(
+    const struct mip_sensor_raw_pressure *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x80, 0x16, 4, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_float(data, &value->raw_pressure);
+    return MIP_OK;
+}
 /**
  * Scaled pressure: data (0x80,0x17).
  *
@@ -603,15 +1351,49 @@ struct mip_sensor_scaled_pressure {
     float scaled_pressure;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_SENSOR_SCALED_PRESSURE 0x8017
 #define MIP_SENSOR_SCALED_PRESSURE_DESCRIPTOR 0x17
 #define MIP_SENSOR_SCALED_PRESSURE_NAME "sensor.scaled_pressure"
 
-extern const struct mip_codec mip_sensor_scaled_pressure_codec;
-mip_error mip_sensor_scaled_pressure_decode(struct mip_sensor_scaled_pressure *value,
-                                            const struct mip_field *field);
-mip_error mip_sensor_scaled_pressure_encode(const struct mip_sensor_scaled_pressure *value,
-                                            struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_sensor_scaled_pressure_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_sensor_scaled_pressure_decode(struct mip_sensor_scaled_pressure *value,
+                                                          const struct mip_field *field) {
+    return mip_decode(&mip_sensor_scaled_pressure_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_sensor_scaled_pressure_encode(
+    const struct mip_sensor_scaled_pressure *value, struct mip_builder *builder) {
+    return mip_encode(&mip_sensor_scaled_pressure_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_sensor_scaled_pressure_decode_inline(
+    struct mip_sensor_scaled_pressure *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x80, 0x17, 4);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_float(&value->scaled_pressure, field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_sensor_scaled_pressure_encode_inline(
+    const struct mip_sensor_scaled_pressure *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x80, 0x17, 4, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_float(data, &value->scaled_pressure);
+    return MIP_OK;
+}
 /**
  * Overrange status: data (0x80,0x18).
  *
@@ -626,15 +1408,49 @@ struct mip_sensor_overrange_status {
     mip_sensor_overrange_flags status;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_SENSOR_OVERRANGE_STATUS 0x8018
 #define MIP_SENSOR_OVERRANGE_STATUS_DESCRIPTOR 0x18
 #define MIP_SENSOR_OVERRANGE_STATUS_NAME "sensor.overrange_status"
 
-extern const struct mip_codec mip_sensor_overrange_status_codec;
-mip_error mip_sensor_overrange_status_decode(struct mip_sensor_overrange_status *value,
-                                             const struct mip_field *field);
-mip_error mip_sensor_overrange_status_encode(const struct mip_sensor_overrange_status *value,
-                                             struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_sensor_overrange_status_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_sensor_overrange_status_decode(
+    struct mip_sensor_overrange_status *value, const struct mip_field *field) {
+    return mip_decode(&mip_sensor_overrange_status_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_sensor_overrange_status_encode(
+    const struct mip_sensor_overrange_status *value, struct mip_builder *builder) {
+    return mip_encode(&mip_sensor_overrange_status_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_sensor_overrange_status_decode_inline(
+    struct mip_sensor_overrange_status *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x80, 0x18, 2);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->status = mip_get_16(field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_sensor_overrange_status_encode_inline(
+    const struct mip_sensor_overrange_status *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x80, 0x18, 2, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_16(data, value->status);
+    return MIP_OK;
+}
 /**
  * Odometer data: data (0x80,0x40).
  *
@@ -659,14 +1475,53 @@ struct mip_sensor_odometer {
     mip_sensor_odometer_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_SENSOR_ODOMETER 0x8040
 #define MIP_SENSOR_ODOMETER_DESCRIPTOR 0x40
 #define MIP_SENSOR_ODOMETER_NAME "sensor.odometer"
 
-extern const struct mip_codec mip_sensor_odometer_codec;
-mip_error mip_sensor_odometer_decode(struct mip_sensor_odometer *value,
-                                     const struct mip_field *field);
-mip_error mip_sensor_odometer_encode(const struct mip_sensor_odometer *value,
-                                     struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_sensor_odometer_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_sensor_odometer_decode(struct mip_sensor_odometer *value,
+                                                   const struct mip_field *field) {
+    return mip_decode(&mip_sensor_odometer_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_sensor_odometer_encode(const struct mip_sensor_odometer *value,
+                                                   struct mip_builder *builder) {
+    return mip_encode(&mip_sensor_odometer_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_sensor_odometer_decode_inline(struct mip_sensor_odometer *value,
+                                                          const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x80, 0x40, 10);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_float(&value->speed, field->data);
+    mip_get_float(&value->uncertainty, field->data + 4);
+    value->valid_flags = mip_get_16(field->data + 8);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_sensor_odometer_encode_inline(const struct mip_sensor_odometer *value,
+                                                          struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x80, 0x40, 10, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_float(data, &value->speed);
+    mip_put_float(data + 4, &value->uncertainty);
+    mip_put_16(data + 8, value->valid_flags);
+    return MIP_OK;
+}
 
 #ifdef __cplusplus
 }

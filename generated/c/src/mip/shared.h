@@ -28,17 +28,14 @@ typedef uint16_t mip_shared_gps_timestamp_flags;
 #define MIP_SHARED_GPS_TIMESTAMP_FLAGS_WEEK_NUMBER 0x0002U
 /** Bits 0 to 1. Both are set. Overlaps other bits. */
 #define MIP_SHARED_GPS_TIMESTAMP_FLAGS_TIME_VALID 0x0003U
-
 /** Whether the external time is valid. */
 typedef uint16_t mip_shared_external_timestamp_flags;
 /** Bit 0. The time is valid. */
 #define MIP_SHARED_EXTERNAL_TIMESTAMP_FLAGS_NANOSECONDS 0x0001U
-
 /** Whether the difference of external time is valid. */
 typedef uint16_t mip_shared_external_time_delta_flags;
 /** Bit 0. The difference is valid. */
 #define MIP_SHARED_EXTERNAL_TIME_DELTA_FLAGS_DT_NANOS 0x0001U
-
 /**
  * Event source: data (0xFF,0xD0).
  *
@@ -55,15 +52,49 @@ struct mip_shared_event_source {
     uint8_t trigger_id;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_SHARED_EVENT_SOURCE 0xFFD0
 #define MIP_SHARED_EVENT_SOURCE_DESCRIPTOR 0xD0
 #define MIP_SHARED_EVENT_SOURCE_NAME "shared.event_source"
 
-extern const struct mip_codec mip_shared_event_source_codec;
-mip_error mip_shared_event_source_decode(struct mip_shared_event_source *value,
-                                         const struct mip_field *field);
-mip_error mip_shared_event_source_encode(const struct mip_shared_event_source *value,
-                                         struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_shared_event_source_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_shared_event_source_decode(struct mip_shared_event_source *value,
+                                                       const struct mip_field *field) {
+    return mip_decode(&mip_shared_event_source_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_shared_event_source_encode(const struct mip_shared_event_source *value,
+                                                       struct mip_builder *builder) {
+    return mip_encode(&mip_shared_event_source_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_shared_event_source_decode_inline(struct mip_shared_event_source *value,
+                                                              const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0xFF, 0xD0, 1);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->trigger_id = mip_get_8(field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_shared_event_source_encode_inline(
+    const struct mip_shared_event_source *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0xFF, 0xD0, 1, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->trigger_id);
+    return MIP_OK;
+}
 /**
  * Ticks: data (0xFF,0xD1).
  *
@@ -82,14 +113,49 @@ struct mip_shared_ticks {
     uint32_t ticks;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_SHARED_TICKS 0xFFD1
 #define MIP_SHARED_TICKS_DESCRIPTOR 0xD1
 #define MIP_SHARED_TICKS_NAME "shared.ticks"
 
-extern const struct mip_codec mip_shared_ticks_codec;
-mip_error mip_shared_ticks_decode(struct mip_shared_ticks *value, const struct mip_field *field);
-mip_error mip_shared_ticks_encode(const struct mip_shared_ticks *value,
-                                  struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_shared_ticks_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_shared_ticks_decode(struct mip_shared_ticks *value,
+                                                const struct mip_field *field) {
+    return mip_decode(&mip_shared_ticks_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_shared_ticks_encode(const struct mip_shared_ticks *value,
+                                                struct mip_builder *builder) {
+    return mip_encode(&mip_shared_ticks_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_shared_ticks_decode_inline(struct mip_shared_ticks *value,
+                                                       const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0xFF, 0xD1, 4);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->ticks = mip_get_32(field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_shared_ticks_encode_inline(const struct mip_shared_ticks *value,
+                                                       struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0xFF, 0xD1, 4, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_32(data, value->ticks);
+    return MIP_OK;
+}
 /**
  * Delta ticks: data (0xFF,0xD2).
  *
@@ -107,15 +173,49 @@ struct mip_shared_delta_ticks {
     uint32_t ticks;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_SHARED_DELTA_TICKS 0xFFD2
 #define MIP_SHARED_DELTA_TICKS_DESCRIPTOR 0xD2
 #define MIP_SHARED_DELTA_TICKS_NAME "shared.delta_ticks"
 
-extern const struct mip_codec mip_shared_delta_ticks_codec;
-mip_error mip_shared_delta_ticks_decode(struct mip_shared_delta_ticks *value,
-                                        const struct mip_field *field);
-mip_error mip_shared_delta_ticks_encode(const struct mip_shared_delta_ticks *value,
-                                        struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_shared_delta_ticks_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_shared_delta_ticks_decode(struct mip_shared_delta_ticks *value,
+                                                      const struct mip_field *field) {
+    return mip_decode(&mip_shared_delta_ticks_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_shared_delta_ticks_encode(const struct mip_shared_delta_ticks *value,
+                                                      struct mip_builder *builder) {
+    return mip_encode(&mip_shared_delta_ticks_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_shared_delta_ticks_decode_inline(struct mip_shared_delta_ticks *value,
+                                                             const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0xFF, 0xD2, 4);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->ticks = mip_get_32(field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_shared_delta_ticks_encode_inline(
+    const struct mip_shared_delta_ticks *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0xFF, 0xD2, 4, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_32(data, value->ticks);
+    return MIP_OK;
+}
 /**
  * GPS timestamp: data (0xFF,0xD3).
  *
@@ -151,15 +251,53 @@ struct mip_shared_gps_timestamp {
     mip_shared_gps_timestamp_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_SHARED_GPS_TIMESTAMP 0xFFD3
 #define MIP_SHARED_GPS_TIMESTAMP_DESCRIPTOR 0xD3
 #define MIP_SHARED_GPS_TIMESTAMP_NAME "shared.gps_timestamp"
 
-extern const struct mip_codec mip_shared_gps_timestamp_codec;
-mip_error mip_shared_gps_timestamp_decode(struct mip_shared_gps_timestamp *value,
-                                          const struct mip_field *field);
-mip_error mip_shared_gps_timestamp_encode(const struct mip_shared_gps_timestamp *value,
-                                          struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_shared_gps_timestamp_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_shared_gps_timestamp_decode(struct mip_shared_gps_timestamp *value,
+                                                        const struct mip_field *field) {
+    return mip_decode(&mip_shared_gps_timestamp_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_shared_gps_timestamp_encode(
+    const struct mip_shared_gps_timestamp *value, struct mip_builder *builder) {
+    return mip_encode(&mip_shared_gps_timestamp_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_shared_gps_timestamp_decode_inline(
+    struct mip_shared_gps_timestamp *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0xFF, 0xD3, 12);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_double(&value->tow, field->data);
+    value->week_number = mip_get_16(field->data + 8);
+    value->valid_flags = mip_get_16(field->data + 10);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_shared_gps_timestamp_encode_inline(
+    const struct mip_shared_gps_timestamp *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0xFF, 0xD3, 12, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_double(data, &value->tow);
+    mip_put_16(data + 8, value->week_number);
+    mip_put_16(data + 10, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Delta time: data (0xFF,0xD4).
  *
@@ -178,15 +316,49 @@ struct mip_shared_delta_time {
     double seconds;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_SHARED_DELTA_TIME 0xFFD4
 #define MIP_SHARED_DELTA_TIME_DESCRIPTOR 0xD4
 #define MIP_SHARED_DELTA_TIME_NAME "shared.delta_time"
 
-extern const struct mip_codec mip_shared_delta_time_codec;
-mip_error mip_shared_delta_time_decode(struct mip_shared_delta_time *value,
-                                       const struct mip_field *field);
-mip_error mip_shared_delta_time_encode(const struct mip_shared_delta_time *value,
-                                       struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_shared_delta_time_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_shared_delta_time_decode(struct mip_shared_delta_time *value,
+                                                     const struct mip_field *field) {
+    return mip_decode(&mip_shared_delta_time_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_shared_delta_time_encode(const struct mip_shared_delta_time *value,
+                                                     struct mip_builder *builder) {
+    return mip_encode(&mip_shared_delta_time_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_shared_delta_time_decode_inline(struct mip_shared_delta_time *value,
+                                                            const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0xFF, 0xD4, 8);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_double(&value->seconds, field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_shared_delta_time_encode_inline(
+    const struct mip_shared_delta_time *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0xFF, 0xD4, 8, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_double(data, &value->seconds);
+    return MIP_OK;
+}
 /**
  * Reference timestamp: data (0xFF,0xD5).
  *
@@ -205,15 +377,49 @@ struct mip_shared_reference_timestamp {
     uint64_t nanoseconds;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_SHARED_REFERENCE_TIMESTAMP 0xFFD5
 #define MIP_SHARED_REFERENCE_TIMESTAMP_DESCRIPTOR 0xD5
 #define MIP_SHARED_REFERENCE_TIMESTAMP_NAME "shared.reference_timestamp"
 
-extern const struct mip_codec mip_shared_reference_timestamp_codec;
-mip_error mip_shared_reference_timestamp_decode(struct mip_shared_reference_timestamp *value,
-                                                const struct mip_field *field);
-mip_error mip_shared_reference_timestamp_encode(const struct mip_shared_reference_timestamp *value,
-                                                struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_shared_reference_timestamp_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_shared_reference_timestamp_decode(
+    struct mip_shared_reference_timestamp *value, const struct mip_field *field) {
+    return mip_decode(&mip_shared_reference_timestamp_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_shared_reference_timestamp_encode(
+    const struct mip_shared_reference_timestamp *value, struct mip_builder *builder) {
+    return mip_encode(&mip_shared_reference_timestamp_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_shared_reference_timestamp_decode_inline(
+    struct mip_shared_reference_timestamp *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0xFF, 0xD5, 8);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->nanoseconds = mip_get_64(field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_shared_reference_timestamp_encode_inline(
+    const struct mip_shared_reference_timestamp *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0xFF, 0xD5, 8, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_64(data, value->nanoseconds);
+    return MIP_OK;
+}
 /**
  * Reference time delta: data (0xFF,0xD6).
  *
@@ -230,15 +436,49 @@ struct mip_shared_reference_time_delta {
     uint64_t dt_nanos;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_SHARED_REFERENCE_TIME_DELTA 0xFFD6
 #define MIP_SHARED_REFERENCE_TIME_DELTA_DESCRIPTOR 0xD6
 #define MIP_SHARED_REFERENCE_TIME_DELTA_NAME "shared.reference_time_delta"
 
-extern const struct mip_codec mip_shared_reference_time_delta_codec;
-mip_error mip_shared_reference_time_delta_decode(struct mip_shared_reference_time_delta *value,
-                                                 const struct mip_field *field);
-mip_error mip_shared_reference_time_delta_encode(
-    const struct mip_shared_reference_time_delta *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_shared_reference_time_delta_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_shared_reference_time_delta_decode(
+    struct mip_shared_reference_time_delta *value, const struct mip_field *field) {
+    return mip_decode(&mip_shared_reference_time_delta_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_shared_reference_time_delta_encode(
+    const struct mip_shared_reference_time_delta *value, struct mip_builder *builder) {
+    return mip_encode(&mip_shared_reference_time_delta_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_shared_reference_time_delta_decode_inline(
+    struct mip_shared_reference_time_delta *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0xFF, 0xD6, 8);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->dt_nanos = mip_get_64(field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_shared_reference_time_delta_encode_inline(
+    const struct mip_shared_reference_time_delta *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0xFF, 0xD6, 8, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_64(data, value->dt_nanos);
+    return MIP_OK;
+}
 /**
  * External timestamp: data (0xFF,0xD7).
  *
@@ -264,15 +504,51 @@ struct mip_shared_external_timestamp {
     mip_shared_external_timestamp_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_SHARED_EXTERNAL_TIMESTAMP 0xFFD7
 #define MIP_SHARED_EXTERNAL_TIMESTAMP_DESCRIPTOR 0xD7
 #define MIP_SHARED_EXTERNAL_TIMESTAMP_NAME "shared.external_timestamp"
 
-extern const struct mip_codec mip_shared_external_timestamp_codec;
-mip_error mip_shared_external_timestamp_decode(struct mip_shared_external_timestamp *value,
-                                               const struct mip_field *field);
-mip_error mip_shared_external_timestamp_encode(const struct mip_shared_external_timestamp *value,
-                                               struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_shared_external_timestamp_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_shared_external_timestamp_decode(
+    struct mip_shared_external_timestamp *value, const struct mip_field *field) {
+    return mip_decode(&mip_shared_external_timestamp_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_shared_external_timestamp_encode(
+    const struct mip_shared_external_timestamp *value, struct mip_builder *builder) {
+    return mip_encode(&mip_shared_external_timestamp_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_shared_external_timestamp_decode_inline(
+    struct mip_shared_external_timestamp *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0xFF, 0xD7, 10);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->nanoseconds = mip_get_64(field->data);
+    value->valid_flags = mip_get_16(field->data + 8);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_shared_external_timestamp_encode_inline(
+    const struct mip_shared_external_timestamp *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0xFF, 0xD7, 10, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_64(data, value->nanoseconds);
+    mip_put_16(data + 8, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * External time delta: data (0xFF,0xD8).
  *
@@ -296,14 +572,51 @@ struct mip_shared_external_time_delta {
     mip_shared_external_time_delta_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_SHARED_EXTERNAL_TIME_DELTA 0xFFD8
 #define MIP_SHARED_EXTERNAL_TIME_DELTA_DESCRIPTOR 0xD8
 #define MIP_SHARED_EXTERNAL_TIME_DELTA_NAME "shared.external_time_delta"
 
-extern const struct mip_codec mip_shared_external_time_delta_codec;
-mip_error mip_shared_external_time_delta_decode(struct mip_shared_external_time_delta *value,
-                                                const struct mip_field *field);
-mip_error mip_shared_external_time_delta_encode(const struct mip_shared_external_time_delta *value,
-                                                struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_shared_external_time_delta_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_shared_external_time_delta_decode(
+    struct mip_shared_external_time_delta *value, const struct mip_field *field) {
+    return mip_decode(&mip_shared_external_time_delta_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_shared_external_time_delta_encode(
+    const struct mip_shared_external_time_delta *value, struct mip_builder *builder) {
+    return mip_encode(&mip_shared_external_time_delta_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_shared_external_time_delta_decode_inline(
+    struct mip_shared_external_time_delta *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0xFF, 0xD8, 10);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->dt_nanos = mip_get_64(field->data);
+    value->valid_flags = mip_get_16(field->data + 8);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_shared_external_time_delta_encode_inline(
+    const struct mip_shared_external_time_delta *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0xFF, 0xD8, 10, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_64(data, value->dt_nanos);
+    mip_put_16(data + 8, value->valid_flags);
+    return MIP_OK;
+}
 
 #ifdef __cplusplus
 }

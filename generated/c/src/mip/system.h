@@ -24,22 +24,25 @@ extern "C" {
  *
  * - mip-sdk-4: Interface Control (0x7F,0x02)
  */
-typedef uint8_t mip_system_comm_interface;
-/** All ports. */
-#define MIP_SYSTEM_COMM_INTERFACE_ALL 0
-/** The main port: USB while it is connected, else the main UART. */
-#define MIP_SYSTEM_COMM_INTERFACE_MAIN 1
-/** The first port that is a UART or can be one. */
-#define MIP_SYSTEM_COMM_INTERFACE_UART_1 17
-/** The second UART. */
-#define MIP_SYSTEM_COMM_INTERFACE_UART_2 18
-/** The third UART. */
-#define MIP_SYSTEM_COMM_INTERFACE_UART_3 19
-/** First virtual serial port of USB. */
-#define MIP_SYSTEM_COMM_INTERFACE_USB_1 33
-/** Second virtual serial port of USB; on GNSS/INS models, made for NMEA and RTCM. */
-#define MIP_SYSTEM_COMM_INTERFACE_USB_2 34
+enum mip_system_comm_interface {
+    /** All ports. */
+    MIP_SYSTEM_COMM_INTERFACE_ALL = 0,
+    /** The main port: USB while it is connected, else the main UART. */
+    MIP_SYSTEM_COMM_INTERFACE_MAIN = 1,
+    /** The first port that is a UART or can be one. */
+    MIP_SYSTEM_COMM_INTERFACE_UART_1 = 17,
+    /** The second UART. */
+    MIP_SYSTEM_COMM_INTERFACE_UART_2 = 18,
+    /** The third UART. */
+    MIP_SYSTEM_COMM_INTERFACE_UART_3 = 19,
+    /** First virtual serial port of USB. */
+    MIP_SYSTEM_COMM_INTERFACE_USB_1 = 33,
+    /** Second virtual serial port of USB; on GNSS/INS models, made for NMEA and RTCM. */
+    MIP_SYSTEM_COMM_INTERFACE_USB_2 = 34
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_system_comm_interface_name(uint8_t value);
 /**
  * Protocols of a port.
  *
@@ -54,16 +57,18 @@ typedef uint32_t mip_system_comm_protocols;
 #define MIP_SYSTEM_COMM_PROTOCOLS_RTCM UINT32_C(0x00000200)
 /** Bit 24. SPARTN corrections. */
 #define MIP_SYSTEM_COMM_PROTOCOLS_SPARTN UINT32_C(0x01000000)
-
 /** Which part of the device the host talks to, and in which protocol. */
-typedef uint8_t mip_system_protocol_mode;
-/** The device itself, MIP. */
-#define MIP_SYSTEM_PROTOCOL_MODE_STANDARD 1
-/** The inertial sensor inside, MIP. */
-#define MIP_SYSTEM_PROTOCOL_MODE_SENSOR_DIRECT 2
-/** The GNSS receiver inside, NMEA and UBX; only on models that have one. */
-#define MIP_SYSTEM_PROTOCOL_MODE_GNSS_DIRECT 3
+enum mip_system_protocol_mode {
+    /** The device itself, MIP. */
+    MIP_SYSTEM_PROTOCOL_MODE_STANDARD = 1,
+    /** The inertial sensor inside, MIP. */
+    MIP_SYSTEM_PROTOCOL_MODE_SENSOR_DIRECT = 2,
+    /** The GNSS receiver inside, NMEA and UBX; only on models that have one. */
+    MIP_SYSTEM_PROTOCOL_MODE_GNSS_DIRECT = 3
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_system_protocol_mode_name(uint8_t value);
 /**
  * Interface control: command (0x7F,0x02).
  *
@@ -90,41 +95,101 @@ typedef uint8_t mip_system_protocol_mode;
 struct mip_system_interface_control {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
-    /** The port. Uncertain: Whether write and read take `all`. */
-    mip_system_comm_interface port;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
+    /**
+     * The port. A value of enum mip_system_comm_interface. Uncertain: Whether write and read take
+     * `all`.
+     */
+    uint8_t port;
     /** Protocols that it takes in. Required for write. */
     mip_system_comm_protocols protocols_incoming;
     /** Protocols that it gives out. Required for write. */
     mip_system_comm_protocols protocols_outgoing;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_SYSTEM_INTERFACE_CONTROL 0x7F02
 #define MIP_SYSTEM_INTERFACE_CONTROL_DESCRIPTOR 0x02
 #define MIP_SYSTEM_INTERFACE_CONTROL_NAME "system.interface_control"
 
-extern const struct mip_codec mip_system_interface_control_codec;
-mip_error mip_system_interface_control_decode(struct mip_system_interface_control *value,
-                                              const struct mip_field *field);
-mip_error mip_system_interface_control_encode(const struct mip_system_interface_control *value,
-                                              struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_system_interface_control mip_system_interface_control_write(
-    mip_system_comm_interface port, mip_system_comm_protocols protocols_incoming,
-    mip_system_comm_protocols protocols_outgoing);
-/** Send the current setting back in a response. */
-struct mip_system_interface_control
-mip_system_interface_control_read(mip_system_comm_interface port);
-/** Save the current setting to non-volatile memory. */
-struct mip_system_interface_control
-mip_system_interface_control_save(mip_system_comm_interface port);
-/** Load the saved setting. */
-struct mip_system_interface_control
-mip_system_interface_control_load(mip_system_comm_interface port);
-/** Load the factory default setting. */
-struct mip_system_interface_control
-mip_system_interface_control_default(mip_system_comm_interface port);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_system_interface_control_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_system_interface_control_decode(
+    struct mip_system_interface_control *value, const struct mip_field *field) {
+    return mip_decode(&mip_system_interface_control_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_system_interface_control_encode(
+    const struct mip_system_interface_control *value, struct mip_builder *builder) {
+    return mip_encode(&mip_system_interface_control_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_system_interface_control *mip_system_interface_control_write(
+    struct mip_system_interface_control *command, enum mip_system_comm_interface port,
+    mip_system_comm_protocols protocols_incoming, mip_system_comm_protocols protocols_outgoing) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->port = (uint8_t)port;
+    command->protocols_incoming = protocols_incoming;
+    command->protocols_outgoing = protocols_outgoing;
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_system_interface_control *mip_system_interface_control_read(
+    struct mip_system_interface_control *command, enum mip_system_comm_interface port) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    command->port = (uint8_t)port;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_system_interface_control *mip_system_interface_control_save(
+    struct mip_system_interface_control *command, enum mip_system_comm_interface port) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    command->port = (uint8_t)port;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_system_interface_control *mip_system_interface_control_load(
+    struct mip_system_interface_control *command, enum mip_system_comm_interface port) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    command->port = (uint8_t)port;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_system_interface_control *mip_system_interface_control_default(
+    struct mip_system_interface_control *command, enum mip_system_comm_interface port) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    command->port = (uint8_t)port;
+    return command;
+}
 /**
  * Interface control response: response (0x7F,0x82).
  *
@@ -134,23 +199,64 @@ mip_system_interface_control_default(mip_system_comm_interface port);
  * - 3dm-cv7-gnss-ins: Ports
  */
 struct mip_system_interface_control_response {
-    /** The port. Uncertain: Whether write and read take `all`. */
-    mip_system_comm_interface port;
+    /**
+     * The port. A value of enum mip_system_comm_interface. Uncertain: Whether write and read take
+     * `all`.
+     */
+    uint8_t port;
     /** Protocols that it takes in. */
     mip_system_comm_protocols protocols_incoming;
     /** Protocols that it gives out. */
     mip_system_comm_protocols protocols_outgoing;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_SYSTEM_INTERFACE_CONTROL_RESPONSE 0x7F82
 #define MIP_SYSTEM_INTERFACE_CONTROL_RESPONSE_DESCRIPTOR 0x82
 #define MIP_SYSTEM_INTERFACE_CONTROL_RESPONSE_NAME "system.interface_control_response"
 
-extern const struct mip_codec mip_system_interface_control_response_codec;
-mip_error mip_system_interface_control_response_decode(
-    struct mip_system_interface_control_response *value, const struct mip_field *field);
-mip_error mip_system_interface_control_response_encode(
-    const struct mip_system_interface_control_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_system_interface_control_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_system_interface_control_response_decode(
+    struct mip_system_interface_control_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_system_interface_control_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_system_interface_control_response_encode(
+    const struct mip_system_interface_control_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_system_interface_control_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_system_interface_control_response_decode_inline(
+    struct mip_system_interface_control_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x7F, 0x82, 9);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->port = mip_get_8(field->data);
+    value->protocols_incoming = mip_get_32(field->data + 1);
+    value->protocols_outgoing = mip_get_32(field->data + 5);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_system_interface_control_response_encode_inline(
+    const struct mip_system_interface_control_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x7F, 0x82, 9, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->port);
+    mip_put_32(data + 1, value->protocols_incoming);
+    mip_put_32(data + 5, value->protocols_outgoing);
+    return MIP_OK;
+}
 /**
  * Communication mode: command (0x7F,0x10).
  *
@@ -168,34 +274,91 @@ mip_error mip_system_interface_control_response_encode(
 struct mip_system_comm_mode {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /**
-     * Communication mode. Default: MIP_SYSTEM_PROTOCOL_MODE_STANDARD. Required for write. On the
-     * 3DM-GX5-35: default MIP_SYSTEM_PROTOCOL_MODE_STANDARD.
+     * Communication mode. A value of enum mip_system_protocol_mode. Default:
+     * MIP_SYSTEM_PROTOCOL_MODE_STANDARD. Required for write. On the 3DM-GX5-35: default
+     * MIP_SYSTEM_PROTOCOL_MODE_STANDARD.
      */
-    mip_system_protocol_mode mode;
+    uint8_t mode;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_SYSTEM_COMM_MODE 0x7F10
 #define MIP_SYSTEM_COMM_MODE_DESCRIPTOR 0x10
 #define MIP_SYSTEM_COMM_MODE_NAME "system.comm_mode"
 
-extern const struct mip_codec mip_system_comm_mode_codec;
-mip_error mip_system_comm_mode_decode(struct mip_system_comm_mode *value,
-                                      const struct mip_field *field);
-mip_error mip_system_comm_mode_encode(const struct mip_system_comm_mode *value,
-                                      struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_system_comm_mode mip_system_comm_mode_write(mip_system_protocol_mode mode);
-/** Send the current setting back in a response. */
-struct mip_system_comm_mode mip_system_comm_mode_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_system_comm_mode mip_system_comm_mode_save(void);
-/** Load the saved setting. */
-struct mip_system_comm_mode mip_system_comm_mode_load(void);
-/** Load the factory default setting. */
-struct mip_system_comm_mode mip_system_comm_mode_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_system_comm_mode_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_system_comm_mode_decode(struct mip_system_comm_mode *value,
+                                                    const struct mip_field *field) {
+    return mip_decode(&mip_system_comm_mode_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_system_comm_mode_encode(const struct mip_system_comm_mode *value,
+                                                    struct mip_builder *builder) {
+    return mip_encode(&mip_system_comm_mode_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_system_comm_mode *mip_system_comm_mode_write(
+    struct mip_system_comm_mode *command, enum mip_system_protocol_mode mode) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->mode = (uint8_t)mode;
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_system_comm_mode *
+mip_system_comm_mode_read(struct mip_system_comm_mode *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_system_comm_mode *
+mip_system_comm_mode_save(struct mip_system_comm_mode *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_system_comm_mode *
+mip_system_comm_mode_load(struct mip_system_comm_mode *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_system_comm_mode *
+mip_system_comm_mode_default(struct mip_system_comm_mode *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * Communication mode response: response (0x7F,0x90).
  *
@@ -204,18 +367,56 @@ struct mip_system_comm_mode mip_system_comm_mode_default(void);
  * - 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10)
  */
 struct mip_system_comm_mode_response {
-    /** Communication mode. Default: MIP_SYSTEM_PROTOCOL_MODE_STANDARD. */
-    mip_system_protocol_mode mode;
+    /**
+     * Communication mode. A value of enum mip_system_protocol_mode. Default:
+     * MIP_SYSTEM_PROTOCOL_MODE_STANDARD.
+     */
+    uint8_t mode;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_SYSTEM_COMM_MODE_RESPONSE 0x7F90
 #define MIP_SYSTEM_COMM_MODE_RESPONSE_DESCRIPTOR 0x90
 #define MIP_SYSTEM_COMM_MODE_RESPONSE_NAME "system.comm_mode_response"
 
-extern const struct mip_codec mip_system_comm_mode_response_codec;
-mip_error mip_system_comm_mode_response_decode(struct mip_system_comm_mode_response *value,
-                                               const struct mip_field *field);
-mip_error mip_system_comm_mode_response_encode(const struct mip_system_comm_mode_response *value,
-                                               struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_system_comm_mode_response_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_system_comm_mode_response_decode(
+    struct mip_system_comm_mode_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_system_comm_mode_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_system_comm_mode_response_encode(
+    const struct mip_system_comm_mode_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_system_comm_mode_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_system_comm_mode_response_decode_inline(
+    struct mip_system_comm_mode_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x7F, 0x90, 1);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->mode = mip_get_8(field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_system_comm_mode_response_encode_inline(
+    const struct mip_system_comm_mode_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x7F, 0x90, 1, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->mode);
+    return MIP_OK;
+}
 
 #ifdef __cplusplus
 }

@@ -29,7 +29,6 @@ typedef uint8_t mip_system_data_gpio_pin_states;
 #define MIP_SYSTEM_DATA_GPIO_PIN_STATES_PIN_3 0x04U
 /** Bit 3. GPIO pin 4. */
 #define MIP_SYSTEM_DATA_GPIO_PIN_STATES_PIN_4 0x08U
-
 /**
  * Built-in test: data (0xA0,0x01).
  *
@@ -58,15 +57,49 @@ struct mip_system_data_built_in_test {
     uint8_t result[16];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_SYSTEM_DATA_BUILT_IN_TEST 0xA001
 #define MIP_SYSTEM_DATA_BUILT_IN_TEST_DESCRIPTOR 0x01
 #define MIP_SYSTEM_DATA_BUILT_IN_TEST_NAME "system_data.built_in_test"
 
-extern const struct mip_codec mip_system_data_built_in_test_codec;
-mip_error mip_system_data_built_in_test_decode(struct mip_system_data_built_in_test *value,
-                                               const struct mip_field *field);
-mip_error mip_system_data_built_in_test_encode(const struct mip_system_data_built_in_test *value,
-                                               struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_system_data_built_in_test_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_system_data_built_in_test_decode(
+    struct mip_system_data_built_in_test *value, const struct mip_field *field) {
+    return mip_decode(&mip_system_data_built_in_test_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_system_data_built_in_test_encode(
+    const struct mip_system_data_built_in_test *value, struct mip_builder *builder) {
+    return mip_encode(&mip_system_data_built_in_test_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_system_data_built_in_test_decode_inline(
+    struct mip_system_data_built_in_test *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0xA0, 0x01, 16);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    memcpy(value->result, field->data, 16);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_system_data_built_in_test_encode_inline(
+    const struct mip_system_data_built_in_test *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0xA0, 0x01, 16, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    memcpy(data, value->result, 16);
+    return MIP_OK;
+}
 /**
  * Time sync status: data (0xA0,0x02).
  *
@@ -83,15 +116,51 @@ struct mip_system_data_time_sync_status {
     uint8_t last_pps_received;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_SYSTEM_DATA_TIME_SYNC_STATUS 0xA002
 #define MIP_SYSTEM_DATA_TIME_SYNC_STATUS_DESCRIPTOR 0x02
 #define MIP_SYSTEM_DATA_TIME_SYNC_STATUS_NAME "system_data.time_sync_status"
 
-extern const struct mip_codec mip_system_data_time_sync_status_codec;
-mip_error mip_system_data_time_sync_status_decode(struct mip_system_data_time_sync_status *value,
-                                                  const struct mip_field *field);
-mip_error mip_system_data_time_sync_status_encode(
-    const struct mip_system_data_time_sync_status *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_system_data_time_sync_status_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_system_data_time_sync_status_decode(
+    struct mip_system_data_time_sync_status *value, const struct mip_field *field) {
+    return mip_decode(&mip_system_data_time_sync_status_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_system_data_time_sync_status_encode(
+    const struct mip_system_data_time_sync_status *value, struct mip_builder *builder) {
+    return mip_encode(&mip_system_data_time_sync_status_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_system_data_time_sync_status_decode_inline(
+    struct mip_system_data_time_sync_status *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0xA0, 0x02, 2);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->time_sync = mip_get_8(field->data);
+    value->last_pps_received = mip_get_8(field->data + 1);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_system_data_time_sync_status_encode_inline(
+    const struct mip_system_data_time_sync_status *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0xA0, 0x02, 2, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->time_sync);
+    mip_put_8(data + 1, value->last_pps_received);
+    return MIP_OK;
+}
 /**
  * GPIO state: data (0xA0,0x03).
  *
@@ -115,15 +184,49 @@ struct mip_system_data_gpio_state {
     mip_system_data_gpio_pin_states states;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_SYSTEM_DATA_GPIO_STATE 0xA003
 #define MIP_SYSTEM_DATA_GPIO_STATE_DESCRIPTOR 0x03
 #define MIP_SYSTEM_DATA_GPIO_STATE_NAME "system_data.gpio_state"
 
-extern const struct mip_codec mip_system_data_gpio_state_codec;
-mip_error mip_system_data_gpio_state_decode(struct mip_system_data_gpio_state *value,
-                                            const struct mip_field *field);
-mip_error mip_system_data_gpio_state_encode(const struct mip_system_data_gpio_state *value,
-                                            struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_system_data_gpio_state_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_system_data_gpio_state_decode(struct mip_system_data_gpio_state *value,
+                                                          const struct mip_field *field) {
+    return mip_decode(&mip_system_data_gpio_state_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_system_data_gpio_state_encode(
+    const struct mip_system_data_gpio_state *value, struct mip_builder *builder) {
+    return mip_encode(&mip_system_data_gpio_state_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_system_data_gpio_state_decode_inline(
+    struct mip_system_data_gpio_state *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0xA0, 0x03, 1);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->states = mip_get_8(field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_system_data_gpio_state_encode_inline(
+    const struct mip_system_data_gpio_state *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0xA0, 0x03, 1, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->states);
+    return MIP_OK;
+}
 /**
  * GPIO analog value: data (0xA0,0x04).
  *
@@ -142,14 +245,51 @@ struct mip_system_data_gpio_analog_value {
     float value;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_SYSTEM_DATA_GPIO_ANALOG_VALUE 0xA004
 #define MIP_SYSTEM_DATA_GPIO_ANALOG_VALUE_DESCRIPTOR 0x04
 #define MIP_SYSTEM_DATA_GPIO_ANALOG_VALUE_NAME "system_data.gpio_analog_value"
 
-extern const struct mip_codec mip_system_data_gpio_analog_value_codec;
-mip_error mip_system_data_gpio_analog_value_decode(struct mip_system_data_gpio_analog_value *value,
-                                                   const struct mip_field *field);
-mip_error mip_system_data_gpio_analog_value_encode(
-    const struct mip_system_data_gpio_analog_value *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_system_data_gpio_analog_value_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_system_data_gpio_analog_value_decode(
+    struct mip_system_data_gpio_analog_value *value, const struct mip_field *field) {
+    return mip_decode(&mip_system_data_gpio_analog_value_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_system_data_gpio_analog_value_encode(
+    const struct mip_system_data_gpio_analog_value *value, struct mip_builder *builder) {
+    return mip_encode(&mip_system_data_gpio_analog_value_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_system_data_gpio_analog_value_decode_inline(
+    struct mip_system_data_gpio_analog_value *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0xA0, 0x04, 5);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->gpio_id = mip_get_8(field->data);
+    mip_get_float(&value->value, field->data + 1);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_system_data_gpio_analog_value_encode_inline(
+    const struct mip_system_data_gpio_analog_value *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0xA0, 0x04, 5, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->gpio_id);
+    mip_put_float(data + 1, &value->value);
+    return MIP_OK;
+}
 
 #ifdef __cplusplus
 }

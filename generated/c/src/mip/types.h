@@ -500,15 +500,19 @@ static inline void mip_cv7_continuous_built_in_test_set_receiver_2_no_solution(
  * - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
  * - 3dm-cv7-gnss-ins: Types of triggers
  */
-typedef uint8_t mip_event_trigger_type;
-/** The slot is free. It is never active and cannot be enabled. */
-#define MIP_EVENT_TRIGGER_TYPE_NONE 0
-/** Watches a GPIO pin. */
-#define MIP_EVENT_TRIGGER_TYPE_GPIO 1
-/** Compares one value of a data field with thresholds. */
-#define MIP_EVENT_TRIGGER_TYPE_THRESHOLD 2
-/** Combines up to four other triggers by a truth table. */
-#define MIP_EVENT_TRIGGER_TYPE_COMBINATION 3
+enum mip_event_trigger_type {
+    /** The slot is free. It is never active and cannot be enabled. */
+    MIP_EVENT_TRIGGER_TYPE_NONE = 0,
+    /** Watches a GPIO pin. */
+    MIP_EVENT_TRIGGER_TYPE_GPIO = 1,
+    /** Compares one value of a data field with thresholds. */
+    MIP_EVENT_TRIGGER_TYPE_THRESHOLD = 2,
+    /** Combines up to four other triggers by a truth table. */
+    MIP_EVENT_TRIGGER_TYPE_COMBINATION = 3
+};
+
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_event_trigger_type_name(uint8_t value);
 
 /**
  * Kind of an event action.
@@ -516,13 +520,17 @@ typedef uint8_t mip_event_trigger_type;
  * - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
  * - 3dm-cv7-gnss-ins: Types of actions
  */
-typedef uint8_t mip_event_action_type;
-/** The slot is free. */
-#define MIP_EVENT_ACTION_TYPE_NONE 0
-/** Controls a GPIO pin. */
-#define MIP_EVENT_ACTION_TYPE_GPIO 1
-/** Sends a data packet. */
-#define MIP_EVENT_ACTION_TYPE_MESSAGE 2
+enum mip_event_action_type {
+    /** The slot is free. */
+    MIP_EVENT_ACTION_TYPE_NONE = 0,
+    /** Controls a GPIO pin. */
+    MIP_EVENT_ACTION_TYPE_GPIO = 1,
+    /** Sends a data packet. */
+    MIP_EVENT_ACTION_TYPE_MESSAGE = 2
+};
+
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_event_action_type_name(uint8_t value);
 
 /**
  * Whether an event trigger works.
@@ -530,15 +538,19 @@ typedef uint8_t mip_event_action_type;
  * - 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B)
  * - 3dm-cv7-gnss-ins: Enabling & Disabling Triggers
  */
-typedef uint8_t mip_event_trigger_mode;
-/** The trigger is never active; so it is after configuration. */
-#define MIP_EVENT_TRIGGER_MODE_DISABLED 0
-/** The trigger does what it is configured for. */
-#define MIP_EVENT_TRIGGER_MODE_ENABLED 1
-/** The trigger is active all the time. */
-#define MIP_EVENT_TRIGGER_MODE_TEST 2
-/** The trigger is active for one event cycle and then goes back to its earlier mode. */
-#define MIP_EVENT_TRIGGER_MODE_TEST_PULSE 3
+enum mip_event_trigger_mode {
+    /** The trigger is never active; so it is after configuration. */
+    MIP_EVENT_TRIGGER_MODE_DISABLED = 0,
+    /** The trigger does what it is configured for. */
+    MIP_EVENT_TRIGGER_MODE_ENABLED = 1,
+    /** The trigger is active all the time. */
+    MIP_EVENT_TRIGGER_MODE_TEST = 2,
+    /** The trigger is active for one event cycle and then goes back to its earlier mode. */
+    MIP_EVENT_TRIGGER_MODE_TEST_PULSE = 3
+};
+
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_event_trigger_mode_name(uint8_t value);
 
 /**
  * State of an event trigger.
@@ -559,29 +571,37 @@ typedef uint8_t mip_event_trigger_status;
  * - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
  * - 3dm-cv7-gnss-ins: Trigger: GPIO
  */
-typedef uint8_t mip_event_trigger_gpio_mode;
-/** The trigger is never active. */
-#define MIP_EVENT_TRIGGER_GPIO_MODE_DISABLED 0
-/** Active while the pin is high. The pin needs the gpio feature. */
-#define MIP_EVENT_TRIGGER_GPIO_MODE_WHILE_HIGH 1
-/** Active while the pin is low. The pin needs the gpio feature. */
-#define MIP_EVENT_TRIGGER_GPIO_MODE_WHILE_LOW 2
-/**
- * Active for one event cycle after an edge. The pin needs the timestamp feature, whose behavior
- * selects the edge.
- */
-#define MIP_EVENT_TRIGGER_GPIO_MODE_EDGE 4
+enum mip_event_trigger_gpio_mode {
+    /** The trigger is never active. */
+    MIP_EVENT_TRIGGER_GPIO_MODE_DISABLED = 0,
+    /** Active while the pin is high. The pin needs the gpio feature. */
+    MIP_EVENT_TRIGGER_GPIO_MODE_WHILE_HIGH = 1,
+    /** Active while the pin is low. The pin needs the gpio feature. */
+    MIP_EVENT_TRIGGER_GPIO_MODE_WHILE_LOW = 2,
+    /**
+     * Active for one event cycle after an edge. The pin needs the timestamp feature, whose behavior
+     * selects the edge.
+     */
+    MIP_EVENT_TRIGGER_GPIO_MODE_EDGE = 4
+};
+
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_event_trigger_gpio_mode_name(uint8_t value);
 
 /**
  * How a threshold trigger compares.
  *
  * - 3dm-cv7-gnss-ins: ThresholdParams
  */
-typedef uint8_t mip_event_threshold_type;
-/** The value lies between two thresholds. */
-#define MIP_EVENT_THRESHOLD_TYPE_WINDOW 1
-/** The remainder of the value by an interval is at most a threshold. */
-#define MIP_EVENT_THRESHOLD_TYPE_INTERVAL 2
+enum mip_event_threshold_type {
+    /** The value lies between two thresholds. */
+    MIP_EVENT_THRESHOLD_TYPE_WINDOW = 1,
+    /** The remainder of the value by an interval is at most a threshold. */
+    MIP_EVENT_THRESHOLD_TYPE_INTERVAL = 2
+};
+
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_event_threshold_type_name(uint8_t value);
 
 /**
  * How an action controls a GPIO pin.
@@ -589,19 +609,23 @@ typedef uint8_t mip_event_threshold_type;
  * - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
  * - 3dm-cv7-gnss-ins: Action: GPIO
  */
-typedef uint8_t mip_event_action_gpio_mode;
-/** The pin is left alone. */
-#define MIP_EVENT_ACTION_GPIO_MODE_DISABLED 0
-/** High while the trigger is active and low otherwise. */
-#define MIP_EVENT_ACTION_GPIO_MODE_ACTIVE_HIGH 1
-/** Low while the trigger is active and high otherwise. */
-#define MIP_EVENT_ACTION_GPIO_MODE_ACTIVE_LOW 2
-/** Set high at each activation and never set low. */
-#define MIP_EVENT_ACTION_GPIO_MODE_ONESHOT_HIGH 5
-/** Set low at each activation and never set high. */
-#define MIP_EVENT_ACTION_GPIO_MODE_ONESHOT_LOW 6
-/** Inverted at each activation. */
-#define MIP_EVENT_ACTION_GPIO_MODE_TOGGLE 7
+enum mip_event_action_gpio_mode {
+    /** The pin is left alone. */
+    MIP_EVENT_ACTION_GPIO_MODE_DISABLED = 0,
+    /** High while the trigger is active and low otherwise. */
+    MIP_EVENT_ACTION_GPIO_MODE_ACTIVE_HIGH = 1,
+    /** Low while the trigger is active and high otherwise. */
+    MIP_EVENT_ACTION_GPIO_MODE_ACTIVE_LOW = 2,
+    /** Set high at each activation and never set low. */
+    MIP_EVENT_ACTION_GPIO_MODE_ONESHOT_HIGH = 5,
+    /** Set low at each activation and never set high. */
+    MIP_EVENT_ACTION_GPIO_MODE_ONESHOT_LOW = 6,
+    /** Inverted at each activation. */
+    MIP_EVENT_ACTION_GPIO_MODE_TOGGLE = 7
+};
+
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_event_action_gpio_mode_name(uint8_t value);
 
 /**
  * A trigger on a GPIO pin.
@@ -611,12 +635,9 @@ typedef uint8_t mip_event_action_gpio_mode;
 struct mip_event_trigger_gpio {
     /** GPIO pin, counted from 1. Range: at least 1. */
     uint8_t pin;
-    /** How the pin activates the trigger. */
-    mip_event_trigger_gpio_mode mode;
+    /** How the pin activates the trigger. A value of enum mip_event_trigger_gpio_mode. */
+    uint8_t mode;
 };
-
-void mip_event_trigger_gpio_read(struct mip_reader *r, struct mip_event_trigger_gpio *v);
-void mip_event_trigger_gpio_write(struct mip_writer *w, const struct mip_event_trigger_gpio *v);
 
 /** Two thresholds with a window between them. */
 struct mip_event_threshold_window {
@@ -628,10 +649,6 @@ struct mip_event_threshold_window {
      */
     double high_threshold;
 };
-
-void mip_event_threshold_window_read(struct mip_reader *r, struct mip_event_threshold_window *v);
-void mip_event_threshold_window_write(struct mip_writer *w,
-                                      const struct mip_event_threshold_window *v);
 
 /** A threshold inside a repeating interval. */
 struct mip_event_threshold_interval {
@@ -646,11 +663,6 @@ struct mip_event_threshold_interval {
      */
     double interval;
 };
-
-void mip_event_threshold_interval_read(struct mip_reader *r,
-                                       struct mip_event_threshold_interval *v);
-void mip_event_threshold_interval_write(struct mip_writer *w,
-                                        const struct mip_event_threshold_interval *v);
 
 /** The member of mip_event_trigger_threshold that `type` selects. */
 union mip_event_trigger_threshold_thresholds {
@@ -678,15 +690,11 @@ struct mip_event_trigger_threshold {
      * least 1.
      */
     uint8_t parameter_id;
-    /** Kind of comparison. */
-    mip_event_threshold_type type;
+    /** Kind of comparison. A value of enum mip_event_threshold_type. */
+    uint8_t type;
     /** What the value is compared with. Selected by type. */
     union mip_event_trigger_threshold_thresholds thresholds;
 };
-
-void mip_event_trigger_threshold_read(struct mip_reader *r, struct mip_event_trigger_threshold *v);
-void mip_event_trigger_threshold_write(struct mip_writer *w,
-                                       const struct mip_event_trigger_threshold *v);
 
 /**
  * A trigger that combines up to four others.
@@ -708,11 +716,6 @@ struct mip_event_trigger_combination {
     uint8_t input_triggers[4];
 };
 
-void mip_event_trigger_combination_read(struct mip_reader *r,
-                                        struct mip_event_trigger_combination *v);
-void mip_event_trigger_combination_write(struct mip_writer *w,
-                                         const struct mip_event_trigger_combination *v);
-
 /**
  * An action on a GPIO pin, which needs the gpio feature and an output behavior.
  *
@@ -721,12 +724,9 @@ void mip_event_trigger_combination_write(struct mip_writer *w,
 struct mip_event_action_gpio {
     /** GPIO pin, counted from 1. Range: at least 1. */
     uint8_t pin;
-    /** What happens to the pin. */
-    mip_event_action_gpio_mode mode;
+    /** What happens to the pin. A value of enum mip_event_action_gpio_mode. */
+    uint8_t mode;
 };
-
-void mip_event_action_gpio_read(struct mip_reader *r, struct mip_event_action_gpio *v);
-void mip_event_action_gpio_write(struct mip_writer *w, const struct mip_event_action_gpio *v);
 
 /**
  * An action that sends data packets.
@@ -748,190 +748,199 @@ struct mip_event_action_message {
     uint8_t descriptors[249];
 };
 
-void mip_event_action_message_read(struct mip_reader *r, struct mip_event_action_message *v);
-void mip_event_action_message_write(struct mip_writer *w, const struct mip_event_action_message *v);
-
 /**
  * Satellite constellation. QZSS has no value.
  *
  * - 3dm-cv7-gnss-ins: Satellite Status (0x91,0x20)
  * - 3dm-cv7-gnss-ins: Raw (0x91,0x22)
  */
-typedef uint8_t mip_gnss_constellation;
-/** Not known. */
-#define MIP_GNSS_CONSTELLATION_UNKNOWN 0
-/** GPS. */
-#define MIP_GNSS_CONSTELLATION_GPS 1
-/** GLONASS. */
-#define MIP_GNSS_CONSTELLATION_GLONASS 2
-/** Galileo. */
-#define MIP_GNSS_CONSTELLATION_GALILEO 3
-/** BeiDou. */
-#define MIP_GNSS_CONSTELLATION_BEIDOU 4
-/** Satellite based augmentation. */
-#define MIP_GNSS_CONSTELLATION_SBAS 5
+enum mip_gnss_constellation {
+    /** Not known. */
+    MIP_GNSS_CONSTELLATION_UNKNOWN = 0,
+    /** GPS. */
+    MIP_GNSS_CONSTELLATION_GPS = 1,
+    /** GLONASS. */
+    MIP_GNSS_CONSTELLATION_GLONASS = 2,
+    /** Galileo. */
+    MIP_GNSS_CONSTELLATION_GALILEO = 3,
+    /** BeiDou. */
+    MIP_GNSS_CONSTELLATION_BEIDOU = 4,
+    /** Satellite based augmentation. */
+    MIP_GNSS_CONSTELLATION_SBAS = 5
+};
+
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_gnss_constellation_name(uint8_t value);
 
 /**
  * Type of a GNSS position fix.
  *
  * - 3dm-cv7-gnss-ins: Fix Info (0x91,0x0B)
  */
-typedef uint8_t mip_gnss_fix_type;
-/** Fix in three dimensions. */
-#define MIP_GNSS_FIX_TYPE_FIX_3D 0
-/** Fix in two dimensions. */
-#define MIP_GNSS_FIX_TYPE_FIX_2D 1
-/** Time only. */
-#define MIP_GNSS_FIX_TYPE_FIX_TIME_ONLY 2
-/** No fix. */
-#define MIP_GNSS_FIX_TYPE_FIX_NONE 3
-/** Fix that is not valid. */
-#define MIP_GNSS_FIX_TYPE_FIX_INVALID 4
-/** RTK fix with float ambiguities. */
-#define MIP_GNSS_FIX_TYPE_FIX_RTK_FLOAT 5
-/** RTK fix with integer ambiguities. */
-#define MIP_GNSS_FIX_TYPE_FIX_RTK_FIXED 6
-/** Differential fix. */
-#define MIP_GNSS_FIX_TYPE_FIX_DIFFERENTIAL 7
+enum mip_gnss_fix_type {
+    /** Fix in three dimensions. */
+    MIP_GNSS_FIX_TYPE_FIX_3D = 0,
+    /** Fix in two dimensions. */
+    MIP_GNSS_FIX_TYPE_FIX_2D = 1,
+    /** Time only. */
+    MIP_GNSS_FIX_TYPE_FIX_TIME_ONLY = 2,
+    /** No fix. */
+    MIP_GNSS_FIX_TYPE_FIX_NONE = 3,
+    /** Fix that is not valid. */
+    MIP_GNSS_FIX_TYPE_FIX_INVALID = 4,
+    /** RTK fix with float ambiguities. */
+    MIP_GNSS_FIX_TYPE_FIX_RTK_FLOAT = 5,
+    /** RTK fix with integer ambiguities. */
+    MIP_GNSS_FIX_TYPE_FIX_RTK_FIXED = 6,
+    /** Differential fix. */
+    MIP_GNSS_FIX_TYPE_FIX_DIFFERENTIAL = 7
+};
+
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_gnss_fix_type_name(uint8_t value);
 
 /**
  * Signal of a satellite.
  *
  * - 3dm-cv7-gnss-ins: Raw (0x91,0x22)
  */
-typedef uint8_t mip_gnss_signal;
-/** Not known. */
-#define MIP_GNSS_SIGNAL_UNKNOWN 0
-/** GPS L1 C/A. */
-#define MIP_GNSS_SIGNAL_GPS_L1CA 1
-/** GPS L1 P(Y). */
-#define MIP_GNSS_SIGNAL_GPS_L1P 2
-/** GPS L1 P(Y) by Z-tracking. */
-#define MIP_GNSS_SIGNAL_GPS_L1Z 3
-/** GPS L2 C/A. */
-#define MIP_GNSS_SIGNAL_GPS_L2CA 4
-/** GPS L2 P(Y). */
-#define MIP_GNSS_SIGNAL_GPS_L2P 5
-/** GPS L2 P(Y) by Z-tracking. */
-#define MIP_GNSS_SIGNAL_GPS_L2Z 6
-/** GPS L2C(L). */
-#define MIP_GNSS_SIGNAL_GPS_L2CL 7
-/** GPS L2C(M). */
-#define MIP_GNSS_SIGNAL_GPS_L2CM 8
-/** GPS L2C(M+L). */
-#define MIP_GNSS_SIGNAL_GPS_L2CML 9
-/** GPS L5 I. */
-#define MIP_GNSS_SIGNAL_GPS_L5I 10
-/** GPS L5 Q. */
-#define MIP_GNSS_SIGNAL_GPS_L5Q 11
-/** GPS L5 I+Q. */
-#define MIP_GNSS_SIGNAL_GPS_L5IQ 12
-/** GPS L1C(D). */
-#define MIP_GNSS_SIGNAL_GPS_L1CD 13
-/** GPS L1C(P). */
-#define MIP_GNSS_SIGNAL_GPS_L1CP 14
-/** GPS L1C(D+P). */
-#define MIP_GNSS_SIGNAL_GPS_L1CDP 15
-/** GLONASS G1 C/A. */
-#define MIP_GNSS_SIGNAL_GLONASS_G1CA 32
-/** GLONASS G1 P. */
-#define MIP_GNSS_SIGNAL_GLONASS_G1P 33
-/** GLONASS G2 C/A. */
-#define MIP_GNSS_SIGNAL_GLONASS_G2C 34
-/** GLONASS G2 P. */
-#define MIP_GNSS_SIGNAL_GLONASS_G2P 35
-/** Galileo E1 C. */
-#define MIP_GNSS_SIGNAL_GALILEO_E1C 64
-/** Galileo E1 A. */
-#define MIP_GNSS_SIGNAL_GALILEO_E1A 65
-/** Galileo E1 B. */
-#define MIP_GNSS_SIGNAL_GALILEO_E1B 66
-/** Galileo E1 B+C. */
-#define MIP_GNSS_SIGNAL_GALILEO_E1BC 67
-/** Galileo E1 A+B+C. */
-#define MIP_GNSS_SIGNAL_GALILEO_E1ABC 68
-/** Galileo E6 C. */
-#define MIP_GNSS_SIGNAL_GALILEO_E6C 69
-/** Galileo E6 A. */
-#define MIP_GNSS_SIGNAL_GALILEO_E6A 70
-/** Galileo E6 B. */
-#define MIP_GNSS_SIGNAL_GALILEO_E6B 71
-/** Galileo E6 B+C. */
-#define MIP_GNSS_SIGNAL_GALILEO_E6BC 72
-/** Galileo E6 A+B+C. */
-#define MIP_GNSS_SIGNAL_GALILEO_E6ABC 73
-/** Galileo E5b I. */
-#define MIP_GNSS_SIGNAL_GALILEO_E5BI 74
-/** Galileo E5b Q. */
-#define MIP_GNSS_SIGNAL_GALILEO_E5BQ 75
-/** Galileo E5b I+Q. */
-#define MIP_GNSS_SIGNAL_GALILEO_E5BIQ 76
-/** Galileo E5 (a+b) I. */
-#define MIP_GNSS_SIGNAL_GALILEO_E5ABI 77
-/** Galileo E5 (a+b) Q. */
-#define MIP_GNSS_SIGNAL_GALILEO_E5ABQ 78
-/** Galileo E5 (a+b) I+Q. */
-#define MIP_GNSS_SIGNAL_GALILEO_E5ABIQ 79
-/** Galileo E5a I. */
-#define MIP_GNSS_SIGNAL_GALILEO_E5AI 80
-/** Galileo E5a Q. */
-#define MIP_GNSS_SIGNAL_GALILEO_E5AQ 81
-/** Galileo E5a I+Q. */
-#define MIP_GNSS_SIGNAL_GALILEO_E5AIQ 82
-/** SBAS L1 C/A. */
-#define MIP_GNSS_SIGNAL_SBAS_L1CA 96
-/** SBAS L5 I. */
-#define MIP_GNSS_SIGNAL_SBAS_L5I 97
-/** SBAS L5 Q. */
-#define MIP_GNSS_SIGNAL_SBAS_L5Q 98
-/** SBAS L5 I+Q. */
-#define MIP_GNSS_SIGNAL_SBAS_L5IQ 99
-/** QZSS L1 C/A. */
-#define MIP_GNSS_SIGNAL_QZSS_L1CA 128
-/** QZSS LEX S. */
-#define MIP_GNSS_SIGNAL_QZSS_LEXS 129
-/** QZSS LEX L. */
-#define MIP_GNSS_SIGNAL_QZSS_LEXL 130
-/** QZSS LEX S+L. */
-#define MIP_GNSS_SIGNAL_QZSS_LEXSL 131
-/** QZSS L2C(M). */
-#define MIP_GNSS_SIGNAL_QZSS_L2CM 132
-/** QZSS L2C(L). */
-#define MIP_GNSS_SIGNAL_QZSS_L2CL 133
-/** QZSS L2C(M+L). */
-#define MIP_GNSS_SIGNAL_QZSS_L2CML 134
-/** QZSS L5 I. */
-#define MIP_GNSS_SIGNAL_QZSS_L5I 135
-/** QZSS L5 Q. */
-#define MIP_GNSS_SIGNAL_QZSS_L5Q 136
-/** QZSS L5 I+Q. */
-#define MIP_GNSS_SIGNAL_QZSS_L5IQ 137
-/** QZSS L1C(D). */
-#define MIP_GNSS_SIGNAL_QZSS_L1CD 138
-/** QZSS L1C(P). */
-#define MIP_GNSS_SIGNAL_QZSS_L1CP 139
-/** QZSS L1C(D+P). */
-#define MIP_GNSS_SIGNAL_QZSS_L1CDP 140
-/** BeiDou B1 I. */
-#define MIP_GNSS_SIGNAL_BEIDOU_B1I 160
-/** BeiDou B1 Q. */
-#define MIP_GNSS_SIGNAL_BEIDOU_B1Q 161
-/** BeiDou B1 I+Q. */
-#define MIP_GNSS_SIGNAL_BEIDOU_B1IQ 162
-/** BeiDou B3 I. */
-#define MIP_GNSS_SIGNAL_BEIDOU_B3I 163
-/** BeiDou B3 Q. */
-#define MIP_GNSS_SIGNAL_BEIDOU_B3Q 164
-/** BeiDou B3 I+Q. */
-#define MIP_GNSS_SIGNAL_BEIDOU_B3IQ 165
-/** BeiDou B2 I. */
-#define MIP_GNSS_SIGNAL_BEIDOU_B2I 166
-/** BeiDou B2 Q. */
-#define MIP_GNSS_SIGNAL_BEIDOU_B2Q 167
-/** BeiDou B2 I+Q. */
-#define MIP_GNSS_SIGNAL_BEIDOU_B2IQ 168
-/** BeiDou B2a. */
-#define MIP_GNSS_SIGNAL_BEIDOU_B2A 169
+enum mip_gnss_signal {
+    /** Not known. */
+    MIP_GNSS_SIGNAL_UNKNOWN = 0,
+    /** GPS L1 C/A. */
+    MIP_GNSS_SIGNAL_GPS_L1CA = 1,
+    /** GPS L1 P(Y). */
+    MIP_GNSS_SIGNAL_GPS_L1P = 2,
+    /** GPS L1 P(Y) by Z-tracking. */
+    MIP_GNSS_SIGNAL_GPS_L1Z = 3,
+    /** GPS L2 C/A. */
+    MIP_GNSS_SIGNAL_GPS_L2CA = 4,
+    /** GPS L2 P(Y). */
+    MIP_GNSS_SIGNAL_GPS_L2P = 5,
+    /** GPS L2 P(Y) by Z-tracking. */
+    MIP_GNSS_SIGNAL_GPS_L2Z = 6,
+    /** GPS L2C(L). */
+    MIP_GNSS_SIGNAL_GPS_L2CL = 7,
+    /** GPS L2C(M). */
+    MIP_GNSS_SIGNAL_GPS_L2CM = 8,
+    /** GPS L2C(M+L). */
+    MIP_GNSS_SIGNAL_GPS_L2CML = 9,
+    /** GPS L5 I. */
+    MIP_GNSS_SIGNAL_GPS_L5I = 10,
+    /** GPS L5 Q. */
+    MIP_GNSS_SIGNAL_GPS_L5Q = 11,
+    /** GPS L5 I+Q. */
+    MIP_GNSS_SIGNAL_GPS_L5IQ = 12,
+    /** GPS L1C(D). */
+    MIP_GNSS_SIGNAL_GPS_L1CD = 13,
+    /** GPS L1C(P). */
+    MIP_GNSS_SIGNAL_GPS_L1CP = 14,
+    /** GPS L1C(D+P). */
+    MIP_GNSS_SIGNAL_GPS_L1CDP = 15,
+    /** GLONASS G1 C/A. */
+    MIP_GNSS_SIGNAL_GLONASS_G1CA = 32,
+    /** GLONASS G1 P. */
+    MIP_GNSS_SIGNAL_GLONASS_G1P = 33,
+    /** GLONASS G2 C/A. */
+    MIP_GNSS_SIGNAL_GLONASS_G2C = 34,
+    /** GLONASS G2 P. */
+    MIP_GNSS_SIGNAL_GLONASS_G2P = 35,
+    /** Galileo E1 C. */
+    MIP_GNSS_SIGNAL_GALILEO_E1C = 64,
+    /** Galileo E1 A. */
+    MIP_GNSS_SIGNAL_GALILEO_E1A = 65,
+    /** Galileo E1 B. */
+    MIP_GNSS_SIGNAL_GALILEO_E1B = 66,
+    /** Galileo E1 B+C. */
+    MIP_GNSS_SIGNAL_GALILEO_E1BC = 67,
+    /** Galileo E1 A+B+C. */
+    MIP_GNSS_SIGNAL_GALILEO_E1ABC = 68,
+    /** Galileo E6 C. */
+    MIP_GNSS_SIGNAL_GALILEO_E6C = 69,
+    /** Galileo E6 A. */
+    MIP_GNSS_SIGNAL_GALILEO_E6A = 70,
+    /** Galileo E6 B. */
+    MIP_GNSS_SIGNAL_GALILEO_E6B = 71,
+    /** Galileo E6 B+C. */
+    MIP_GNSS_SIGNAL_GALILEO_E6BC = 72,
+    /** Galileo E6 A+B+C. */
+    MIP_GNSS_SIGNAL_GALILEO_E6ABC = 73,
+    /** Galileo E5b I. */
+    MIP_GNSS_SIGNAL_GALILEO_E5BI = 74,
+    /** Galileo E5b Q. */
+    MIP_GNSS_SIGNAL_GALILEO_E5BQ = 75,
+    /** Galileo E5b I+Q. */
+    MIP_GNSS_SIGNAL_GALILEO_E5BIQ = 76,
+    /** Galileo E5 (a+b) I. */
+    MIP_GNSS_SIGNAL_GALILEO_E5ABI = 77,
+    /** Galileo E5 (a+b) Q. */
+    MIP_GNSS_SIGNAL_GALILEO_E5ABQ = 78,
+    /** Galileo E5 (a+b) I+Q. */
+    MIP_GNSS_SIGNAL_GALILEO_E5ABIQ = 79,
+    /** Galileo E5a I. */
+    MIP_GNSS_SIGNAL_GALILEO_E5AI = 80,
+    /** Galileo E5a Q. */
+    MIP_GNSS_SIGNAL_GALILEO_E5AQ = 81,
+    /** Galileo E5a I+Q. */
+    MIP_GNSS_SIGNAL_GALILEO_E5AIQ = 82,
+    /** SBAS L1 C/A. */
+    MIP_GNSS_SIGNAL_SBAS_L1CA = 96,
+    /** SBAS L5 I. */
+    MIP_GNSS_SIGNAL_SBAS_L5I = 97,
+    /** SBAS L5 Q. */
+    MIP_GNSS_SIGNAL_SBAS_L5Q = 98,
+    /** SBAS L5 I+Q. */
+    MIP_GNSS_SIGNAL_SBAS_L5IQ = 99,
+    /** QZSS L1 C/A. */
+    MIP_GNSS_SIGNAL_QZSS_L1CA = 128,
+    /** QZSS LEX S. */
+    MIP_GNSS_SIGNAL_QZSS_LEXS = 129,
+    /** QZSS LEX L. */
+    MIP_GNSS_SIGNAL_QZSS_LEXL = 130,
+    /** QZSS LEX S+L. */
+    MIP_GNSS_SIGNAL_QZSS_LEXSL = 131,
+    /** QZSS L2C(M). */
+    MIP_GNSS_SIGNAL_QZSS_L2CM = 132,
+    /** QZSS L2C(L). */
+    MIP_GNSS_SIGNAL_QZSS_L2CL = 133,
+    /** QZSS L2C(M+L). */
+    MIP_GNSS_SIGNAL_QZSS_L2CML = 134,
+    /** QZSS L5 I. */
+    MIP_GNSS_SIGNAL_QZSS_L5I = 135,
+    /** QZSS L5 Q. */
+    MIP_GNSS_SIGNAL_QZSS_L5Q = 136,
+    /** QZSS L5 I+Q. */
+    MIP_GNSS_SIGNAL_QZSS_L5IQ = 137,
+    /** QZSS L1C(D). */
+    MIP_GNSS_SIGNAL_QZSS_L1CD = 138,
+    /** QZSS L1C(P). */
+    MIP_GNSS_SIGNAL_QZSS_L1CP = 139,
+    /** QZSS L1C(D+P). */
+    MIP_GNSS_SIGNAL_QZSS_L1CDP = 140,
+    /** BeiDou B1 I. */
+    MIP_GNSS_SIGNAL_BEIDOU_B1I = 160,
+    /** BeiDou B1 Q. */
+    MIP_GNSS_SIGNAL_BEIDOU_B1Q = 161,
+    /** BeiDou B1 I+Q. */
+    MIP_GNSS_SIGNAL_BEIDOU_B1IQ = 162,
+    /** BeiDou B3 I. */
+    MIP_GNSS_SIGNAL_BEIDOU_B3I = 163,
+    /** BeiDou B3 Q. */
+    MIP_GNSS_SIGNAL_BEIDOU_B3Q = 164,
+    /** BeiDou B3 I+Q. */
+    MIP_GNSS_SIGNAL_BEIDOU_B3IQ = 165,
+    /** BeiDou B2 I. */
+    MIP_GNSS_SIGNAL_BEIDOU_B2I = 166,
+    /** BeiDou B2 Q. */
+    MIP_GNSS_SIGNAL_BEIDOU_B2Q = 167,
+    /** BeiDou B2 I+Q. */
+    MIP_GNSS_SIGNAL_BEIDOU_B2IQ = 168,
+    /** BeiDou B2a. */
+    MIP_GNSS_SIGNAL_BEIDOU_B2A = 169
+};
+
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_gnss_signal_name(uint8_t value);
 
 /**
  * What a GPIO pin is used for.
@@ -939,67 +948,95 @@ typedef uint8_t mip_gnss_signal;
  * - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
  * - 3dm-cv7-gnss-ins: GPIO Features
  */
-typedef uint8_t mip_gpio_feature;
-/** Not connected. Reading the pin may work but is not guaranteed. */
-#define MIP_GPIO_FEATURE_UNUSED 0
-/** General input or output. */
-#define MIP_GPIO_FEATURE_GPIO 1
-/** Input or output of the pulse per second. */
-#define MIP_GPIO_FEATURE_PPS 2
-/** Input of a motor encoder or odometer. */
-#define MIP_GPIO_FEATURE_ENCODER 3
-/** Input whose edges get exact timestamps for event triggers. */
-#define MIP_GPIO_FEATURE_TIMESTAMP 4
-/** Data or control line of a UART. */
-#define MIP_GPIO_FEATURE_UART 5
+enum mip_gpio_feature {
+    /** Not connected. Reading the pin may work but is not guaranteed. */
+    MIP_GPIO_FEATURE_UNUSED = 0,
+    /** General input or output. */
+    MIP_GPIO_FEATURE_GPIO = 1,
+    /** Input or output of the pulse per second. */
+    MIP_GPIO_FEATURE_PPS = 2,
+    /** Input of a motor encoder or odometer. */
+    MIP_GPIO_FEATURE_ENCODER = 3,
+    /** Input whose edges get exact timestamps for event triggers. */
+    MIP_GPIO_FEATURE_TIMESTAMP = 4,
+    /** Data or control line of a UART. */
+    MIP_GPIO_FEATURE_UART = 5
+};
+
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_gpio_feature_name(uint8_t value);
 
 /** Behavior of a pin whose feature is unused. */
-typedef uint8_t mip_gpio_unused_behavior;
-/** No other value is defined. */
-#define MIP_GPIO_UNUSED_BEHAVIOR_UNUSED 0
+enum mip_gpio_unused_behavior {
+    /** No other value is defined. */
+    MIP_GPIO_UNUSED_BEHAVIOR_UNUSED = 0
+};
+
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_gpio_unused_behavior_name(uint8_t value);
 
 /** Behavior of a pin whose feature is gpio. */
-typedef uint8_t mip_gpio_behavior;
-/** Input; the default. */
-#define MIP_GPIO_BEHAVIOR_INPUT 1
-/** Output, low at first; low again at power-up if the configuration is saved. */
-#define MIP_GPIO_BEHAVIOR_OUTPUT_LOW 2
-/** Output, high at first; high again at power-up if the configuration is saved. */
-#define MIP_GPIO_BEHAVIOR_OUTPUT_HIGH 3
+enum mip_gpio_behavior {
+    /** Input; the default. */
+    MIP_GPIO_BEHAVIOR_INPUT = 1,
+    /** Output, low at first; low again at power-up if the configuration is saved. */
+    MIP_GPIO_BEHAVIOR_OUTPUT_LOW = 2,
+    /** Output, high at first; high again at power-up if the configuration is saved. */
+    MIP_GPIO_BEHAVIOR_OUTPUT_HIGH = 3
+};
+
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_gpio_behavior_name(uint8_t value);
 
 /** Behavior of a pin whose feature is pps. */
-typedef uint8_t mip_gpio_pps_behavior;
-/** The pin receives the pulse; the PPS source must be gpio. One pin at most. */
-#define MIP_GPIO_PPS_BEHAVIOR_INPUT 1
-/** The pin sends the pulse of the device. */
-#define MIP_GPIO_PPS_BEHAVIOR_OUTPUT 2
+enum mip_gpio_pps_behavior {
+    /** The pin receives the pulse; the PPS source must be gpio. One pin at most. */
+    MIP_GPIO_PPS_BEHAVIOR_INPUT = 1,
+    /** The pin sends the pulse of the device. */
+    MIP_GPIO_PPS_BEHAVIOR_OUTPUT = 2
+};
+
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_gpio_pps_behavior_name(uint8_t value);
 
 /** Behavior of a pin whose feature is encoder. */
-typedef uint8_t mip_gpio_encoder_behavior;
-/** Quadrature input A. One pin at most; the latest one configured has it. */
-#define MIP_GPIO_ENCODER_BEHAVIOR_A 1
-/** Quadrature input B. One pin at most; the latest one configured has it. */
-#define MIP_GPIO_ENCODER_BEHAVIOR_B 2
+enum mip_gpio_encoder_behavior {
+    /** Quadrature input A. One pin at most; the latest one configured has it. */
+    MIP_GPIO_ENCODER_BEHAVIOR_A = 1,
+    /** Quadrature input B. One pin at most; the latest one configured has it. */
+    MIP_GPIO_ENCODER_BEHAVIOR_B = 2
+};
+
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_gpio_encoder_behavior_name(uint8_t value);
 
 /** Behavior of a pin whose feature is timestamp. */
-typedef uint8_t mip_gpio_timestamp_behavior;
-/** Rising edges get timestamps. */
-#define MIP_GPIO_TIMESTAMP_BEHAVIOR_RISING 1
-/** Falling edges get timestamps. */
-#define MIP_GPIO_TIMESTAMP_BEHAVIOR_FALLING 2
-/** Both edges get timestamps. */
-#define MIP_GPIO_TIMESTAMP_BEHAVIOR_EITHER 3
+enum mip_gpio_timestamp_behavior {
+    /** Rising edges get timestamps. */
+    MIP_GPIO_TIMESTAMP_BEHAVIOR_RISING = 1,
+    /** Falling edges get timestamps. */
+    MIP_GPIO_TIMESTAMP_BEHAVIOR_FALLING = 2,
+    /** Both edges get timestamps. */
+    MIP_GPIO_TIMESTAMP_BEHAVIOR_EITHER = 3
+};
+
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_gpio_timestamp_behavior_name(uint8_t value);
 
 /** Behavior of a pin whose feature is uart. */
-typedef uint8_t mip_gpio_uart_behavior;
-/** UART 2 sends. */
-#define MIP_GPIO_UART_BEHAVIOR_PORT_2_TX 33
-/** UART 2 receives. */
-#define MIP_GPIO_UART_BEHAVIOR_PORT_2_RX 34
-/** UART 3 sends. */
-#define MIP_GPIO_UART_BEHAVIOR_PORT_3_TX 49
-/** UART 3 receives. */
-#define MIP_GPIO_UART_BEHAVIOR_PORT_3_RX 50
+enum mip_gpio_uart_behavior {
+    /** UART 2 sends. */
+    MIP_GPIO_UART_BEHAVIOR_PORT_2_TX = 33,
+    /** UART 2 receives. */
+    MIP_GPIO_UART_BEHAVIOR_PORT_2_RX = 34,
+    /** UART 3 sends. */
+    MIP_GPIO_UART_BEHAVIOR_PORT_3_TX = 49,
+    /** UART 3 receives. */
+    MIP_GPIO_UART_BEHAVIOR_PORT_3_RX = 50
+};
+
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_gpio_uart_behavior_name(uint8_t value);
 
 /**
  * Electrical options of a GPIO pin; which are allowed depends on device, pin, feature and behavior.
@@ -1023,44 +1060,52 @@ typedef uint8_t mip_gpio_pin_mode;
  *
  * - 3dm-cv7-gnss-ins: Supported Sentences and Talker IDs
  */
-typedef uint8_t mip_nmea_message_id;
-/** GNSS fix. From a GNSS or the filter data set. */
-#define MIP_NMEA_MESSAGE_ID_GGA 1
-/** Latitude and longitude. From a GNSS or the filter data set. */
-#define MIP_NMEA_MESSAGE_ID_GLL 2
-/** Satellites in view. From a GNSS data set; the talker follows the constellation. */
-#define MIP_NMEA_MESSAGE_ID_GSV 3
-/** Recommended minimum GNSS data. From a GNSS or the filter data set. */
-#define MIP_NMEA_MESSAGE_ID_RMC 4
-/** Course and speed over ground. From a GNSS or the filter data set. */
-#define MIP_NMEA_MESSAGE_ID_VTG 5
-/** True heading. From a GNSS or the filter data set. */
-#define MIP_NMEA_MESSAGE_ID_HDT 6
-/** Time and date. From a GNSS data set. */
-#define MIP_NMEA_MESSAGE_ID_ZDA 7
-/** GNSS error statistics. From a GNSS or the filter data set. */
-#define MIP_NMEA_MESSAGE_ID_GST 8
-/** Proprietary PMSRA: Euler angles. From the filter data set. */
-#define MIP_NMEA_MESSAGE_ID_MSRA 129
-/** Proprietary PMSRR: acceleration and angular rate. From the sensor data set. */
-#define MIP_NMEA_MESSAGE_ID_MSRR 130
+enum mip_nmea_message_id {
+    /** GNSS fix. From a GNSS or the filter data set. */
+    MIP_NMEA_MESSAGE_ID_GGA = 1,
+    /** Latitude and longitude. From a GNSS or the filter data set. */
+    MIP_NMEA_MESSAGE_ID_GLL = 2,
+    /** Satellites in view. From a GNSS data set; the talker follows the constellation. */
+    MIP_NMEA_MESSAGE_ID_GSV = 3,
+    /** Recommended minimum GNSS data. From a GNSS or the filter data set. */
+    MIP_NMEA_MESSAGE_ID_RMC = 4,
+    /** Course and speed over ground. From a GNSS or the filter data set. */
+    MIP_NMEA_MESSAGE_ID_VTG = 5,
+    /** True heading. From a GNSS or the filter data set. */
+    MIP_NMEA_MESSAGE_ID_HDT = 6,
+    /** Time and date. From a GNSS data set. */
+    MIP_NMEA_MESSAGE_ID_ZDA = 7,
+    /** GNSS error statistics. From a GNSS or the filter data set. */
+    MIP_NMEA_MESSAGE_ID_GST = 8,
+    /** Proprietary PMSRA: Euler angles. From the filter data set. */
+    MIP_NMEA_MESSAGE_ID_MSRA = 129,
+    /** Proprietary PMSRR: acceleration and angular rate. From the sensor data set. */
+    MIP_NMEA_MESSAGE_ID_MSRR = 130
+};
+
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_nmea_message_id_name(uint8_t value);
 
 /**
  * The first letters of an NMEA-0183 sentence, which name its talker.
  *
  * - 3dm-cv7-gnss-ins: Supported Sentences and Talker IDs
  */
-typedef uint8_t mip_nmea_talker_id;
-/** For sentences whose talker is not free (GSV and the proprietary ones). */
-#define MIP_NMEA_TALKER_ID_IGNORED 0
-/** GN. */
-#define MIP_NMEA_TALKER_ID_GNSS 1
-/** GP. */
-#define MIP_NMEA_TALKER_ID_GPS 2
-/** GA. */
-#define MIP_NMEA_TALKER_ID_GALILEO 3
-/** GL. */
-#define MIP_NMEA_TALKER_ID_GLONASS 4
+enum mip_nmea_talker_id {
+    /** For sentences whose talker is not free (GSV and the proprietary ones). */
+    MIP_NMEA_TALKER_ID_IGNORED = 0,
+    /** GN. */
+    MIP_NMEA_TALKER_ID_GNSS = 1,
+    /** GP. */
+    MIP_NMEA_TALKER_ID_GPS = 2,
+    /** GA. */
+    MIP_NMEA_TALKER_ID_GALILEO = 3,
+    /** GL. */
+    MIP_NMEA_TALKER_ID_GLONASS = 4
+};
+
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_nmea_talker_id_name(uint8_t value);
 
 /**
  * An NMEA-0183 sentence with its talker, its data source and how often it is sent.
@@ -1068,18 +1113,15 @@ typedef uint8_t mip_nmea_talker_id;
  * - 3dm-cv7-gnss-ins: Sources and Talker IDs
  */
 struct mip_nmea_message {
-    /** The sentence. */
-    mip_nmea_message_id message_id;
-    /** The talker that the sentence names. */
-    mip_nmea_talker_id talker_id;
+    /** The sentence. A value of enum mip_nmea_message_id. */
+    uint8_t message_id;
+    /** The talker that the sentence names. A value of enum mip_nmea_talker_id. */
+    uint8_t talker_id;
     /** Data descriptor set that the contents are taken from. */
     uint8_t source_descriptor_set;
     /** Base rate of the source descriptor set divided by the wanted rate; a poll ignores it. */
     uint16_t decimation;
 };
-
-void mip_nmea_message_read(struct mip_reader *r, struct mip_nmea_message *v);
-void mip_nmea_message_write(struct mip_writer *w, const struct mip_nmea_message *v);
 
 /**
  * State of the modem and of the corrections. Models of another kind send
@@ -1353,21 +1395,25 @@ static inline void mip_rtk_status_flags_legacy_set_sinr(mip_rtk_status_flags_leg
  * - 3dm-gx5-15: 4.5 Error Codes
  * - 3dm-cv7-gnss-ins: Ack/Nack Codes
  */
-typedef uint8_t mip_ack_code;
-/** The command was carried out. */
-#define MIP_ACK_CODE_OK 0
-/** The device does not know the command descriptor. */
-#define MIP_ACK_CODE_UNKNOWN_COMMAND 1
-/** A complete packet had a wrong checksum. */
-#define MIP_ACK_CODE_BAD_CHECKSUM 2
-/** A parameter is out of range, or of the wrong size or type. */
-#define MIP_ACK_CODE_INVALID_PARAMETER 3
-/** The device could not carry the command out. */
-#define MIP_ACK_CODE_COMMAND_FAILED 4
-/** The command did not finish in time. */
-#define MIP_ACK_CODE_COMMAND_TIMEOUT 5
-/** The device does not know the descriptor set. */
-#define MIP_ACK_CODE_UNKNOWN_DESCRIPTOR_SET 6
+enum mip_ack_code {
+    /** The command was carried out. */
+    MIP_ACK_CODE_OK = 0,
+    /** The device does not know the command descriptor. */
+    MIP_ACK_CODE_UNKNOWN_COMMAND = 1,
+    /** A complete packet had a wrong checksum. */
+    MIP_ACK_CODE_BAD_CHECKSUM = 2,
+    /** A parameter is out of range, or of the wrong size or type. */
+    MIP_ACK_CODE_INVALID_PARAMETER = 3,
+    /** The device could not carry the command out. */
+    MIP_ACK_CODE_COMMAND_FAILED = 4,
+    /** The command did not finish in time. */
+    MIP_ACK_CODE_COMMAND_TIMEOUT = 5,
+    /** The device does not know the descriptor set. */
+    MIP_ACK_CODE_UNKNOWN_DESCRIPTOR_SET = 6
+};
+
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_ack_code_name(uint8_t value);
 
 /** A field of a message format and how often it is sent. */
 struct mip_descriptor_rate {
@@ -1376,9 +1422,6 @@ struct mip_descriptor_rate {
     /** Base rate divided by the wanted rate. */
     uint16_t decimation;
 };
-
-void mip_descriptor_rate_read(struct mip_reader *r, struct mip_descriptor_rate *v);
-void mip_descriptor_rate_write(struct mip_writer *w, const struct mip_descriptor_rate *v);
 
 /**
  * State of the GPS time of sensor data.

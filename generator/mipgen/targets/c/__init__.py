@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
-from ... import formatting, operations
+from ... import formatting
 from ... import model as m
 from ...render import File
-from . import literals, members, names, tables
+from . import calls, direct, literals, members, names, programs, tables
 from .comments import Comments, comment
 from .identifiers import identifiers
 
@@ -20,17 +20,20 @@ FORMATTER = formatting.CLANG_FORMAT
 
 
 def files(model: m.Model) -> Iterator[File]:
-    made = ["devices", "protocol", "reflection", "registry", "types"]
+    made = ["names", "profiles", "protocol", "reflection", "registry"]
     yield File("src/mip/constants.h", "constants.h.j2", {"max_field_data": m.MAX_FIELD_DATA})
-    for name in ("devices", "protocol", "types"):
+    for name in ("names", "profiles", "protocol", "types"):
         yield File(f"src/mip/{name}.h", f"{name}.h.j2")
     for name in made:
         yield File(f"src/mip/{name}.c", f"{name}.c.j2")
     for s in model.sets:
-        yield File(f"src/mip/{names.module(s.name)}.h", "set.h.j2", {"set": s})
-        if has_code(s):
-            made.append(names.module(s.name))
-            yield File(f"src/mip/{names.module(s.name)}.c", "set.c.j2", {"set": s})
+        name = names.module(s.name)
+        yield File(f"src/mip/{name}.h", "set.h.j2", {"set": s})
+        if calls.commands(s):
+            yield File(f"src/mip/{name}_commands.h", "commands.h.j2", {"set": s})
+        if s.fields:
+            made.append(name)
+            yield File(f"src/mip/{name}.c", "set.c.j2", {"set": s})
     yield File("cmake/generated.cmake", "generated.cmake.j2", {"sources": sorted(made)})
     taste = model.taste("taste.c")
     if taste:
@@ -39,21 +42,16 @@ def files(model: m.Model) -> Iterator[File]:
     yield File("README.md", "README.md.j2", shown)
 
 
-def has_code(s: m.Set) -> bool:
-    """Sets that only repeat fields of others need no source."""
-    return bool(s.own_fields) or any(isinstance(t, m.Struct) for t in s.types)
-
-
 def in_order(s: m.Set) -> Iterator[m.Field]:
-    """The set's own fields, each command with the responses that it owns behind it."""
-    for f in s.own_fields:
+    """The fields of a set, each command with the responses that it owns behind it."""
+    for f in s.fields:
         if f.role != m.RESPONSE:
             yield f
-            yield from (r for r in s.own_fields if r.role == m.RESPONSE and r.command == f.name)
+            yield from (r for r in s.fields if r.role == m.RESPONSE and r.command == f.name)
 
 
 def includes(s: m.Set, model: m.Model) -> list[str]:
-    """The headers that the header of a set needs: of the sets whose fields it repeats, too."""
+    """The headers that the header of a set needs: of the sets whose fields it repeats too, for their types."""
     repeated = (model.original(f).set_name for f in s.fields if f.definition)
     return list(dict.fromkeys(["protocol", *map(names.module, repeated)]))
 
@@ -72,6 +70,8 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "bare": names.bare,
         "union": names.union_name,
         "constant": names.constant,
+        "is_enum": names.is_enum,
+        "key": literals.key,
         "is_struct": names.is_struct,
         "spec_name": names.spec_name,
         # literals
@@ -85,6 +85,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         # records
         "members": members.members,
         "alternatives": members.alternatives,
+        "takes_enum": members.takes_enum,
         "declaration": members.declaration,
         "home": members.home,
         "in_order": in_order,
@@ -94,16 +95,21 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "constructors": members.constructors,
         "silent": members.silent,
         "responses": lambda f: members.responses(f, model),
+        "commands": calls.commands,
+        "sends": lambda f: calls.sends(f, model),
         "bits_type": members.bits_type,
         "has_accessor": members.has_accessor,
-        "item_size": lambda op: operations.size(op.item)[1] if isinstance(op, m.ArrayOp) else 1,
+        # layouts
+        "program": lambda f: programs.program(f, model.layouts(f), model.sizes(f)),
+        "direct": direct.direct,
         # tables
         "required": tables.required,
         "entries": lambda of: list(tables.entries(of)),
         "names": tables.names,
         "parameter_row": tables.parameter,
-        "reflection_row": tables.reflection,
+        "reflection_row": lambda f: tables.reflection(f, model),
         "readings": tables.readings,
+        "numbers": tables.numbers,
         "letters": m.letters,
         # comments
         "comment": comment,

@@ -56,7 +56,9 @@ def reference(r: describe.Ref) -> str:
         case m.Bits() as b, m.Bitfield(scalar=m.Scalar()) as t:
             flags, dot, _ = r.words.rpartition(".")
             return names.constant(t, b) + (f" in {names.member(flags)}" if dot else "")
-        case (m.Enum() | m.Bitfield() | m.Struct()) as t, _:
+        case m.Enum() as t, _:
+            return f"enum {names.type_name(t)}"
+        case (m.Bitfield() | m.Struct()) as t, _:
             return names.type_name(t)
         case _:
             return r.words
@@ -83,7 +85,7 @@ class Comments:
             f"{f.title}: {f.role} {place}.",
             *self._prose(f.description),
             *_paragraphs([], facts),
-            *(self._differences(f) if f.definition else self._without_member(f)),
+            *self._without_member(f),
             *_cited(f),
         ]
 
@@ -93,12 +95,13 @@ class Comments:
 
     def member(self, p: m.Parameter, record: Record) -> list[str]:
         empty = [describe.case(c, p, record) for c in p.cases if c.parameter is None]
-        return _paragraphs(self._prose(p.description), [*describe.parameter(p, record, self.model), *empty])
+        text = [*self._prose(p.description), *_values(p)]
+        return _paragraphs(text, [*describe.parameter(p, record, self.model), *empty])
 
     def case(self, c: m.Case, union: m.Parameter, record: Record) -> list[str]:
         """Of an alternative: when it is there, then what is said of its parameter."""
         assert c.parameter is not None
-        text = self._prose(c.parameter.description or c.tag.description)
+        text = [*self._prose(c.parameter.description or c.tag.description), *_values(c.parameter)]
         when = said([describe.case(c, union, record)])
         return _paragraphs([*when, *text], describe.parameter(c.parameter, record, self.model))
 
@@ -123,15 +126,13 @@ class Comments:
         items = [f"- {p.name}: {' '.join(self.member(p, record))}" for p in left]
         return ["\n".join(["On the wire only, without a member:", *items])] if items else []
 
-    def _differences(self, f: m.Field) -> list[str]:
-        """What a field that repeats another one says of its parameters otherwise."""
-        original = self.model.original(f)
-        found = []
-        for own, other in zip(f.parameters, original.parameters, strict=True):
-            known = said(describe.parameter(other, original, self.model))
-            new = [s for s in said(describe.parameter(own, f, self.model)) if s not in known]
-            found += [f"- {names.member(own.name)}: {' '.join(new)}"] if new else []
-        return ["\n".join(found)] if found else []
+
+def _values(p: m.Parameter) -> list[str]:
+    """The enumeration of a member, whose type is only a number."""
+    if not isinstance(p.element, m.Enum):
+        return []
+    kind = "enum " if names.is_enum(p.element) else ""
+    return [f"{'A value' if p.length is None else 'Values'} of {kind}{names.type_name(p.element)}."]
 
 
 def _paragraphs(texts: list[str], facts: Sequence[describe.Fact]) -> list[str]:

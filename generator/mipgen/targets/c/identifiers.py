@@ -6,6 +6,8 @@ from collections.abc import Iterator
 
 from ... import model as m
 from ...naming import Identifier
+from . import calls, tables
+from .direct import direct
 from .members import alternatives, constructors, has_accessor, last_present, members
 from .names import LANGUAGE, Record, constant, field_name, macro, member, module, record_name, type_name, union_name
 
@@ -18,19 +20,26 @@ def identifiers(model: m.Model) -> Iterator[Identifier]:
     yield from _field(model.protocol.acknowledge)
     for s in model.sets:
         yield Identifier("src/mip", module(s.name), f"set {s.name}", s.position)
+        if calls.commands(s):
+            yield Identifier("src/mip", f"{module(s.name)}_commands", f"set {s.name}", s.position)
         yield Identifier("C", f"{macro(f'mip_{s.name}')}_SET", f"set {s.name}", s.position)
         for t in s.types:
             yield from _type(t)
         for f in s.fields:
             yield from _field(f)
+            for name in calls.identifiers(f, model):
+                yield Identifier("C", name, f.full_name, f.position)
     for d in model.devices:
-        yield Identifier("C", f"mip_device_{d.name}", f"device {d.id}", d.position)
+        yield Identifier("C", f"mip_profile_{d.name}", f"device {d.id}", d.position)
 
 
 def _type(t: m.Type) -> Iterator[Identifier]:
     name, place = type_name(t), getattr(t, "position", None)
     yield Identifier("C", name, t.name, place)
+    if isinstance(t, (m.Enum, m.Bitfield)):
+        yield Identifier("C", tables.names(t), t.name, place)
     if isinstance(t, m.Enum):
+        yield Identifier("C", f"{name}_name", t.name, place)
         for v in t.values:
             yield Identifier("C", constant(t, v), f"{t.name}.{v.name}", place)
     elif isinstance(t, m.Bitfield):
@@ -40,17 +49,18 @@ def _type(t: m.Type) -> Iterator[Identifier]:
             for accessor in ("get", "set") if has_accessor(b, t) else ():
                 yield Identifier("C", f"{name}_{accessor}_{b.name}", f"{t.name}.{b.name}", place)
     elif isinstance(t, m.Struct):
-        for verb in ("read", "write"):
-            yield Identifier("C", f"{name}_{verb}", t.name, place)
         yield from _members(t)
 
 
 def _field(f: m.Field) -> Iterator[Identifier]:
     name = field_name(f)
     yield Identifier("C", name, f.full_name, f.position)
+    yield Identifier("C", macro(name), f.full_name, f.position)
     for end in ("DESCRIPTOR", "NAME", *(macro(f"with_{p.name}") for p, _ in last_present(f))):
         yield Identifier("C", f"{macro(name)}_{end}", f.full_name, f.position)
-    for end in ("codec", "decode", "encode", *(c.name for c in constructors(f))):
+    both = ("decode", "encode")
+    inline = [f"{end}_inline" for end in both] if direct(f) else []
+    for end in ("codec", *both, *inline, *(c.name for c in constructors(f))):
         yield Identifier("C", f"{name}_{end}", f.full_name, f.position)
     yield from _members(f)
 

@@ -15,6 +15,11 @@ def hexadecimal(value: int) -> str:
     return f"0x{value:02X}"
 
 
+def key(f: m.Field) -> str:
+    """Descriptor set and descriptor of a field as one number."""
+    return f"0x{f.set:02X}{f.descriptor:02X}"
+
+
 def number(value: int, size: int) -> str:
     """An unsigned number of `size` bytes.
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from ... import model as m
-from .names import Record, c_type, is_struct, macro, member, type_name, union_name
+from .names import Record, c_type, is_enum, is_struct, macro, member, type_name, union_name
 
 
 def members(record: Record) -> list[m.Parameter]:
@@ -72,7 +72,7 @@ def _constructor(f: m.Field, call: m.Call) -> Constructor:
         name=call.function.name if call.function else "make",
         function=call.function,
         description=call.function.description if call.function else f"{f.title}.",
-        arguments=", ".join(_argument(p, f) for p in asked) or "void",
+        arguments=", ".join(_argument(p, f) for p in asked),
         asked=asked,
         assigned=tuple(p for p in members(f) if p in asked or p.reserved),
     )
@@ -89,7 +89,14 @@ def _argument(p: m.Parameter, f: m.Field) -> str:
     if isinstance(op, m.ArrayOp):
         first = "" if op.count is None else op.count
         return f"{count}const {one} {name}[{first}]{_dimensions(op.item)}"
+    if takes_enum(p):
+        return f"enum {type_name(p.element)} {name}"
     return f"const {one} *{name}" if is_struct(p.element) else f"{one} {name}"
+
+
+def takes_enum(p: m.Parameter) -> bool:
+    """Is its argument an enumeration, so that the compiler sees when it is another one?"""
+    return p.length is None and is_enum(p.element)
 
 
 def silent(f: m.Field) -> str:
@@ -120,7 +127,7 @@ def bits_type(b: m.Bits) -> str:
     """The type of a number inside a bitfield."""
     if b.width == 1:
         return "bool"
-    return type_name(b.enum) if b.enum else f"uint{next(n for n in (8, 16, 32, 64) if b.width <= n)}_t"
+    return f"uint{next(n for n in (8, 16, 32, 64) if b.width <= n)}_t"
 
 
 def has_accessor(b: m.Bits, t: m.Bitfield) -> bool:

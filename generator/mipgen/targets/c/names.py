@@ -49,14 +49,19 @@ def spec_name(t: m.Enum | m.Bitfield) -> str:
     return f"{t.owner}.{t.name}" if t.owner else t.name
 
 
+def is_enum(e: m.Scalar | m.Type | None) -> bool:
+    """Is it an enumeration in C too? There, all values are of type int."""
+    return isinstance(e, m.Enum) and all(v.value <= 0x7FFFFFFF for v in e.values)
+
+
 def c_type(e: m.Scalar | m.Type) -> str:
-    """The C type of one item; of a vector, that of its elements."""
+    """The C type of one item; of a vector, that of its elements; of an enumeration, a number of its width."""
     match e:
         case m.Scalar():
             return _SCALARS[e.name]
-        case m.Vector():
+        case m.Vector() | m.Enum():
             return _SCALARS[e.scalar.name]
-        case m.Enum() | m.Bitfield(scalar=m.Scalar()):
+        case m.Bitfield(scalar=m.Scalar()):
             return type_name(e)
         case _:
             return f"struct {type_name(e)}"

@@ -54,7 +54,11 @@ _KINDS = {
 
 def names(t: m.Enum | m.Bitfield) -> str:
     """The table that names the values or bits of a type."""
-    return f"names_{bare(t)}"
+    return f"mip_names_{bare(t)}"
+
+
+def numbers(t: m.Enum) -> str:
+    return ", ".join(literals.number(v.value, t.scalar.size) for v in t.values)
 
 
 def parameter(p: m.Parameter, record: Record, union: m.Parameter | None = None) -> str:
@@ -109,13 +113,13 @@ def _place(p: m.Parameter, record: Record, union: m.Parameter | None) -> tuple[s
     return f"{size}({within}, {name})", f"offsetof({within}, {name}_count)" if p.length == "rest" else "0"
 
 
-def reflection(f: m.Field) -> str:
-    """The members of struct mip_reflection."""
-    name = field_name(f)
-    table = f"required_{bare(f)}"
+def reflection(f: m.Field, model: m.Model) -> str:
+    """The members of struct mip_reflection. A field that repeats another one has the same structure."""
+    name, original = field_name(f), bare(model.original(f))
+    table = f"required_{original}"
     row = [
         f"&{name}_codec",
-        f"&record_{bare(f)}",
+        f"&record_{original}",
         "true" if f.functions else "false",
         "true" if f.optional else "false",
         table if f.functions else "NULL",

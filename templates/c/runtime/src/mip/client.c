@@ -9,9 +9,9 @@ void mip_client_init(struct mip_client *client) {
 }
 
 /** The first response that a command asks for with these values; NULL if it asks for none. */
-static const struct mip_response *wanted(const struct mip_codec *codec, const void *command) {
-    const struct mip_response *r = codec->responses;
-    while (r != NULL && r->codec != NULL && r->asked != NULL && !r->asked(command)) {
+static const struct mip_response *wanted(const struct mip_command *command, const void *value) {
+    const struct mip_response *r = command->responses;
+    while (r != NULL && r->codec != NULL && r->asked != NULL && !r->asked(value)) {
         r++;
     }
     return r != NULL && r->codec != NULL ? r : NULL;
@@ -27,24 +27,25 @@ static const struct mip_response *another(const struct mip_response *r) {
 }
 
 mip_error mip_client_add(struct mip_client *client, struct mip_request *request,
-                         struct mip_builder *packet, const struct mip_codec *codec,
-                         const void *command, uint32_t now) {
-    const mip_error error = mip_encode(codec, command, packet);
+                         struct mip_builder *packet, const struct mip_command *command,
+                         const void *value, uint32_t now) {
+    const mip_error error = mip_encode(command->codec, value, packet);
     mip_client_cancel(client, request);     /* it could still wait for an earlier answer */
     request->state = MIP_REQUEST_CANCELLED; /* so that nobody waits for it if there is an error */
     request->code = 0;
     request->responded = false;
     request->error = MIP_OK;
-    request->command = codec;
-    request->asked = error == MIP_OK ? wanted(codec, command) : NULL;
+    request->command = command;
+    request->asked = error == MIP_OK ? wanted(command, value) : NULL;
     request->codec = request->asked != NULL ? request->asked->codec : NULL;
     request->response = NULL;
-    request->deadline = now + (codec->timeout > client->timeout ? codec->timeout : client->timeout);
+    request->deadline =
+        now + (command->timeout > client->timeout ? command->timeout : client->timeout);
     request->next = NULL;
     if (error != MIP_OK) {
         return error;
     }
-    if (codec->silent != NULL && codec->silent(command)) {
+    if (command->silent != NULL && command->silent(value)) {
         request->state = MIP_REQUEST_SILENT;
         return MIP_OK;
     }
@@ -69,6 +70,18 @@ bool mip_client_expect(struct mip_request *request, const struct mip_codec *code
     return false;
 }
 
+mip_error mip_client_send(struct mip_client *client, struct mip_request *request,
+                          struct mip_builder *packet, const struct mip_command *command,
+                          const void *value, const struct mip_codec *codec, void *response,
+                          uint32_t now) {
+    const mip_error error = mip_client_add(client, request, packet, command, value, now);
+    if (response != NULL) {
+        memset(response, 0, codec->size);
+        mip_client_expect(request, codec, response);
+    }
+    return error;
+}
+
 /** Removes a request from the waiting list. */
 static void leave(struct mip_client *client, struct mip_request *request, uint8_t state) {
     for (struct mip_request **at = &client->waiting; *at != NULL; at = &(*at)->next) {
@@ -82,7 +95,7 @@ static void leave(struct mip_client *client, struct mip_request *request, uint8_
 }
 
 /** Is this field a response to the command, for any values of the command? */
-static bool may_answer(const struct mip_codec *command, const struct mip_field *field) {
+static bool may_answer(const struct mip_command *command, const struct mip_field *field) {
     for (const struct mip_response *r = command->responses; r != NULL && r->codec != NULL; r++) {
         if (r->codec->descriptor == field->descriptor) {
             return true;
@@ -131,7 +144,8 @@ static struct mip_request *find(const struct mip_client *client, uint8_t set,
                                 const struct mip_field *behind, uint8_t *state) {
     struct mip_request *left_alone = NULL;
     for (struct mip_request *r = client->waiting; r != NULL; r = r->next) {
-        if (r->command->descriptor_set != set || r->command->descriptor != acknowledge->command) {
+        if (r->command->codec->descriptor_set != set ||
+            r->command->codec->descriptor != acknowledge->command) {
             continue;
         }
         if (acknowledge->code != 0) {

@@ -4,28 +4,28 @@
 #include <stdbool.h>
 #include <string.h>
 
-static bool is_called(const struct mip_device *device, const char *name) {
-    for (size_t i = 0; i < device->also_count; i++) {
-        if (strcmp(device->also[i], name) == 0) {
+static bool is_called(const struct mip_profile *profile, const char *name) {
+    for (size_t i = 0; i < profile->also_count; i++) {
+        if (strcmp(profile->also[i], name) == 0) {
             return true;
         }
     }
-    return strcmp(device->id, name) == 0 || strcmp(device->title, name) == 0;
+    return strcmp(profile->id, name) == 0 || strcmp(profile->title, name) == 0;
 }
 
-const struct mip_device *mip_device_find(const char *name) {
-    for (size_t i = 0; i < mip_device_count; i++) {
-        if (is_called(mip_devices[i], name)) {
-            return mip_devices[i];
+const struct mip_profile *mip_profile_find(const char *name) {
+    for (size_t i = 0; i < mip_profile_count; i++) {
+        if (is_called(mip_profiles[i], name)) {
+            return mip_profiles[i];
         }
     }
     return NULL;
 }
 
-const struct mip_device *mip_device_by_model(uint16_t model_number) {
-    for (size_t i = 0; i < mip_device_count; i++) {
-        if (model_number != 0 && mip_devices[i]->model_number == model_number) {
-            return mip_devices[i];
+const struct mip_profile *mip_profile_by_model(uint16_t model_number) {
+    for (size_t i = 0; i < mip_profile_count; i++) {
+        if (model_number != 0 && mip_profiles[i]->model_number == model_number) {
+            return mip_profiles[i];
         }
     }
     return NULL;
@@ -49,16 +49,18 @@ uint16_t mip_model_number(const char *text, size_t size) {
     return (uint16_t)(ends && at - first >= 4 ? number : 0);
 }
 
-const struct mip_device_field *mip_device_supports(const struct mip_device *device,
-                                                   uint8_t descriptor_set, uint8_t descriptor) {
-    const struct mip_device_field *f = mip_device_may_support(device, descriptor_set, descriptor);
+const struct mip_profile_field *mip_profile_supports(const struct mip_profile *profile,
+                                                     uint8_t descriptor_set, uint8_t descriptor) {
+    const struct mip_profile_field *f =
+        mip_profile_may_support(profile, descriptor_set, descriptor);
     return f != NULL && f->evidence == NULL ? f : NULL;
 }
 
-const struct mip_device_field *mip_device_may_support(const struct mip_device *device,
-                                                      uint8_t descriptor_set, uint8_t descriptor) {
-    for (size_t i = 0; i < device->field_count; i++) {
-        const struct mip_device_field *f = &device->fields[i];
+const struct mip_profile_field *mip_profile_may_support(const struct mip_profile *profile,
+                                                        uint8_t descriptor_set,
+                                                        uint8_t descriptor) {
+    for (size_t i = 0; i < profile->field_count; i++) {
+        const struct mip_profile_field *f = &profile->fields[i];
         const bool shared = f->descriptor_set == 0xFF && descriptor_set >= 0x80;
         if ((f->descriptor_set == descriptor_set || shared) && f->descriptor == descriptor) {
             return f;
@@ -67,19 +69,19 @@ const struct mip_device_field *mip_device_may_support(const struct mip_device *d
     return NULL;
 }
 
-double mip_device_base_rate(const struct mip_device *device, uint8_t descriptor_set) {
-    for (size_t i = 0; i < device->rate_count; i++) {
-        if (device->rates[i].descriptor_set == descriptor_set) {
-            return device->rates[i].rate;
+double mip_profile_base_rate(const struct mip_profile *profile, uint8_t descriptor_set) {
+    for (size_t i = 0; i < profile->rate_count; i++) {
+        if (profile->rates[i].descriptor_set == descriptor_set) {
+            return profile->rates[i].rate;
         }
     }
     return -1.0;
 }
 
-const char *mip_device_reading_of(const struct mip_device *device, const char *of) {
-    for (size_t i = 0; i < device->reading_count; i++) {
-        if (strcmp(device->readings[i].of, of) == 0) {
-            return device->readings[i].type;
+const char *mip_profile_reading_of(const struct mip_profile *profile, const char *of) {
+    for (size_t i = 0; i < profile->reading_count; i++) {
+        if (strcmp(profile->readings[i].of, of) == 0) {
+            return profile->readings[i].type;
         }
     }
     return NULL;

@@ -20,12 +20,3 @@ const struct mip_names *mip_names_find(const char *name) {
     }
     return NULL;
 }
-
-const char *mip_value_name(const struct mip_names *names, uint64_t value) {
-    for (size_t i = 0; names->values != NULL && i < names->count; i++) {
-        if (names->values[i].value == value) {
-            return names->values[i].name;
-        }
-    }
-    return NULL;
-}

@@ -41,12 +41,6 @@ extern "C" {
 #define MIP_LENGTH_COUNTED 2 /* as many as the parameter `by` says */
 #define MIP_LENGTH_REST 3    /* as many as the field holds */
 
-/** A value of an enumeration. */
-struct mip_named_value {
-    const char *name;
-    uint64_t value;
-};
-
 struct mip_names;
 
 /** One flag, or one number, inside a bitfield. */
@@ -58,13 +52,16 @@ struct mip_named_bits {
     const struct mip_names *names;
 };
 
-/** An enumeration (`values`) or a bitfield (`bits`). */
+/** An enumeration, or a bitfield: the other's tables are NULL. */
 struct mip_names {
     /** Name in the specification, prefixed with its set and a full stop if a set owns it. */
     const char *name;
-    const struct mip_named_value *values;
+    /** Of an enumeration: the names of its values, and these as unsigned numbers of `size` bytes.
+     */
+    const char *const *labels;
+    const void *numbers;
     const struct mip_named_bits *bits;
-    /** Elements of `values` or of `bits`. */
+    /** Values, or elements of `bits`. */
     uint8_t count;
     /** Bytes of the number. */
     uint8_t size;
@@ -150,22 +147,25 @@ struct mip_reflection {
     uint16_t present_offset;
 };
 
-/** All fields except those that repeat a field of another set. */
-extern const struct mip_reflection mip_reflections[];
-extern const size_t mip_reflection_count;
+/** All fields. */
+extern MIP_API const struct mip_reflection mip_reflections[];
+extern MIP_API const size_t mip_reflection_count;
 
 /** All enumerations and bitfields. */
-extern const struct mip_names *const mip_all_names[];
-extern const size_t mip_all_names_count;
+extern MIP_API const struct mip_names *const mip_all_names[];
+extern MIP_API const size_t mip_all_names_count;
 
 /** The reflection of a field; NULL if the codec does not belong to this binding. */
-const struct mip_reflection *mip_reflect(const struct mip_codec *codec);
+MIP_API const struct mip_reflection *mip_reflect(const struct mip_codec *codec);
 
 /** An enumeration or a bitfield by its name: "ack_code", "base.gps_time_field". */
-const struct mip_names *mip_names_find(const char *name);
+MIP_API const struct mip_names *mip_names_find(const char *name);
+
+/** The number of a value of an enumeration, by its index. */
+MIP_API uint64_t mip_names_number(const struct mip_names *names, size_t index);
 
 /** The name of a value of an enumeration; NULL if it has none. */
-const char *mip_value_name(const struct mip_names *names, uint64_t value);
+MIP_API const char *mip_value_name(const struct mip_names *names, uint64_t value);
 
 #ifdef __cplusplus
 }

@@ -41,15 +41,74 @@ struct mip_3d_default {
     uint8_t present_;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_3D_DEFAULT 0x0C10
 #define MIP_3D_DEFAULT_DESCRIPTOR 0x10
 #define MIP_3D_DEFAULT_NAME "3d.default"
 
-extern const struct mip_codec mip_3d_default_codec;
-mip_error mip_3d_default_decode(struct mip_3d_default *value, const struct mip_field *field);
-mip_error mip_3d_default_encode(const struct mip_3d_default *value, struct mip_builder *builder);
-/** Default. */
-struct mip_3d_default mip_3d_default_make(uint8_t class_, uint8_t type, uint8_t register_,
-                                          uint8_t self, uint8_t present_);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_3d_default_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_3d_default_decode(struct mip_3d_default *value,
+                                              const struct mip_field *field) {
+    return mip_decode(&mip_3d_default_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_3d_default_encode(const struct mip_3d_default *value,
+                                              struct mip_builder *builder) {
+    return mip_encode(&mip_3d_default_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_3d_default_decode_inline(struct mip_3d_default *value,
+                                                     const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x0C, 0x10, 5);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->class_ = mip_get_8(field->data);
+    value->type = mip_get_8(field->data + 1);
+    value->register_ = mip_get_8(field->data + 2);
+    value->self = mip_get_8(field->data + 3);
+    value->present_ = mip_get_8(field->data + 4);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_3d_default_encode_inline(const struct mip_3d_default *value,
+                                                     struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x0C, 0x10, 5, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->class_);
+    mip_put_8(data + 1, value->type);
+    mip_put_8(data + 2, value->register_);
+    mip_put_8(data + 3, value->self);
+    mip_put_8(data + 4, value->present_);
+    return MIP_OK;
+}
+/**
+ * Default.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_3d_default *mip_3d_default_make(struct mip_3d_default *command,
+                                                         uint8_t class_, uint8_t type,
+                                                         uint8_t register_, uint8_t self,
+                                                         uint8_t present_) {
+    memset(command, 0, sizeof(*command));
+    command->class_ = class_;
+    command->type = type;
+    command->register_ = register_;
+    command->self = self;
+    command->present_ = present_;
+    return command;
+}
 
 #ifdef __cplusplus
 }

@@ -29,13 +29,66 @@ extern "C" {
  *
  * - guide: Third acceleration
  */
-#define mip_copy_accel mip_measurements_accel
-#define mip_copy_accel_codec mip_measurements_accel_codec
-#define mip_copy_accel_decode mip_measurements_accel_decode
-#define mip_copy_accel_encode mip_measurements_accel_encode
+struct mip_copy_accel {
+    /**
+     * Specific force. Elements: x, y, z. Unit: g. Frame: sensor. Each element is valid by its bit:
+     * x by MIP_STATE_FLAGS_READY in valid_flags, y by MIP_STATE_FLAGS_HOT in valid_flags, z by
+     * MIP_STATE_FLAGS_READY in valid_flags.
+     */
+    float scaled_accel[3];
+    /** What is valid. */
+    mip_state_flags valid_flags;
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_COPY_ACCEL 0x9201
 #define MIP_COPY_ACCEL_DESCRIPTOR 0x01
 #define MIP_COPY_ACCEL_NAME "copy.accel"
 
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_copy_accel_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_copy_accel_decode(struct mip_copy_accel *value,
+                                              const struct mip_field *field) {
+    return mip_decode(&mip_copy_accel_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_copy_accel_encode(const struct mip_copy_accel *value,
+                                              struct mip_builder *builder) {
+    return mip_encode(&mip_copy_accel_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_copy_accel_decode_inline(struct mip_copy_accel *value,
+                                                     const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x92, 0x01, 14);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->scaled_accel[i], field->data + 4 * i);
+    }
+    value->valid_flags = mip_get_16(field->data + 12);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_copy_accel_encode_inline(const struct mip_copy_accel *value,
+                                                     struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x92, 0x01, 14, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 4 * i, &value->scaled_accel[i]);
+    }
+    mip_put_16(data + 12, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Numbers: data (0x92,0x02).
  *
@@ -46,13 +99,98 @@ extern "C" {
  *
  * - sheet: Copied measurements
  */
-#define mip_copy_numbers mip_measurements_numbers
-#define mip_copy_numbers_codec mip_measurements_numbers_codec
-#define mip_copy_numbers_decode mip_measurements_numbers_decode
-#define mip_copy_numbers_encode mip_measurements_numbers_encode
+struct mip_copy_numbers {
+    /** Unsigned. */
+    uint8_t u8;
+    /** Unsigned. */
+    uint16_t u16;
+    /** Unsigned. */
+    uint32_t u32;
+    /** Unsigned. */
+    uint64_t u64;
+    /** Signed. */
+    int8_t s8;
+    /** Signed. */
+    int16_t s16;
+    /** Signed. */
+    int32_t s32;
+    /** Signed. */
+    int64_t s64;
+    /** Four bytes. Unit: 1. */
+    float float_;
+    /** Eight bytes. Unit: 1. */
+    double double_;
+    /** True or false. */
+    mip_bool bool_;
+    /** One character. */
+    char char_;
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_COPY_NUMBERS 0x9202
 #define MIP_COPY_NUMBERS_DESCRIPTOR 0x02
 #define MIP_COPY_NUMBERS_NAME "copy.numbers"
 
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_copy_numbers_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_copy_numbers_decode(struct mip_copy_numbers *value,
+                                                const struct mip_field *field) {
+    return mip_decode(&mip_copy_numbers_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_copy_numbers_encode(const struct mip_copy_numbers *value,
+                                                struct mip_builder *builder) {
+    return mip_encode(&mip_copy_numbers_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_copy_numbers_decode_inline(struct mip_copy_numbers *value,
+                                                       const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x92, 0x02, 44);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->u8 = mip_get_8(field->data);
+    value->u16 = mip_get_16(field->data + 1);
+    value->u32 = mip_get_32(field->data + 3);
+    value->u64 = mip_get_64(field->data + 7);
+    value->s8 = (int8_t)mip_get_8(field->data + 15);
+    value->s16 = (int16_t)mip_get_16(field->data + 16);
+    value->s32 = (int32_t)mip_get_32(field->data + 18);
+    value->s64 = (int64_t)mip_get_64(field->data + 22);
+    mip_get_float(&value->float_, field->data + 30);
+    mip_get_double(&value->double_, field->data + 34);
+    value->bool_ = mip_get_8(field->data + 42);
+    value->char_ = (char)mip_get_8(field->data + 43);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_copy_numbers_encode_inline(const struct mip_copy_numbers *value,
+                                                       struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x92, 0x02, 44, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->u8);
+    mip_put_16(data + 1, value->u16);
+    mip_put_32(data + 3, value->u32);
+    mip_put_64(data + 7, value->u64);
+    mip_put_8(data + 15, (uint8_t)value->s8);
+    mip_put_16(data + 16, (uint16_t)value->s16);
+    mip_put_32(data + 18, (uint32_t)value->s32);
+    mip_put_64(data + 22, (uint64_t)value->s64);
+    mip_put_float(data + 30, &value->float_);
+    mip_put_double(data + 34, &value->double_);
+    mip_put_8(data + 42, value->bool_);
+    mip_put_8(data + 43, (uint8_t)value->char_);
+    return MIP_OK;
+}
 /**
  * Strings: data (0x92,0x03).
  *
@@ -63,13 +201,38 @@ extern "C" {
  *
  * - sheet: Copied measurements
  */
-#define mip_copy_strings mip_measurements_strings
-#define mip_copy_strings_codec mip_measurements_strings_codec
-#define mip_copy_strings_decode mip_measurements_strings_decode
-#define mip_copy_strings_encode mip_measurements_strings_encode
+struct mip_copy_strings {
+    /** Padded with spaces. */
+    char model[17];
+    /** Of the name. The number of elements of name. */
+    uint8_t length;
+    /** The name. */
+    char name[237];
+    /** The number of elements of rest. */
+    uint8_t rest_count;
+    /** All that follows. */
+    char rest[237];
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_COPY_STRINGS 0x9203
 #define MIP_COPY_STRINGS_DESCRIPTOR 0x03
 #define MIP_COPY_STRINGS_NAME "copy.strings"
 
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_copy_strings_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_copy_strings_decode(struct mip_copy_strings *value,
+                                                const struct mip_field *field) {
+    return mip_decode(&mip_copy_strings_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_copy_strings_encode(const struct mip_copy_strings *value,
+                                                struct mip_builder *builder) {
+    return mip_encode(&mip_copy_strings_codec, value, builder);
+}
 /**
  * Health: data (0x92,0x04).
  *
@@ -80,13 +243,58 @@ extern "C" {
  *
  * - sheet: Copied measurements
  */
-#define mip_copy_health mip_measurements_health
-#define mip_copy_health_codec mip_measurements_health_codec
-#define mip_copy_health_decode mip_measurements_health_decode
-#define mip_copy_health_encode mip_measurements_health_encode
+struct mip_copy_health {
+    /** The bits. */
+    struct mip_health result;
+    /** An enumeration over four bytes. A value of mip_wide_code. */
+    uint32_t code;
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_COPY_HEALTH 0x9204
 #define MIP_COPY_HEALTH_DESCRIPTOR 0x04
 #define MIP_COPY_HEALTH_NAME "copy.health"
 
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_copy_health_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_copy_health_decode(struct mip_copy_health *value,
+                                               const struct mip_field *field) {
+    return mip_decode(&mip_copy_health_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_copy_health_encode(const struct mip_copy_health *value,
+                                               struct mip_builder *builder) {
+    return mip_encode(&mip_copy_health_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_copy_health_decode_inline(struct mip_copy_health *value,
+                                                      const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x92, 0x04, 20);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    memcpy(value->result.bytes, field->data, 16);
+    value->code = mip_get_32(field->data + 16);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_copy_health_encode_inline(const struct mip_copy_health *value,
+                                                      struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x92, 0x04, 20, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    memcpy(data, value->result.bytes, 16);
+    mip_put_32(data + 16, value->code);
+    return MIP_OK;
+}
 /**
  * Arrays: data (0x92,0x05).
  *
@@ -97,13 +305,102 @@ extern "C" {
  *
  * - sheet: Copied measurements
  */
-#define mip_copy_arrays mip_measurements_arrays
-#define mip_copy_arrays_codec mip_measurements_arrays_codec
-#define mip_copy_arrays_decode mip_measurements_arrays_decode
-#define mip_copy_arrays_encode mip_measurements_arrays_encode
+struct mip_copy_arrays {
+    /** Enumerations. Values of enum mip_mode. */
+    uint8_t modes[3];
+    /** Bitfields. */
+    mip_state_flags flags[2];
+    /** Vectors. Elements: x, y, z. Unit: m. */
+    float vectors[2][3];
+    /** Structures. Unit: m. */
+    struct mip_point points[2];
+    /** A nested structure. */
+    struct mip_segment track;
+    /** Reserved. */
+    int8_t offsets[4];
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_COPY_ARRAYS 0x9205
 #define MIP_COPY_ARRAYS_DESCRIPTOR 0x05
 #define MIP_COPY_ARRAYS_NAME "copy.arrays"
 
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_copy_arrays_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_copy_arrays_decode(struct mip_copy_arrays *value,
+                                               const struct mip_field *field) {
+    return mip_decode(&mip_copy_arrays_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_copy_arrays_encode(const struct mip_copy_arrays *value,
+                                               struct mip_builder *builder) {
+    return mip_encode(&mip_copy_arrays_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_copy_arrays_decode_inline(struct mip_copy_arrays *value,
+                                                      const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x92, 0x05, 53);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    memcpy(value->modes, field->data, 3);
+    for (size_t i = 0; i < 2; i++) {
+        value->flags[i] = mip_get_16(field->data + 3 + 2 * i);
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->vectors[0][i], field->data + 7 + 4 * i);
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->vectors[1][i], field->data + 19 + 4 * i);
+    }
+    value->points[0].x = (int16_t)mip_get_16(field->data + 31);
+    value->points[0].y = (int16_t)mip_get_16(field->data + 33);
+    value->points[1].x = (int16_t)mip_get_16(field->data + 35);
+    value->points[1].y = (int16_t)mip_get_16(field->data + 37);
+    value->track.from.x = (int16_t)mip_get_16(field->data + 39);
+    value->track.from.y = (int16_t)mip_get_16(field->data + 41);
+    value->track.to.x = (int16_t)mip_get_16(field->data + 43);
+    value->track.to.y = (int16_t)mip_get_16(field->data + 45);
+    memcpy(value->track.weights, field->data + 47, 2);
+    memcpy(value->offsets, field->data + 49, 4);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_copy_arrays_encode_inline(const struct mip_copy_arrays *value,
+                                                      struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x92, 0x05, 53, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    memcpy(data, value->modes, 3);
+    for (size_t i = 0; i < 2; i++) {
+        mip_put_16(data + 3 + 2 * i, value->flags[i]);
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 7 + 4 * i, &value->vectors[0][i]);
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 19 + 4 * i, &value->vectors[1][i]);
+    }
+    mip_put_16(data + 31, (uint16_t)value->points[0].x);
+    mip_put_16(data + 33, (uint16_t)value->points[0].y);
+    mip_put_16(data + 35, (uint16_t)value->points[1].x);
+    mip_put_16(data + 37, (uint16_t)value->points[1].y);
+    mip_put_16(data + 39, (uint16_t)value->track.from.x);
+    mip_put_16(data + 41, (uint16_t)value->track.from.y);
+    mip_put_16(data + 43, (uint16_t)value->track.to.x);
+    mip_put_16(data + 45, (uint16_t)value->track.to.y);
+    memcpy(data + 47, value->track.weights, 2);
+    memcpy(data + 49, value->offsets, 4);
+    return MIP_OK;
+}
 /**
  * Growing: data (0x92,0x06).
  *
@@ -114,10 +411,19 @@ extern "C" {
  *
  * - sheet: Copied measurements
  */
-#define mip_copy_growing mip_measurements_growing
-#define mip_copy_growing_codec mip_measurements_growing_codec
-#define mip_copy_growing_decode mip_measurements_growing_decode
-#define mip_copy_growing_encode mip_measurements_growing_encode
+struct mip_copy_growing {
+    /** Parameters that are present; 0: only the required ones. */
+    uint8_t present;
+    /** Always there. */
+    uint16_t first;
+    /** From version 2 on. Optional. */
+    uint16_t second;
+    /** From version 3 on. Unit: deg. Optional. */
+    float third;
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_COPY_GROWING 0x9206
 #define MIP_COPY_GROWING_DESCRIPTOR 0x06
 #define MIP_COPY_GROWING_NAME "copy.growing"
 /** The value of `present` if second is the last parameter that is there. */
@@ -125,6 +431,20 @@ extern "C" {
 /** The value of `present` if third is the last parameter that is there. */
 #define MIP_COPY_GROWING_WITH_THIRD 3
 
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_copy_growing_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_copy_growing_decode(struct mip_copy_growing *value,
+                                                const struct mip_field *field) {
+    return mip_decode(&mip_copy_growing_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_copy_growing_encode(const struct mip_copy_growing *value,
+                                                struct mip_builder *builder) {
+    return mip_encode(&mip_copy_growing_codec, value, builder);
+}
 /**
  * Radio: data (0x92,0x07).
  *
@@ -136,13 +456,74 @@ extern "C" {
  *
  * - sheet: Copied measurements
  */
-#define mip_copy_radio mip_measurements_radio
-#define mip_copy_radio_codec mip_measurements_radio_codec
-#define mip_copy_radio_decode mip_measurements_radio_decode
-#define mip_copy_radio_encode mip_measurements_radio_encode
+struct mip_copy_radio {
+    /** Whether there is a connection. */
+    mip_bool connected;
+    /** Of the signal. Range: less than 1. Valid if connected is true. Uncertain: Its unit. */
+    int32_t strength;
+    /** Never nothing. Unit: m. Range: greater than 0, at most 10. Valid if connected is true. */
+    float noise;
+    /** Reserved. Reserved. */
+    float gap;
+    /** Reserved. */
+    double gaps[2];
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_COPY_RADIO 0x9207
 #define MIP_COPY_RADIO_DESCRIPTOR 0x07
 #define MIP_COPY_RADIO_NAME "copy.radio"
 
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_copy_radio_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_copy_radio_decode(struct mip_copy_radio *value,
+                                              const struct mip_field *field) {
+    return mip_decode(&mip_copy_radio_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_copy_radio_encode(const struct mip_copy_radio *value,
+                                              struct mip_builder *builder) {
+    return mip_encode(&mip_copy_radio_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_copy_radio_decode_inline(struct mip_copy_radio *value,
+                                                     const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x92, 0x07, 29);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->connected = mip_get_8(field->data);
+    value->strength = (int32_t)mip_get_32(field->data + 1);
+    mip_get_float(&value->noise, field->data + 5);
+    mip_get_float(&value->gap, field->data + 9);
+    for (size_t i = 0; i < 2; i++) {
+        mip_get_double(&value->gaps[i], field->data + 13 + 8 * i);
+    }
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_copy_radio_encode_inline(const struct mip_copy_radio *value,
+                                                     struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x92, 0x07, 29, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->connected);
+    mip_put_32(data + 1, (uint32_t)value->strength);
+    mip_put_float(data + 5, &value->noise);
+    mip_put_float(data + 9, &value->gap);
+    for (size_t i = 0; i < 2; i++) {
+        mip_put_double(data + 13 + 8 * i, &value->gaps[i]);
+    }
+    return MIP_OK;
+}
 /**
  * Cloud: data (0x92,0x08).
  *
@@ -153,13 +534,34 @@ extern "C" {
  *
  * - sheet: Copied measurements
  */
-#define mip_copy_cloud mip_measurements_cloud
-#define mip_copy_cloud_codec mip_measurements_cloud_codec
-#define mip_copy_cloud_decode mip_measurements_cloud_decode
-#define mip_copy_cloud_encode mip_measurements_cloud_encode
+struct mip_copy_cloud {
+    /** Number of points. The number of elements of points. */
+    uint8_t num_points;
+    /** The points. */
+    struct mip_point points[61];
+    /** Behind an array that fills the field. */
+    uint64_t stamp;
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_COPY_CLOUD 0x9208
 #define MIP_COPY_CLOUD_DESCRIPTOR 0x08
 #define MIP_COPY_CLOUD_NAME "copy.cloud"
 
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_copy_cloud_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_copy_cloud_decode(struct mip_copy_cloud *value,
+                                              const struct mip_field *field) {
+    return mip_decode(&mip_copy_cloud_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_copy_cloud_encode(const struct mip_copy_cloud *value,
+                                              struct mip_builder *builder) {
+    return mip_encode(&mip_copy_cloud_codec, value, builder);
+}
 /**
  * Gust: data (0x92,0x09).
  *
@@ -168,18 +570,49 @@ extern "C" {
  * Has the layout of mip_measurements_gust. No device profile lists it. Known from the Kit of names
  * only.
  *
- * `speed * 3.6` is in km/h, and `valid_flags` tells whether `speed` counts; see mip_mode and
- * mip_tools_shape.
+ * `speed * 3.6` is in km/h, and `valid_flags` tells whether `speed` counts; see enum mip_mode and
+ * enum mip_tools_shape.
+ *
+ * On the wire only, without a member:
+ * - gap: Always the same. Always 7.
  *
  * - sheet: Copied measurements
  */
-#define mip_copy_gust mip_measurements_gust
-#define mip_copy_gust_codec mip_measurements_gust_codec
-#define mip_copy_gust_decode mip_measurements_gust_decode
-#define mip_copy_gust_encode mip_measurements_gust_encode
+struct mip_copy_gust {
+    /** Which one. */
+    uint8_t station;
+    /** Where it was measured. Valid if MIP_STATE_FLAGS_READY in valid_flags is set. */
+    struct mip_point place;
+    /** Above the plane. Unit: m. Valid if MIP_STATE_FLAGS_READY in valid_flags is set. */
+    float height;
+    /**
+     * Of the wind. Elements: x, y, z. Unit: m. Range: magnitude at most 40. Valid if
+     * MIP_STATE_FLAGS_READY in valid_flags is set.
+     */
+    float speed[3];
+    /** What is valid. */
+    mip_state_flags valid_flags;
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_COPY_GUST 0x9209
 #define MIP_COPY_GUST_DESCRIPTOR 0x09
 #define MIP_COPY_GUST_NAME "copy.gust"
 
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_copy_gust_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_copy_gust_decode(struct mip_copy_gust *value,
+                                             const struct mip_field *field) {
+    return mip_decode(&mip_copy_gust_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_copy_gust_encode(const struct mip_copy_gust *value,
+                                             struct mip_builder *builder) {
+    return mip_encode(&mip_copy_gust_codec, value, builder);
+}
 /**
  * Breeze: data (0x92,0x0A).
  *
@@ -190,12 +623,71 @@ extern "C" {
  *
  * - sheet: Copied measurements
  */
-#define mip_copy_breeze mip_measurements_breeze
-#define mip_copy_breeze_codec mip_measurements_breeze_codec
-#define mip_copy_breeze_decode mip_measurements_breeze_decode
-#define mip_copy_breeze_encode mip_measurements_breeze_encode
+struct mip_copy_breeze {
+    /** Where it was measured. */
+    struct mip_point place;
+    /** Above the plane. Unit: m. */
+    float height;
+    /**
+     * Of the vane. Elements: w, x, y, z. Unit: 1. Range: -1 to 1, magnitude 0.5 to 1.5. Default: 1,
+     * 0, 0, 0.
+     */
+    float turn[4];
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_COPY_BREEZE 0x920A
 #define MIP_COPY_BREEZE_DESCRIPTOR 0x0A
 #define MIP_COPY_BREEZE_NAME "copy.breeze"
+
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_copy_breeze_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_copy_breeze_decode(struct mip_copy_breeze *value,
+                                               const struct mip_field *field) {
+    return mip_decode(&mip_copy_breeze_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_copy_breeze_encode(const struct mip_copy_breeze *value,
+                                               struct mip_builder *builder) {
+    return mip_encode(&mip_copy_breeze_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_copy_breeze_decode_inline(struct mip_copy_breeze *value,
+                                                      const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x92, 0x0A, 24);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->place.x = (int16_t)mip_get_16(field->data);
+    value->place.y = (int16_t)mip_get_16(field->data + 2);
+    mip_get_float(&value->height, field->data + 4);
+    for (size_t i = 0; i < 4; i++) {
+        mip_get_float(&value->turn[i], field->data + 8 + 4 * i);
+    }
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_copy_breeze_encode_inline(const struct mip_copy_breeze *value,
+                                                      struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x92, 0x0A, 24, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_16(data, (uint16_t)value->place.x);
+    mip_put_16(data + 2, (uint16_t)value->place.y);
+    mip_put_float(data + 4, &value->height);
+    for (size_t i = 0; i < 4; i++) {
+        mip_put_float(data + 8 + 4 * i, &value->turn[i]);
+    }
+    return MIP_OK;
+}
 
 #ifdef __cplusplus
 }

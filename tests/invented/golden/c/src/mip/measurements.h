@@ -43,15 +43,55 @@ struct mip_measurements_accel {
     mip_state_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_MEASUREMENTS_ACCEL 0x8001
 #define MIP_MEASUREMENTS_ACCEL_DESCRIPTOR 0x01
 #define MIP_MEASUREMENTS_ACCEL_NAME "measurements.accel"
 
-extern const struct mip_codec mip_measurements_accel_codec;
-mip_error mip_measurements_accel_decode(struct mip_measurements_accel *value,
-                                        const struct mip_field *field);
-mip_error mip_measurements_accel_encode(const struct mip_measurements_accel *value,
-                                        struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_measurements_accel_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_measurements_accel_decode(struct mip_measurements_accel *value,
+                                                      const struct mip_field *field) {
+    return mip_decode(&mip_measurements_accel_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_measurements_accel_encode(const struct mip_measurements_accel *value,
+                                                      struct mip_builder *builder) {
+    return mip_encode(&mip_measurements_accel_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_measurements_accel_decode_inline(struct mip_measurements_accel *value,
+                                                             const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x80, 0x01, 14);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->scaled_accel[i], field->data + 4 * i);
+    }
+    value->valid_flags = mip_get_16(field->data + 12);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_measurements_accel_encode_inline(
+    const struct mip_measurements_accel *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x80, 0x01, 14, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 4 * i, &value->scaled_accel[i]);
+    }
+    mip_put_16(data + 12, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Numbers: data (0x80,0x02).
  *
@@ -88,15 +128,71 @@ struct mip_measurements_numbers {
     char char_;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_MEASUREMENTS_NUMBERS 0x8002
 #define MIP_MEASUREMENTS_NUMBERS_DESCRIPTOR 0x02
 #define MIP_MEASUREMENTS_NUMBERS_NAME "measurements.numbers"
 
-extern const struct mip_codec mip_measurements_numbers_codec;
-mip_error mip_measurements_numbers_decode(struct mip_measurements_numbers *value,
-                                          const struct mip_field *field);
-mip_error mip_measurements_numbers_encode(const struct mip_measurements_numbers *value,
-                                          struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_measurements_numbers_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_measurements_numbers_decode(struct mip_measurements_numbers *value,
+                                                        const struct mip_field *field) {
+    return mip_decode(&mip_measurements_numbers_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_measurements_numbers_encode(
+    const struct mip_measurements_numbers *value, struct mip_builder *builder) {
+    return mip_encode(&mip_measurements_numbers_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_measurements_numbers_decode_inline(
+    struct mip_measurements_numbers *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x80, 0x02, 44);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->u8 = mip_get_8(field->data);
+    value->u16 = mip_get_16(field->data + 1);
+    value->u32 = mip_get_32(field->data + 3);
+    value->u64 = mip_get_64(field->data + 7);
+    value->s8 = (int8_t)mip_get_8(field->data + 15);
+    value->s16 = (int16_t)mip_get_16(field->data + 16);
+    value->s32 = (int32_t)mip_get_32(field->data + 18);
+    value->s64 = (int64_t)mip_get_64(field->data + 22);
+    mip_get_float(&value->float_, field->data + 30);
+    mip_get_double(&value->double_, field->data + 34);
+    value->bool_ = mip_get_8(field->data + 42);
+    value->char_ = (char)mip_get_8(field->data + 43);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_measurements_numbers_encode_inline(
+    const struct mip_measurements_numbers *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x80, 0x02, 44, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->u8);
+    mip_put_16(data + 1, value->u16);
+    mip_put_32(data + 3, value->u32);
+    mip_put_64(data + 7, value->u64);
+    mip_put_8(data + 15, (uint8_t)value->s8);
+    mip_put_16(data + 16, (uint16_t)value->s16);
+    mip_put_32(data + 18, (uint32_t)value->s32);
+    mip_put_64(data + 22, (uint64_t)value->s64);
+    mip_put_float(data + 30, &value->float_);
+    mip_put_double(data + 34, &value->double_);
+    mip_put_8(data + 42, value->bool_);
+    mip_put_8(data + 43, (uint8_t)value->char_);
+    return MIP_OK;
+}
 /**
  * Strings: data (0x80,0x03).
  *
@@ -119,15 +215,25 @@ struct mip_measurements_strings {
     char rest[237];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_MEASUREMENTS_STRINGS 0x8003
 #define MIP_MEASUREMENTS_STRINGS_DESCRIPTOR 0x03
 #define MIP_MEASUREMENTS_STRINGS_NAME "measurements.strings"
 
-extern const struct mip_codec mip_measurements_strings_codec;
-mip_error mip_measurements_strings_decode(struct mip_measurements_strings *value,
-                                          const struct mip_field *field);
-mip_error mip_measurements_strings_encode(const struct mip_measurements_strings *value,
-                                          struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_measurements_strings_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_measurements_strings_decode(struct mip_measurements_strings *value,
+                                                        const struct mip_field *field) {
+    return mip_decode(&mip_measurements_strings_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_measurements_strings_encode(
+    const struct mip_measurements_strings *value, struct mip_builder *builder) {
+    return mip_encode(&mip_measurements_strings_codec, value, builder);
+}
 /**
  * Health: data (0x80,0x04).
  *
@@ -140,19 +246,55 @@ mip_error mip_measurements_strings_encode(const struct mip_measurements_strings 
 struct mip_measurements_health {
     /** The bits. */
     struct mip_health result;
-    /** An enumeration over four bytes. */
-    mip_wide_code code;
+    /** An enumeration over four bytes. A value of mip_wide_code. */
+    uint32_t code;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_MEASUREMENTS_HEALTH 0x8004
 #define MIP_MEASUREMENTS_HEALTH_DESCRIPTOR 0x04
 #define MIP_MEASUREMENTS_HEALTH_NAME "measurements.health"
 
-extern const struct mip_codec mip_measurements_health_codec;
-mip_error mip_measurements_health_decode(struct mip_measurements_health *value,
-                                         const struct mip_field *field);
-mip_error mip_measurements_health_encode(const struct mip_measurements_health *value,
-                                         struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_measurements_health_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_measurements_health_decode(struct mip_measurements_health *value,
+                                                       const struct mip_field *field) {
+    return mip_decode(&mip_measurements_health_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_measurements_health_encode(const struct mip_measurements_health *value,
+                                                       struct mip_builder *builder) {
+    return mip_encode(&mip_measurements_health_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_measurements_health_decode_inline(struct mip_measurements_health *value,
+                                                              const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x80, 0x04, 20);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    memcpy(value->result.bytes, field->data, 16);
+    value->code = mip_get_32(field->data + 16);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_measurements_health_encode_inline(
+    const struct mip_measurements_health *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x80, 0x04, 20, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    memcpy(data, value->result.bytes, 16);
+    mip_put_32(data + 16, value->code);
+    return MIP_OK;
+}
 /**
  * Arrays: data (0x80,0x05).
  *
@@ -163,8 +305,8 @@ mip_error mip_measurements_health_encode(const struct mip_measurements_health *v
  * - guide: Arrays
  */
 struct mip_measurements_arrays {
-    /** Enumerations. */
-    mip_mode modes[3];
+    /** Enumerations. Values of enum mip_mode. */
+    uint8_t modes[3];
     /** Bitfields. */
     mip_state_flags flags[2];
     /** Vectors. Elements: x, y, z. Unit: m. */
@@ -177,15 +319,87 @@ struct mip_measurements_arrays {
     int8_t offsets[4];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_MEASUREMENTS_ARRAYS 0x8005
 #define MIP_MEASUREMENTS_ARRAYS_DESCRIPTOR 0x05
 #define MIP_MEASUREMENTS_ARRAYS_NAME "measurements.arrays"
 
-extern const struct mip_codec mip_measurements_arrays_codec;
-mip_error mip_measurements_arrays_decode(struct mip_measurements_arrays *value,
-                                         const struct mip_field *field);
-mip_error mip_measurements_arrays_encode(const struct mip_measurements_arrays *value,
-                                         struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_measurements_arrays_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_measurements_arrays_decode(struct mip_measurements_arrays *value,
+                                                       const struct mip_field *field) {
+    return mip_decode(&mip_measurements_arrays_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_measurements_arrays_encode(const struct mip_measurements_arrays *value,
+                                                       struct mip_builder *builder) {
+    return mip_encode(&mip_measurements_arrays_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_measurements_arrays_decode_inline(struct mip_measurements_arrays *value,
+                                                              const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x80, 0x05, 53);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    memcpy(value->modes, field->data, 3);
+    for (size_t i = 0; i < 2; i++) {
+        value->flags[i] = mip_get_16(field->data + 3 + 2 * i);
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->vectors[0][i], field->data + 7 + 4 * i);
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->vectors[1][i], field->data + 19 + 4 * i);
+    }
+    value->points[0].x = (int16_t)mip_get_16(field->data + 31);
+    value->points[0].y = (int16_t)mip_get_16(field->data + 33);
+    value->points[1].x = (int16_t)mip_get_16(field->data + 35);
+    value->points[1].y = (int16_t)mip_get_16(field->data + 37);
+    value->track.from.x = (int16_t)mip_get_16(field->data + 39);
+    value->track.from.y = (int16_t)mip_get_16(field->data + 41);
+    value->track.to.x = (int16_t)mip_get_16(field->data + 43);
+    value->track.to.y = (int16_t)mip_get_16(field->data + 45);
+    memcpy(value->track.weights, field->data + 47, 2);
+    memcpy(value->offsets, field->data + 49, 4);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_measurements_arrays_encode_inline(
+    const struct mip_measurements_arrays *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x80, 0x05, 53, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    memcpy(data, value->modes, 3);
+    for (size_t i = 0; i < 2; i++) {
+        mip_put_16(data + 3 + 2 * i, value->flags[i]);
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 7 + 4 * i, &value->vectors[0][i]);
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 19 + 4 * i, &value->vectors[1][i]);
+    }
+    mip_put_16(data + 31, (uint16_t)value->points[0].x);
+    mip_put_16(data + 33, (uint16_t)value->points[0].y);
+    mip_put_16(data + 35, (uint16_t)value->points[1].x);
+    mip_put_16(data + 37, (uint16_t)value->points[1].y);
+    mip_put_16(data + 39, (uint16_t)value->track.from.x);
+    mip_put_16(data + 41, (uint16_t)value->track.from.y);
+    mip_put_16(data + 43, (uint16_t)value->track.to.x);
+    mip_put_16(data + 45, (uint16_t)value->track.to.y);
+    memcpy(data + 47, value->track.weights, 2);
+    memcpy(data + 49, value->offsets, 4);
+    return MIP_OK;
+}
 /**
  * Growing: data (0x80,0x06).
  *
@@ -206,6 +420,8 @@ struct mip_measurements_growing {
     float third;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_MEASUREMENTS_GROWING 0x8006
 #define MIP_MEASUREMENTS_GROWING_DESCRIPTOR 0x06
 #define MIP_MEASUREMENTS_GROWING_NAME "measurements.growing"
 /** The value of `present` if second is the last parameter that is there. */
@@ -213,12 +429,20 @@ struct mip_measurements_growing {
 /** The value of `present` if third is the last parameter that is there. */
 #define MIP_MEASUREMENTS_GROWING_WITH_THIRD 3
 
-extern const struct mip_codec mip_measurements_growing_codec;
-mip_error mip_measurements_growing_decode(struct mip_measurements_growing *value,
-                                          const struct mip_field *field);
-mip_error mip_measurements_growing_encode(const struct mip_measurements_growing *value,
-                                          struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_measurements_growing_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_measurements_growing_decode(struct mip_measurements_growing *value,
+                                                        const struct mip_field *field) {
+    return mip_decode(&mip_measurements_growing_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_measurements_growing_encode(
+    const struct mip_measurements_growing *value, struct mip_builder *builder) {
+    return mip_encode(&mip_measurements_growing_codec, value, builder);
+}
 /**
  * Radio: data (0x80,0x07).
  *
@@ -245,15 +469,61 @@ struct mip_measurements_radio {
     double gaps[2];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_MEASUREMENTS_RADIO 0x8007
 #define MIP_MEASUREMENTS_RADIO_DESCRIPTOR 0x07
 #define MIP_MEASUREMENTS_RADIO_NAME "measurements.radio"
 
-extern const struct mip_codec mip_measurements_radio_codec;
-mip_error mip_measurements_radio_decode(struct mip_measurements_radio *value,
-                                        const struct mip_field *field);
-mip_error mip_measurements_radio_encode(const struct mip_measurements_radio *value,
-                                        struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_measurements_radio_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_measurements_radio_decode(struct mip_measurements_radio *value,
+                                                      const struct mip_field *field) {
+    return mip_decode(&mip_measurements_radio_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_measurements_radio_encode(const struct mip_measurements_radio *value,
+                                                      struct mip_builder *builder) {
+    return mip_encode(&mip_measurements_radio_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_measurements_radio_decode_inline(struct mip_measurements_radio *value,
+                                                             const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x80, 0x07, 29);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->connected = mip_get_8(field->data);
+    value->strength = (int32_t)mip_get_32(field->data + 1);
+    mip_get_float(&value->noise, field->data + 5);
+    mip_get_float(&value->gap, field->data + 9);
+    for (size_t i = 0; i < 2; i++) {
+        mip_get_double(&value->gaps[i], field->data + 13 + 8 * i);
+    }
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_measurements_radio_encode_inline(
+    const struct mip_measurements_radio *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x80, 0x07, 29, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->connected);
+    mip_put_32(data + 1, (uint32_t)value->strength);
+    mip_put_float(data + 5, &value->noise);
+    mip_put_float(data + 9, &value->gap);
+    for (size_t i = 0; i < 2; i++) {
+        mip_put_double(data + 13 + 8 * i, &value->gaps[i]);
+    }
+    return MIP_OK;
+}
 /**
  * Cloud: data (0x80,0x08).
  *
@@ -272,15 +542,25 @@ struct mip_measurements_cloud {
     uint64_t stamp;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_MEASUREMENTS_CLOUD 0x8008
 #define MIP_MEASUREMENTS_CLOUD_DESCRIPTOR 0x08
 #define MIP_MEASUREMENTS_CLOUD_NAME "measurements.cloud"
 
-extern const struct mip_codec mip_measurements_cloud_codec;
-mip_error mip_measurements_cloud_decode(struct mip_measurements_cloud *value,
-                                        const struct mip_field *field);
-mip_error mip_measurements_cloud_encode(const struct mip_measurements_cloud *value,
-                                        struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_measurements_cloud_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_measurements_cloud_decode(struct mip_measurements_cloud *value,
+                                                      const struct mip_field *field) {
+    return mip_decode(&mip_measurements_cloud_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_measurements_cloud_encode(const struct mip_measurements_cloud *value,
+                                                      struct mip_builder *builder) {
+    return mip_encode(&mip_measurements_cloud_codec, value, builder);
+}
 /**
  * Gust: data (0x80,0x09).
  *
@@ -288,8 +568,8 @@ mip_error mip_measurements_cloud_encode(const struct mip_measurements_cloud *val
  *
  * No device profile lists it.
  *
- * `speed * 3.6` is in km/h, and `valid_flags` tells whether `speed` counts; see mip_mode and
- * mip_tools_shape.
+ * `speed * 3.6` is in km/h, and `valid_flags` tells whether `speed` counts; see enum mip_mode and
+ * enum mip_tools_shape.
  *
  * On the wire only, without a member:
  * - gap: Always the same. Always 7.
@@ -312,15 +592,25 @@ struct mip_measurements_gust {
     mip_state_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_MEASUREMENTS_GUST 0x8009
 #define MIP_MEASUREMENTS_GUST_DESCRIPTOR 0x09
 #define MIP_MEASUREMENTS_GUST_NAME "measurements.gust"
 
-extern const struct mip_codec mip_measurements_gust_codec;
-mip_error mip_measurements_gust_decode(struct mip_measurements_gust *value,
-                                       const struct mip_field *field);
-mip_error mip_measurements_gust_encode(const struct mip_measurements_gust *value,
-                                       struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_measurements_gust_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_measurements_gust_decode(struct mip_measurements_gust *value,
+                                                     const struct mip_field *field) {
+    return mip_decode(&mip_measurements_gust_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_measurements_gust_encode(const struct mip_measurements_gust *value,
+                                                     struct mip_builder *builder) {
+    return mip_encode(&mip_measurements_gust_codec, value, builder);
+}
 /**
  * Breeze: data (0x80,0x0A).
  *
@@ -342,14 +632,59 @@ struct mip_measurements_breeze {
     float turn[4];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_MEASUREMENTS_BREEZE 0x800A
 #define MIP_MEASUREMENTS_BREEZE_DESCRIPTOR 0x0A
 #define MIP_MEASUREMENTS_BREEZE_NAME "measurements.breeze"
 
-extern const struct mip_codec mip_measurements_breeze_codec;
-mip_error mip_measurements_breeze_decode(struct mip_measurements_breeze *value,
-                                         const struct mip_field *field);
-mip_error mip_measurements_breeze_encode(const struct mip_measurements_breeze *value,
-                                         struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_measurements_breeze_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_measurements_breeze_decode(struct mip_measurements_breeze *value,
+                                                       const struct mip_field *field) {
+    return mip_decode(&mip_measurements_breeze_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_measurements_breeze_encode(const struct mip_measurements_breeze *value,
+                                                       struct mip_builder *builder) {
+    return mip_encode(&mip_measurements_breeze_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_measurements_breeze_decode_inline(struct mip_measurements_breeze *value,
+                                                              const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x80, 0x0A, 24);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->place.x = (int16_t)mip_get_16(field->data);
+    value->place.y = (int16_t)mip_get_16(field->data + 2);
+    mip_get_float(&value->height, field->data + 4);
+    for (size_t i = 0; i < 4; i++) {
+        mip_get_float(&value->turn[i], field->data + 8 + 4 * i);
+    }
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_measurements_breeze_encode_inline(
+    const struct mip_measurements_breeze *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x80, 0x0A, 24, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_16(data, (uint16_t)value->place.x);
+    mip_put_16(data + 2, (uint16_t)value->place.y);
+    mip_put_float(data + 4, &value->height);
+    for (size_t i = 0; i < 4; i++) {
+        mip_put_float(data + 8 + 4 * i, &value->turn[i]);
+    }
+    return MIP_OK;
+}
 
 #ifdef __cplusplus
 }

@@ -1,35 +1,35 @@
 /* More measurements. */
 #include "mip/more.h"
+#include "mip/program.h"
 
-#include <string.h>
-
-static void read_own(struct mip_reader *r, void *value) {
-    struct mip_more_own *v = (struct mip_more_own *)value;
-    mip_read_u8(r, &v->mode, 1);
-}
-
-static void write_own(struct mip_writer *w, const void *value) {
-    const struct mip_more_own *v = (const struct mip_more_own *)value;
-    mip_write_u8(w, &v->mode, 1);
-}
-
-const struct mip_codec mip_more_own_codec = {
-    0x81, /* descriptor set */
-    MIP_MORE_OWN_DESCRIPTOR,
-    MIP_DATA,
-    sizeof(struct mip_more_own),
-    0, /* time-out */
-    read_own,
-    write_own,
-    NULL,
-    NULL,
-    NULL,
+static const uint8_t program_accel[] = {
+    MIP_32_BITS(3, MIP_AT(struct mip_more_accel, scaled_accel)),
+    MIP_16_BITS(1, MIP_AT(struct mip_more_accel, valid_flags)),
+    MIP_END,
 };
 
-mip_error mip_more_own_decode(struct mip_more_own *value, const struct mip_field *field) {
-    return mip_decode_field(field, read_own, value, sizeof(*value), NULL);
-}
+const struct mip_codec mip_more_accel_codec = {0x81, 0x01, MIP_DATA, sizeof(struct mip_more_accel),
+                                               program_accel};
 
-mip_error mip_more_own_encode(const struct mip_more_own *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, 0x81, MIP_MORE_OWN_DESCRIPTOR, write_own, value);
-}
+static const uint8_t program_strings[] = {
+    MIP_FAR,
+    MIP_8_BITS(16, MIP_FAR_AT(struct mip_more_strings, model)),
+    MIP_8_BITS(1, MIP_FAR_AT(struct mip_more_strings, length)),
+    MIP_COUNTED(MIP_SIZE(struct mip_more_strings, length), 236, 1,
+                MIP_FAR_AT(struct mip_more_strings, length)),
+    MIP_8_BITS(1, MIP_FAR_AT(struct mip_more_strings, name)),
+    MIP_REST(236, 1, MIP_FAR_AT(struct mip_more_strings, rest_count)),
+    MIP_8_BITS(1, MIP_FAR_AT(struct mip_more_strings, rest)),
+    MIP_END,
+};
+
+const struct mip_codec mip_more_strings_codec = {0x81, 0x03, MIP_DATA,
+                                                 sizeof(struct mip_more_strings), program_strings};
+
+static const uint8_t program_own[] = {
+    MIP_8_BITS(1, MIP_AT(struct mip_more_own, mode)),
+    MIP_END,
+};
+
+const struct mip_codec mip_more_own_codec = {0x81, 0x07, MIP_DATA, sizeof(struct mip_more_own),
+                                             program_own};

@@ -21,27 +21,6 @@ extern "C" {
 #define MIP_MORE_SET 0x81
 
 /**
- * Own: data (0x81,0x07).
- *
- * Beside those that it repeats.
- *
- * Supported by Model A and Model C.
- *
- * - guide: Own
- */
-struct mip_more_own {
-    /** Of the second sensor. */
-    mip_mode mode;
-};
-
-#define MIP_MORE_OWN_DESCRIPTOR 0x07
-#define MIP_MORE_OWN_NAME "more.own"
-
-extern const struct mip_codec mip_more_own_codec;
-mip_error mip_more_own_decode(struct mip_more_own *value, const struct mip_field *field);
-mip_error mip_more_own_encode(const struct mip_more_own *value, struct mip_builder *builder);
-
-/**
  * Second acceleration: data (0x81,0x01).
  *
  * A vector whose elements are valid together.
@@ -51,13 +30,66 @@ mip_error mip_more_own_encode(const struct mip_more_own *value, struct mip_build
  *
  * - guide: Second acceleration
  */
-#define mip_more_accel mip_measurements_accel
-#define mip_more_accel_codec mip_measurements_accel_codec
-#define mip_more_accel_decode mip_measurements_accel_decode
-#define mip_more_accel_encode mip_measurements_accel_encode
+struct mip_more_accel {
+    /**
+     * Specific force. Elements: x, y, z. Unit: g. Frame: sensor. Each element is valid by its bit:
+     * x by MIP_STATE_FLAGS_READY in valid_flags, y by MIP_STATE_FLAGS_HOT in valid_flags, z by
+     * MIP_STATE_FLAGS_READY in valid_flags.
+     */
+    float scaled_accel[3];
+    /** What is valid. */
+    mip_state_flags valid_flags;
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_MORE_ACCEL 0x8101
 #define MIP_MORE_ACCEL_DESCRIPTOR 0x01
 #define MIP_MORE_ACCEL_NAME "more.accel"
 
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_more_accel_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_more_accel_decode(struct mip_more_accel *value,
+                                              const struct mip_field *field) {
+    return mip_decode(&mip_more_accel_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_more_accel_encode(const struct mip_more_accel *value,
+                                              struct mip_builder *builder) {
+    return mip_encode(&mip_more_accel_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_more_accel_decode_inline(struct mip_more_accel *value,
+                                                     const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x81, 0x01, 14);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->scaled_accel[i], field->data + 4 * i);
+    }
+    value->valid_flags = mip_get_16(field->data + 12);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_more_accel_encode_inline(const struct mip_more_accel *value,
+                                                     struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x81, 0x01, 14, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 4 * i, &value->scaled_accel[i]);
+    }
+    mip_put_16(data + 12, value->valid_flags);
+    return MIP_OK;
+}
 /**
  * Strings: data (0x81,0x03).
  *
@@ -67,12 +99,95 @@ mip_error mip_more_own_encode(const struct mip_more_own *value, struct mip_build
  *
  * - guide: Second strings
  */
-#define mip_more_strings mip_measurements_strings
-#define mip_more_strings_codec mip_measurements_strings_codec
-#define mip_more_strings_decode mip_measurements_strings_decode
-#define mip_more_strings_encode mip_measurements_strings_encode
+struct mip_more_strings {
+    /** Padded with spaces. */
+    char model[17];
+    /** Of the name. The number of elements of name. */
+    uint8_t length;
+    /** The name. */
+    char name[237];
+    /** The number of elements of rest. */
+    uint8_t rest_count;
+    /** All that follows. */
+    char rest[237];
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_MORE_STRINGS 0x8103
 #define MIP_MORE_STRINGS_DESCRIPTOR 0x03
 #define MIP_MORE_STRINGS_NAME "more.strings"
+
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_more_strings_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_more_strings_decode(struct mip_more_strings *value,
+                                                const struct mip_field *field) {
+    return mip_decode(&mip_more_strings_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_more_strings_encode(const struct mip_more_strings *value,
+                                                struct mip_builder *builder) {
+    return mip_encode(&mip_more_strings_codec, value, builder);
+}
+/**
+ * Own: data (0x81,0x07).
+ *
+ * Beside those that it repeats.
+ *
+ * Supported by Model A and Model C.
+ *
+ * - guide: Own
+ */
+struct mip_more_own {
+    /** Of the second sensor. A value of enum mip_mode. */
+    uint8_t mode;
+};
+
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_MORE_OWN 0x8107
+#define MIP_MORE_OWN_DESCRIPTOR 0x07
+#define MIP_MORE_OWN_NAME "more.own"
+
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_more_own_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_more_own_decode(struct mip_more_own *value,
+                                            const struct mip_field *field) {
+    return mip_decode(&mip_more_own_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_more_own_encode(const struct mip_more_own *value,
+                                            struct mip_builder *builder) {
+    return mip_encode(&mip_more_own_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_more_own_decode_inline(struct mip_more_own *value,
+                                                   const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x81, 0x07, 1);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->mode = mip_get_8(field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_more_own_encode_inline(const struct mip_more_own *value,
+                                                   struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x81, 0x07, 1, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->mode);
+    return MIP_OK;
+}
 
 #ifdef __cplusplus
 }

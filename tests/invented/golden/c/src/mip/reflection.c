@@ -1,7 +1,9 @@
 
 
-/* The parameters, types and names of all fields. */
+/* The parameters of all fields. */
 #include "mip/reflect.h"
+
+#include "mip/names.h"
 
 #include "mip/protocol.h"
 #include "mip/tools.h"
@@ -14,135 +16,6 @@
 /* A member's place and the bytes of one item of it. */
 #define ONE(record, member) offsetof(record, member), sizeof(((record *)0)->member)
 #define MANY(record, member) offsetof(record, member), sizeof(((record *)0)->member[0])
-
-/* ---------------------------------------------------------------------------------------- names */
-
-static const struct mip_named_value values_function_selector[] = {
-    {"write", 1}, {"read", 2}, {"save", 3}, {"load", 4}, {"default", 5}, {"apply", 6},
-};
-static const struct mip_names names_function_selector = {
-    "function_selector", values_function_selector, NULL, 6, 1,
-};
-
-static const struct mip_named_value values_ack_code[] = {
-    {"ok", 0},
-    {"unknown_command", 1},
-    {"invalid_parameter", 3},
-};
-static const struct mip_names names_ack_code = {
-    "ack_code", values_ack_code, NULL, 3, 1,
-};
-
-static const struct mip_named_value values_mode[] = {
-    {"default", 0},
-    {"fast", 1},
-    {"slow", 2},
-};
-static const struct mip_names names_mode = {
-    "mode", values_mode, NULL, 3, 1,
-};
-
-static const struct mip_named_value values_wide_code[] = {
-    {"low", 1},
-    {"high", UINT32_C(0xFFFF0000)},
-};
-static const struct mip_names names_wide_code = {
-    "wide_code", values_wide_code, NULL, 2, 4,
-};
-
-static const struct mip_named_bits bits_state_flags[] = {
-    {"ready", 0, 1, NULL},       {"hot", 1, 1, NULL}, {"level", 4, 3, NULL},
-    {"mode", 8, 2, &names_mode}, {"any", 0, 2, NULL},
-};
-static const struct mip_names names_state_flags = {
-    "state_flags", NULL, bits_state_flags, 5, 2,
-};
-
-static const struct mip_named_bits bits_health[] = {
-    {"clock", 0, 1, NULL},
-    {"power", 9, 1, NULL},
-    {"count", 30, 4, NULL},
-    {"last", 127, 1, NULL},
-};
-static const struct mip_names names_health = {
-    "health", NULL, bits_health, 4, 16,
-};
-
-static const struct mip_named_value values_tools_shape[] = {
-    {"none", 0}, {"circle", 1}, {"path", 2}, {"turn", 3}, {"label", 4},
-};
-static const struct mip_names names_tools_shape = {
-    "tools.shape", values_tools_shape, NULL, 5, 1,
-};
-
-static const struct mip_named_value values_tools_fill[] = {
-    {"empty", 0},
-    {"solid", 1},
-    {"striped", 2},
-};
-static const struct mip_names names_tools_fill = {
-    "tools.fill", values_tools_fill, NULL, 3, 1,
-};
-
-static const struct mip_named_value values_tools_drive[] = {
-    {"off", 0},
-    {"pulse", 1},
-    {"serial", 2},
-};
-static const struct mip_names names_tools_drive = {
-    "tools.drive", values_tools_drive, NULL, 3, 1,
-};
-
-static const struct mip_named_value values_tools_pulse_use[] = {
-    {"input", 1},
-    {"output", 2},
-};
-static const struct mip_names names_tools_pulse_use = {
-    "tools.pulse_use", values_tools_pulse_use, NULL, 2, 1,
-};
-
-static const struct mip_named_value values_tools_serial_use[] = {
-    {"receive", 1},
-    {"transmit", 33},
-};
-static const struct mip_names names_tools_serial_use = {
-    "tools.serial_use", values_tools_serial_use, NULL, 2, 1,
-};
-
-static const struct mip_named_bits bits_tools_model_a_faults[] = {
-    {"clock", 0, 1, NULL},
-    {"sensor", 8, 1, NULL},
-    {"solution", 24, 1, NULL},
-};
-static const struct mip_names names_tools_model_a_faults = {
-    "tools.model_a_faults", NULL, bits_tools_model_a_faults, 3, 4,
-};
-
-static const struct mip_named_bits bits_tools_model_b_faults[] = {
-    {"general", 0, 1, NULL},
-    {"overload", 1, 1, NULL},
-    {"accel", 12, 1, NULL},
-};
-static const struct mip_names names_tools_model_b_faults = {
-    "tools.model_b_faults", NULL, bits_tools_model_b_faults, 3, 4,
-};
-
-const struct mip_names *const mip_all_names[] = {
-    &names_function_selector,
-    &names_ack_code,
-    &names_mode,
-    &names_wide_code,
-    &names_state_flags,
-    &names_health,
-    &names_tools_shape,
-    &names_tools_fill,
-    &names_tools_drive,
-    &names_tools_pulse_use,
-    &names_tools_serial_use,
-    &names_tools_model_a_faults,
-    &names_tools_model_b_faults,
-};
-const size_t mip_all_names_count = sizeof(mip_all_names) / sizeof(mip_all_names[0]);
 
 /* ----------------------------------------------------------------------------------- parameters */
 
@@ -199,7 +72,7 @@ static const struct mip_parameter parameters_tools_circle[] = {
     {"center", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_tools_circle, center), 0, NULL, NULL, &record_point, NULL, 0},
     {"fill", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_tools_circle, fill), 0, &names_tools_fill, NULL, NULL, NULL, 0},
+     ONE(struct mip_tools_circle, fill), 0, &mip_names_tools_fill, NULL, NULL, NULL, 0},
     {"filling", "", MIP_KIND_UNION, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 1, 0, 0,
      ONE(struct mip_tools_circle, filling), 0, NULL, NULL, NULL, cases_tools_circle_filling, 3},
 };
@@ -236,13 +109,13 @@ static const struct mip_record record_tools_reading = {
 };
 
 static const struct mip_reading readings_protocol_acknowledge_code[] = {
-    {"model-b", 0, 0, &names_mode},
+    {"model-b", 0, 0, &mip_names_mode},
 };
 static const struct mip_parameter parameters_protocol_acknowledge[] = {
     {"command", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_protocol_acknowledge, command), 0, NULL, NULL, NULL, NULL, 0},
     {"code", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_protocol_acknowledge, code), 0, &names_ack_code,
+     ONE(struct mip_protocol_acknowledge, code), 0, &mip_names_ack_code,
      readings_protocol_acknowledge_code, NULL, NULL, 1},
 };
 static const struct mip_record record_protocol_acknowledge = {
@@ -259,11 +132,12 @@ static const struct mip_record record_tools_ping = {
 
 static const struct mip_parameter parameters_tools_settings[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_tools_settings, function), 0, &names_function_selector, NULL, NULL, NULL, 0},
+     ONE(struct mip_tools_settings, function), 0, &mip_names_function_selector, NULL, NULL, NULL,
+     0},
     {"port", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
      ONE(struct mip_tools_settings, port), 0, NULL, NULL, NULL, NULL, 0},
     {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_tools_settings, mode), 0, &names_mode, NULL, NULL, NULL, 0},
+     ONE(struct mip_tools_settings, mode), 0, &mip_names_mode, NULL, NULL, NULL, 0},
     {"baud", "Bd", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
      ONE(struct mip_tools_settings, baud), 0, NULL, NULL, NULL, NULL, 0},
     {"limit", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 4, 0,
@@ -280,9 +154,10 @@ static const uint8_t required_tools_settings[] = {0, 3, 2, 1, 1, 1, 3};
 
 static const struct mip_parameter parameters_tools_set_time[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_tools_set_time, function), 0, &names_function_selector, NULL, NULL, NULL, 0},
+     ONE(struct mip_tools_set_time, function), 0, &mip_names_function_selector, NULL, NULL, NULL,
+     0},
     {"part", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_tools_set_time, part), 0, &names_mode, NULL, NULL, NULL, 0},
+     ONE(struct mip_tools_set_time, part), 0, &mip_names_mode, NULL, NULL, NULL, 0},
     {"value", "s", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
      ONE(struct mip_tools_set_time, value), 0, NULL, NULL, NULL, NULL, 0},
 };
@@ -307,7 +182,7 @@ static const struct mip_record record_tools_status = {
 
 static const struct mip_parameter parameters_tools_bias[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_tools_bias, function), 0, &names_function_selector, NULL, NULL, NULL, 0},
+     ONE(struct mip_tools_bias, function), 0, &mip_names_function_selector, NULL, NULL, NULL, 0},
     {"bias", "g", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 1, 0,
      ONE(struct mip_tools_bias, bias), 0, NULL, NULL, NULL, NULL, 0},
 };
@@ -363,11 +238,11 @@ static const struct mip_case cases_tools_choice_parameters[] = {
 };
 static const struct mip_parameter parameters_tools_choice[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_tools_choice, function), 0, &names_function_selector, NULL, NULL, NULL, 0},
+     ONE(struct mip_tools_choice, function), 0, &mip_names_function_selector, NULL, NULL, NULL, 0},
     {"instance", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
      ONE(struct mip_tools_choice, instance), 0, NULL, NULL, NULL, NULL, 0},
     {"shape", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_tools_choice, shape), 0, &names_tools_shape, NULL, NULL, NULL, 0},
+     ONE(struct mip_tools_choice, shape), 0, &mip_names_tools_shape, NULL, NULL, NULL, 0},
     {"parameters", "", MIP_KIND_UNION, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 2, 3, 0,
      ONE(struct mip_tools_choice, parameters), 0, NULL, NULL, NULL, cases_tools_choice_parameters,
      5},
@@ -381,7 +256,7 @@ static const uint8_t required_tools_choice[] = {0, 3, 1};
 
 static const struct mip_parameter parameters_tools_list[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_tools_list, function), 0, &names_function_selector, NULL, NULL, NULL, 0},
+     ONE(struct mip_tools_list, function), 0, &mip_names_function_selector, NULL, NULL, NULL, 0},
     {"count", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 2, 2, 0,
      ONE(struct mip_tools_list, count), 0, NULL, NULL, NULL, NULL, 0},
     {"items", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_COUNTED, 125, 1, 1, 2, 0,
@@ -401,14 +276,14 @@ static const struct mip_record record_tools_inventory = {
 };
 
 static const struct mip_reading readings_tools_pin_use[] = {
-    {NULL, 1, 1, &names_tools_pulse_use},
-    {NULL, 1, 2, &names_tools_serial_use},
+    {NULL, 1, 1, &mip_names_tools_pulse_use},
+    {NULL, 1, 2, &mip_names_tools_serial_use},
 };
 static const struct mip_parameter parameters_tools_pin[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_tools_pin, function), 0, &names_function_selector, NULL, NULL, NULL, 0},
+     ONE(struct mip_tools_pin, function), 0, &mip_names_function_selector, NULL, NULL, NULL, 0},
     {"drive", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_tools_pin, drive), 0, &names_tools_drive, NULL, NULL, NULL, 0},
+     ONE(struct mip_tools_pin, drive), 0, &mip_names_tools_drive, NULL, NULL, NULL, 0},
     {"use", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
      ONE(struct mip_tools_pin, use), 0, NULL, readings_tools_pin_use, NULL, NULL, 2},
 };
@@ -433,7 +308,7 @@ static const struct mip_record record_tools_hello = {
 
 static const struct mip_parameter parameters_tools_readings[] = {
     {"drive", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_tools_readings, drive), 0, &names_tools_drive, NULL, NULL, NULL, 0},
+     ONE(struct mip_tools_readings, drive), 0, &mip_names_tools_drive, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_tools_readings = {
     parameters_tools_readings,
@@ -445,7 +320,7 @@ static const struct mip_parameter parameters_tools_settings_response[] = {
     {"port", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_tools_settings_response, port), 0, NULL, NULL, NULL, NULL, 0},
     {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_tools_settings_response, mode), 0, &names_mode, NULL, NULL, NULL, 0},
+     ONE(struct mip_tools_settings_response, mode), 0, &mip_names_mode, NULL, NULL, NULL, 0},
     {"baud", "Bd", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_tools_settings_response, baud), 0, NULL, NULL, NULL, NULL, 0},
     {"limit", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -502,7 +377,7 @@ static const struct mip_parameter parameters_tools_choice_response[] = {
     {"instance", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_tools_choice_response, instance), 0, NULL, NULL, NULL, NULL, 0},
     {"shape", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_tools_choice_response, shape), 0, &names_tools_shape, NULL, NULL, NULL, 0},
+     ONE(struct mip_tools_choice_response, shape), 0, &mip_names_tools_shape, NULL, NULL, NULL, 0},
     {"parameters", "", MIP_KIND_UNION, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 1, 0, 0,
      ONE(struct mip_tools_choice_response, parameters), 0, NULL, NULL, NULL,
      cases_tools_choice_response_parameters, 5},
@@ -537,12 +412,12 @@ static const struct mip_record record_tools_inventory_response = {
 };
 
 static const struct mip_reading readings_tools_pin_response_use[] = {
-    {NULL, 0, 1, &names_tools_pulse_use},
-    {NULL, 0, 2, &names_tools_serial_use},
+    {NULL, 0, 1, &mip_names_tools_pulse_use},
+    {NULL, 0, 2, &mip_names_tools_serial_use},
 };
 static const struct mip_parameter parameters_tools_pin_response[] = {
     {"drive", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_tools_pin_response, drive), 0, &names_tools_drive, NULL, NULL, NULL, 0},
+     ONE(struct mip_tools_pin_response, drive), 0, &mip_names_tools_drive, NULL, NULL, NULL, 0},
     {"use", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_tools_pin_response, use), 0, NULL, readings_tools_pin_response_use, NULL, NULL,
      2},
@@ -565,7 +440,8 @@ static const struct mip_record record_tools_hello_response = {
 
 static const struct mip_parameter parameters_tools_readings_response[] = {
     {"drive", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_tools_readings_response, drive), 0, &names_tools_drive, NULL, NULL, NULL, 0},
+     ONE(struct mip_tools_readings_response, drive), 0, &mip_names_tools_drive, NULL, NULL, NULL,
+     0},
     {"count", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 2, 0, 0,
      ONE(struct mip_tools_readings_response, count), 0, NULL, NULL, NULL, NULL, 0},
     {"readings", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_COUNTED, 49, 1, 1, 0, 0,
@@ -581,9 +457,9 @@ static const struct mip_record record_tools_readings_response = {
 };
 
 static const struct mip_reading readings_tools_status_short_flags[] = {
-    {"model-a", 0, 0, &names_tools_model_a_faults},
-    {"model-b", 0, 0, &names_tools_model_b_faults},
-    {"model-c", 0, 0, &names_tools_model_a_faults},
+    {"model-a", 0, 0, &mip_names_tools_model_a_faults},
+    {"model-b", 0, 0, &mip_names_tools_model_b_faults},
+    {"model-c", 0, 0, &mip_names_tools_model_a_faults},
 };
 static const struct mip_parameter parameters_tools_status_short[] = {
     {"model", "", MIP_KIND_CONSTANT, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 4711, 0, 0, 0,
@@ -601,8 +477,8 @@ static const struct mip_record record_tools_status_short = {
 };
 
 static const struct mip_reading readings_tools_status_long_flags[] = {
-    {"model-a", 0, 0, &names_tools_model_a_faults},
-    {"model-b", 0, 0, &names_tools_model_b_faults},
+    {"model-a", 0, 0, &mip_names_tools_model_a_faults},
+    {"model-b", 0, 0, &mip_names_tools_model_b_faults},
 };
 static const struct mip_parameter parameters_tools_status_long[] = {
     {"model", "", MIP_KIND_CONSTANT, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 4711, 0, 0, 0,
@@ -645,7 +521,7 @@ static const struct mip_parameter parameters_tools_status_full[] = {
     {"uptime", "s", MIP_KIND_NUMBER, MIP_SCALAR_U64, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_tools_status_full, uptime), 0, NULL, NULL, NULL, NULL, 0},
     {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_tools_status_full, mode), 0, &names_mode, NULL, NULL, NULL, 0},
+     ONE(struct mip_tools_status_full, mode), 0, &mip_names_mode, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_tools_status_full = {
     parameters_tools_status_full,
@@ -685,7 +561,8 @@ static const struct mip_parameter parameters_measurements_accel[] = {
     {"scaled_accel", "g", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_measurements_accel, scaled_accel), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_measurements_accel, valid_flags), 0, &names_state_flags, NULL, NULL, NULL, 0},
+     ONE(struct mip_measurements_accel, valid_flags), 0, &mip_names_state_flags, NULL, NULL, NULL,
+     0},
 };
 static const struct mip_record record_measurements_accel = {
     parameters_measurements_accel,
@@ -744,9 +621,9 @@ static const struct mip_record record_measurements_strings = {
 
 static const struct mip_parameter parameters_measurements_health[] = {
     {"result", "", MIP_KIND_BITS, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_measurements_health, result), 0, &names_health, NULL, NULL, NULL, 0},
+     ONE(struct mip_measurements_health, result), 0, &mip_names_health, NULL, NULL, NULL, 0},
     {"code", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_measurements_health, code), 0, &names_wide_code, NULL, NULL, NULL, 0},
+     ONE(struct mip_measurements_health, code), 0, &mip_names_wide_code, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_measurements_health = {
     parameters_measurements_health,
@@ -756,9 +633,9 @@ static const struct mip_record record_measurements_health = {
 
 static const struct mip_parameter parameters_measurements_arrays[] = {
     {"modes", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 3, 1, 0, 0, 0,
-     MANY(struct mip_measurements_arrays, modes), 0, &names_mode, NULL, NULL, NULL, 0},
+     MANY(struct mip_measurements_arrays, modes), 0, &mip_names_mode, NULL, NULL, NULL, 0},
     {"flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_FIXED, 2, 1, 0, 0, 0,
-     MANY(struct mip_measurements_arrays, flags), 0, &names_state_flags, NULL, NULL, NULL, 0},
+     MANY(struct mip_measurements_arrays, flags), 0, &mip_names_state_flags, NULL, NULL, NULL, 0},
     {"vectors", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_FIXED, 2, 3, 0, 0, 0,
      MANY(struct mip_measurements_arrays, vectors), 0, NULL, NULL, NULL, NULL, 0},
     {"points", "m", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 2, 1, 0, 0, 0,
@@ -832,7 +709,8 @@ static const struct mip_parameter parameters_measurements_gust[] = {
     {"gap", "", MIP_KIND_CONSTANT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 7, 0, 0, 0, NULL,
      NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_measurements_gust, valid_flags), 0, &names_state_flags, NULL, NULL, NULL, 0},
+     ONE(struct mip_measurements_gust, valid_flags), 0, &mip_names_state_flags, NULL, NULL, NULL,
+     0},
 };
 static const struct mip_record record_measurements_gust = {
     parameters_measurements_gust,
@@ -856,7 +734,7 @@ static const struct mip_record record_measurements_breeze = {
 
 static const struct mip_parameter parameters_more_own[] = {
     {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_more_own, mode), 0, &names_mode, NULL, NULL, NULL, 0},
+     ONE(struct mip_more_own, mode), 0, &mip_names_mode, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_more_own = {
     parameters_more_own,
@@ -868,7 +746,7 @@ static const struct mip_parameter parameters_shared_timestamp[] = {
     {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_shared_timestamp, tow), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_shared_timestamp, valid_flags), 0, &names_state_flags, NULL, NULL, NULL, 0},
+     ONE(struct mip_shared_timestamp, valid_flags), 0, &mip_names_state_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_shared_timestamp = {
     parameters_shared_timestamp,
@@ -929,7 +807,20 @@ const struct mip_reflection mip_reflections[] = {
     {&mip_measurements_cloud_codec, &record_measurements_cloud, false, false, NULL, 0, 0},
     {&mip_measurements_gust_codec, &record_measurements_gust, false, false, NULL, 0, 0},
     {&mip_measurements_breeze_codec, &record_measurements_breeze, false, false, NULL, 0, 0},
+    {&mip_more_accel_codec, &record_measurements_accel, false, false, NULL, 0, 0},
+    {&mip_more_strings_codec, &record_measurements_strings, false, false, NULL, 0, 0},
     {&mip_more_own_codec, &record_more_own, false, false, NULL, 0, 0},
+    {&mip_copy_accel_codec, &record_measurements_accel, false, false, NULL, 0, 0},
+    {&mip_copy_numbers_codec, &record_measurements_numbers, false, false, NULL, 0, 0},
+    {&mip_copy_strings_codec, &record_measurements_strings, false, false, NULL, 0, 0},
+    {&mip_copy_health_codec, &record_measurements_health, false, false, NULL, 0, 0},
+    {&mip_copy_arrays_codec, &record_measurements_arrays, false, false, NULL, 0, 0},
+    {&mip_copy_growing_codec, &record_measurements_growing, false, true, NULL, 0,
+     offsetof(struct mip_copy_growing, present)},
+    {&mip_copy_radio_codec, &record_measurements_radio, false, false, NULL, 0, 0},
+    {&mip_copy_cloud_codec, &record_measurements_cloud, false, false, NULL, 0, 0},
+    {&mip_copy_gust_codec, &record_measurements_gust, false, false, NULL, 0, 0},
+    {&mip_copy_breeze_codec, &record_measurements_breeze, false, false, NULL, 0, 0},
     {&mip_shared_timestamp_codec, &record_shared_timestamp, false, false, NULL, 0, 0},
 };
 const size_t mip_reflection_count = sizeof(mip_reflections) / sizeof(mip_reflections[0]);

@@ -35,14 +35,51 @@ struct mip_shared_timestamp {
     mip_state_flags valid_flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_SHARED_TIMESTAMP 0xFFD3
 #define MIP_SHARED_TIMESTAMP_DESCRIPTOR 0xD3
 #define MIP_SHARED_TIMESTAMP_NAME "shared.timestamp"
 
-extern const struct mip_codec mip_shared_timestamp_codec;
-mip_error mip_shared_timestamp_decode(struct mip_shared_timestamp *value,
-                                      const struct mip_field *field);
-mip_error mip_shared_timestamp_encode(const struct mip_shared_timestamp *value,
-                                      struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_shared_timestamp_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_shared_timestamp_decode(struct mip_shared_timestamp *value,
+                                                    const struct mip_field *field) {
+    return mip_decode(&mip_shared_timestamp_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_shared_timestamp_encode(const struct mip_shared_timestamp *value,
+                                                    struct mip_builder *builder) {
+    return mip_encode(&mip_shared_timestamp_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_shared_timestamp_decode_inline(struct mip_shared_timestamp *value,
+                                                           const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0xFF, 0xD3, 10);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    mip_get_double(&value->tow, field->data);
+    value->valid_flags = mip_get_16(field->data + 8);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_shared_timestamp_encode_inline(const struct mip_shared_timestamp *value,
+                                                           struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0xFF, 0xD3, 10, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_double(data, &value->tow);
+    mip_put_16(data + 8, value->valid_flags);
+    return MIP_OK;
+}
 
 #ifdef __cplusplus
 }

@@ -20,19 +20,25 @@ extern "C" {
 #define MIP_TOOLS_SET 0x01
 
 /** Which member the union has. */
-typedef uint8_t mip_tools_shape;
-#define MIP_TOOLS_SHAPE_NONE 0
-#define MIP_TOOLS_SHAPE_CIRCLE 1
-#define MIP_TOOLS_SHAPE_PATH 2
-#define MIP_TOOLS_SHAPE_TURN 3
-#define MIP_TOOLS_SHAPE_LABEL 4
+enum mip_tools_shape {
+    MIP_TOOLS_SHAPE_NONE = 0,
+    MIP_TOOLS_SHAPE_CIRCLE = 1,
+    MIP_TOOLS_SHAPE_PATH = 2,
+    MIP_TOOLS_SHAPE_TURN = 3,
+    MIP_TOOLS_SHAPE_LABEL = 4
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_tools_shape_name(uint8_t value);
 /** How a circle is filled. */
-typedef uint8_t mip_tools_fill;
-#define MIP_TOOLS_FILL_EMPTY 0
-#define MIP_TOOLS_FILL_SOLID 1
-#define MIP_TOOLS_FILL_STRIPED 2
+enum mip_tools_fill {
+    MIP_TOOLS_FILL_EMPTY = 0,
+    MIP_TOOLS_FILL_SOLID = 1,
+    MIP_TOOLS_FILL_STRIPED = 2
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_tools_fill_name(uint8_t value);
 /** Two numbers. */
 struct mip_tools_stripes {
     /** Of a stripe. Unit: m. */
@@ -40,9 +46,6 @@ struct mip_tools_stripes {
     /** Of all stripes. Unit: deg. Range: -180 to 180. */
     float angle;
 };
-
-void mip_tools_stripes_read(struct mip_reader *r, struct mip_tools_stripes *v);
-void mip_tools_stripes_write(struct mip_writer *w, const struct mip_tools_stripes *v);
 
 /** The member of mip_tools_circle that `fill` selects. */
 union mip_tools_circle_filling {
@@ -56,14 +59,11 @@ union mip_tools_circle_filling {
 struct mip_tools_circle {
     /** The middle. */
     struct mip_point center;
-    /** Which member follows. */
-    mip_tools_fill fill;
+    /** Which member follows. A value of enum mip_tools_fill. */
+    uint8_t fill;
     /** How it is filled. Selected by fill. Empty if fill is MIP_TOOLS_FILL_EMPTY. */
     union mip_tools_circle_filling filling;
 };
-
-void mip_tools_circle_read(struct mip_reader *r, struct mip_tools_circle *v);
-void mip_tools_circle_write(struct mip_writer *w, const struct mip_tools_circle *v);
 
 /** A counted array at its end. */
 struct mip_tools_path {
@@ -75,25 +75,25 @@ struct mip_tools_path {
     struct mip_point points[62];
 };
 
-void mip_tools_path_read(struct mip_reader *r, struct mip_tools_path *v);
-void mip_tools_path_write(struct mip_writer *w, const struct mip_tools_path *v);
-
 /** What drives a pin. */
-typedef uint8_t mip_tools_drive;
-#define MIP_TOOLS_DRIVE_OFF 0
-#define MIP_TOOLS_DRIVE_PULSE 1
-#define MIP_TOOLS_DRIVE_SERIAL 2
+enum mip_tools_drive {
+    MIP_TOOLS_DRIVE_OFF = 0,
+    MIP_TOOLS_DRIVE_PULSE = 1,
+    MIP_TOOLS_DRIVE_SERIAL = 2
+};
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_tools_drive_name(uint8_t value);
 /** Of a pulse. */
-typedef uint8_t mip_tools_pulse_use;
-#define MIP_TOOLS_PULSE_USE_INPUT 1
-#define MIP_TOOLS_PULSE_USE_OUTPUT 2
+enum mip_tools_pulse_use { MIP_TOOLS_PULSE_USE_INPUT = 1, MIP_TOOLS_PULSE_USE_OUTPUT = 2 };
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_tools_pulse_use_name(uint8_t value);
 /** Of a serial line. */
-typedef uint8_t mip_tools_serial_use;
-#define MIP_TOOLS_SERIAL_USE_RECEIVE 1
-#define MIP_TOOLS_SERIAL_USE_TRANSMIT 33
+enum mip_tools_serial_use { MIP_TOOLS_SERIAL_USE_RECEIVE = 1, MIP_TOOLS_SERIAL_USE_TRANSMIT = 33 };
 
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_tools_serial_use_name(uint8_t value);
 /** One of a list; what it is depends on what was asked for. */
 struct mip_tools_reading {
     /** Of the reading. */
@@ -101,9 +101,6 @@ struct mip_tools_reading {
     /** Of the reading. */
     float value;
 };
-
-void mip_tools_reading_read(struct mip_reader *r, struct mip_tools_reading *v);
-void mip_tools_reading_write(struct mip_writer *w, const struct mip_tools_reading *v);
 
 /** Of the model A. */
 typedef uint32_t mip_tools_model_a_faults;
@@ -113,7 +110,6 @@ typedef uint32_t mip_tools_model_a_faults;
 #define MIP_TOOLS_MODEL_A_FAULTS_SENSOR UINT32_C(0x00000100)
 /** Bit 24. */
 #define MIP_TOOLS_MODEL_A_FAULTS_SOLUTION UINT32_C(0x01000000)
-
 /** Of the model B. */
 typedef uint32_t mip_tools_model_b_faults;
 /** Bit 0. */
@@ -122,7 +118,6 @@ typedef uint32_t mip_tools_model_b_faults;
 #define MIP_TOOLS_MODEL_B_FAULTS_OVERLOAD UINT32_C(0x00000002)
 /** Bit 12. */
 #define MIP_TOOLS_MODEL_B_FAULTS_ACCEL UINT32_C(0x00001000)
-
 /**
  * Ping: command (0x01,0x01).
  *
@@ -138,13 +133,25 @@ struct mip_tools_ping {
     uint8_t empty;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_TOOLS_PING 0x0101
 #define MIP_TOOLS_PING_DESCRIPTOR 0x01
 #define MIP_TOOLS_PING_NAME "tools.ping"
 
-extern const struct mip_codec mip_tools_ping_codec;
-mip_error mip_tools_ping_decode(struct mip_tools_ping *value, const struct mip_field *field);
-mip_error mip_tools_ping_encode(const struct mip_tools_ping *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_tools_ping_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_tools_ping_decode(struct mip_tools_ping *value,
+                                              const struct mip_field *field) {
+    return mip_decode(&mip_tools_ping_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_tools_ping_encode(const struct mip_tools_ping *value,
+                                              struct mip_builder *builder) {
+    return mip_encode(&mip_tools_ping_codec, value, builder);
+}
 /**
  * Settings: command (0x01,0x02).
  *
@@ -160,15 +167,15 @@ mip_error mip_tools_ping_encode(const struct mip_tools_ping *value, struct mip_b
 struct mip_tools_settings {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /** Number of the port, 0 for all. Range: 0 to 8. */
     uint8_t port;
     /**
-     * What to do. Default: MIP_MODE_FAST. Required for write, read and apply. On the Model C: only
-     * MIP_MODE_DEFAULT and MIP_MODE_FAST; not deprecated.
+     * What to do. A value of enum mip_mode. Default: MIP_MODE_FAST. Required for write, read and
+     * apply. On the Model C: only MIP_MODE_DEFAULT and MIP_MODE_FAST; not deprecated.
      */
-    mip_mode mode;
+    uint8_t mode;
     /** Speed. Unit: Bd. Default: 115200. Required for write and apply. */
     uint32_t baud;
     /**
@@ -180,6 +187,8 @@ struct mip_tools_settings {
     uint8_t reserved;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_TOOLS_SETTINGS 0x0102
 #define MIP_TOOLS_SETTINGS_DESCRIPTOR 0x02
 #define MIP_TOOLS_SETTINGS_NAME "tools.settings"
 /** The value of `present` if limit is the last parameter that is there. */
@@ -187,24 +196,103 @@ struct mip_tools_settings {
 /** The value of `present` if reserved is the last parameter that is there. */
 #define MIP_TOOLS_SETTINGS_WITH_RESERVED 5
 
-extern const struct mip_codec mip_tools_settings_codec;
-mip_error mip_tools_settings_decode(struct mip_tools_settings *value,
-                                    const struct mip_field *field);
-mip_error mip_tools_settings_encode(const struct mip_tools_settings *value,
-                                    struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_tools_settings mip_tools_settings_write(uint8_t port, mip_mode mode, uint32_t baud);
-/** Send the current setting back in a response. */
-struct mip_tools_settings mip_tools_settings_read(uint8_t port, mip_mode mode);
-/** Save the current setting to non-volatile memory. */
-struct mip_tools_settings mip_tools_settings_save(uint8_t port);
-/** Load the saved setting. */
-struct mip_tools_settings mip_tools_settings_load(uint8_t port);
-/** Load the factory default setting. */
-struct mip_tools_settings mip_tools_settings_default(uint8_t port);
-/** Apply the new setting and send no acknowledge (5-series devices). */
-struct mip_tools_settings mip_tools_settings_apply(uint8_t port, mip_mode mode, uint32_t baud);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_tools_settings_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_tools_settings_decode(struct mip_tools_settings *value,
+                                                  const struct mip_field *field) {
+    return mip_decode(&mip_tools_settings_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_tools_settings_encode(const struct mip_tools_settings *value,
+                                                  struct mip_builder *builder) {
+    return mip_encode(&mip_tools_settings_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_tools_settings *mip_tools_settings_write(
+    struct mip_tools_settings *command, uint8_t port, enum mip_mode mode, uint32_t baud) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->port = port;
+    command->mode = (uint8_t)mode;
+    command->baud = baud;
+    command->reserved = 1;
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_tools_settings *mip_tools_settings_read(struct mip_tools_settings *command,
+                                                                 uint8_t port, enum mip_mode mode) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    command->port = port;
+    command->mode = (uint8_t)mode;
+    command->reserved = 1;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_tools_settings *mip_tools_settings_save(struct mip_tools_settings *command,
+                                                                 uint8_t port) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    command->port = port;
+    command->reserved = 1;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_tools_settings *mip_tools_settings_load(struct mip_tools_settings *command,
+                                                                 uint8_t port) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    command->port = port;
+    command->reserved = 1;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_tools_settings *
+mip_tools_settings_default(struct mip_tools_settings *command, uint8_t port) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    command->port = port;
+    command->reserved = 1;
+    return command;
+}
+/**
+ * Apply the new setting and send no acknowledge (5-series devices).
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_tools_settings *mip_tools_settings_apply(
+    struct mip_tools_settings *command, uint8_t port, enum mip_mode mode, uint32_t baud) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_APPLY;
+    command->port = port;
+    command->mode = (uint8_t)mode;
+    command->baud = baud;
+    command->reserved = 1;
+    return command;
+}
 /**
  * Settings response: response (0x01,0x82).
  *
@@ -216,8 +304,8 @@ struct mip_tools_settings mip_tools_settings_apply(uint8_t port, mip_mode mode, 
 struct mip_tools_settings_response {
     /** Number of the port, 0 for all. Range: 0 to 8. */
     uint8_t port;
-    /** What to do. Default: MIP_MODE_FAST. */
-    mip_mode mode;
+    /** What to do. A value of enum mip_mode. Default: MIP_MODE_FAST. */
+    uint8_t mode;
     /** Speed. Unit: Bd. Default: 115200. */
     uint32_t baud;
     /**
@@ -229,15 +317,57 @@ struct mip_tools_settings_response {
     uint8_t reserved;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_TOOLS_SETTINGS_RESPONSE 0x0182
 #define MIP_TOOLS_SETTINGS_RESPONSE_DESCRIPTOR 0x82
 #define MIP_TOOLS_SETTINGS_RESPONSE_NAME "tools.settings_response"
 
-extern const struct mip_codec mip_tools_settings_response_codec;
-mip_error mip_tools_settings_response_decode(struct mip_tools_settings_response *value,
-                                             const struct mip_field *field);
-mip_error mip_tools_settings_response_encode(const struct mip_tools_settings_response *value,
-                                             struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_tools_settings_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_tools_settings_response_decode(
+    struct mip_tools_settings_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_tools_settings_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_tools_settings_response_encode(
+    const struct mip_tools_settings_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_tools_settings_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_tools_settings_response_decode_inline(
+    struct mip_tools_settings_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x01, 0x82, 9);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->port = mip_get_8(field->data);
+    value->mode = mip_get_8(field->data + 1);
+    value->baud = mip_get_32(field->data + 2);
+    value->limit = mip_get_16(field->data + 6);
+    value->reserved = mip_get_8(field->data + 8);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_tools_settings_response_encode_inline(
+    const struct mip_tools_settings_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x01, 0x82, 9, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->port);
+    mip_put_8(data + 1, value->mode);
+    mip_put_32(data + 2, value->baud);
+    mip_put_16(data + 6, value->limit);
+    mip_put_8(data + 8, value->reserved);
+    return MIP_OK;
+}
 /**
  * Set time: command (0x01,0x03).
  *
@@ -253,29 +383,71 @@ mip_error mip_tools_settings_response_encode(const struct mip_tools_settings_res
 struct mip_tools_set_time {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
-    /** Which half of the time. */
-    mip_mode part;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
+    /** Which half of the time. A value of enum mip_mode. */
+    uint8_t part;
     /** The new value. Unit: s. Required for write and apply. */
     uint32_t value;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_TOOLS_SET_TIME 0x0103
 #define MIP_TOOLS_SET_TIME_DESCRIPTOR 0x03
 #define MIP_TOOLS_SET_TIME_NAME "tools.set_time"
 
-extern const struct mip_codec mip_tools_set_time_codec;
-mip_error mip_tools_set_time_decode(struct mip_tools_set_time *value,
-                                    const struct mip_field *field);
-mip_error mip_tools_set_time_encode(const struct mip_tools_set_time *value,
-                                    struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_tools_set_time mip_tools_set_time_write(mip_mode part, uint32_t value);
-/** Send the current setting back in a response. */
-struct mip_tools_set_time mip_tools_set_time_read(mip_mode part);
-/** Apply the new setting and send no acknowledge (5-series devices). */
-struct mip_tools_set_time mip_tools_set_time_apply(mip_mode part, uint32_t value);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_tools_set_time_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_tools_set_time_decode(struct mip_tools_set_time *value,
+                                                  const struct mip_field *field) {
+    return mip_decode(&mip_tools_set_time_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_tools_set_time_encode(const struct mip_tools_set_time *value,
+                                                  struct mip_builder *builder) {
+    return mip_encode(&mip_tools_set_time_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_tools_set_time *
+mip_tools_set_time_write(struct mip_tools_set_time *command, enum mip_mode part, uint32_t value) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->part = (uint8_t)part;
+    command->value = value;
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_tools_set_time *mip_tools_set_time_read(struct mip_tools_set_time *command,
+                                                                 enum mip_mode part) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    command->part = (uint8_t)part;
+    return command;
+}
+/**
+ * Apply the new setting and send no acknowledge (5-series devices).
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_tools_set_time *
+mip_tools_set_time_apply(struct mip_tools_set_time *command, enum mip_mode part, uint32_t value) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_APPLY;
+    command->part = (uint8_t)part;
+    command->value = value;
+    return command;
+}
 /**
  * Set time response: response (0x01,0x83).
  *
@@ -288,15 +460,49 @@ struct mip_tools_set_time_fast_response {
     uint32_t value;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_TOOLS_SET_TIME_FAST_RESPONSE 0x0183
 #define MIP_TOOLS_SET_TIME_FAST_RESPONSE_DESCRIPTOR 0x83
 #define MIP_TOOLS_SET_TIME_FAST_RESPONSE_NAME "tools.set_time_fast_response"
 
-extern const struct mip_codec mip_tools_set_time_fast_response_codec;
-mip_error mip_tools_set_time_fast_response_decode(struct mip_tools_set_time_fast_response *value,
-                                                  const struct mip_field *field);
-mip_error mip_tools_set_time_fast_response_encode(
-    const struct mip_tools_set_time_fast_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_tools_set_time_fast_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_tools_set_time_fast_response_decode(
+    struct mip_tools_set_time_fast_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_tools_set_time_fast_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_tools_set_time_fast_response_encode(
+    const struct mip_tools_set_time_fast_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_tools_set_time_fast_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_tools_set_time_fast_response_decode_inline(
+    struct mip_tools_set_time_fast_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x01, 0x83, 4);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->value = mip_get_32(field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_tools_set_time_fast_response_encode_inline(
+    const struct mip_tools_set_time_fast_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x01, 0x83, 4, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_32(data, value->value);
+    return MIP_OK;
+}
 /**
  * Set time response: response (0x01,0x84).
  *
@@ -309,15 +515,49 @@ struct mip_tools_set_time_slow_response {
     uint32_t value;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_TOOLS_SET_TIME_SLOW_RESPONSE 0x0184
 #define MIP_TOOLS_SET_TIME_SLOW_RESPONSE_DESCRIPTOR 0x84
 #define MIP_TOOLS_SET_TIME_SLOW_RESPONSE_NAME "tools.set_time_slow_response"
 
-extern const struct mip_codec mip_tools_set_time_slow_response_codec;
-mip_error mip_tools_set_time_slow_response_decode(struct mip_tools_set_time_slow_response *value,
-                                                  const struct mip_field *field);
-mip_error mip_tools_set_time_slow_response_encode(
-    const struct mip_tools_set_time_slow_response *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_tools_set_time_slow_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_tools_set_time_slow_response_decode(
+    struct mip_tools_set_time_slow_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_tools_set_time_slow_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_tools_set_time_slow_response_encode(
+    const struct mip_tools_set_time_slow_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_tools_set_time_slow_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_tools_set_time_slow_response_decode_inline(
+    struct mip_tools_set_time_slow_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x01, 0x84, 4);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->value = mip_get_32(field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_tools_set_time_slow_response_encode_inline(
+    const struct mip_tools_set_time_slow_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x01, 0x84, 4, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_32(data, value->value);
+    return MIP_OK;
+}
 /**
  * Status: command (0x01,0x04).
  *
@@ -337,16 +577,36 @@ struct mip_tools_status {
     uint8_t selector;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_TOOLS_STATUS 0x0104
 #define MIP_TOOLS_STATUS_DESCRIPTOR 0x04
 #define MIP_TOOLS_STATUS_NAME "tools.status"
 
-extern const struct mip_codec mip_tools_status_codec;
-mip_error mip_tools_status_decode(struct mip_tools_status *value, const struct mip_field *field);
-mip_error mip_tools_status_encode(const struct mip_tools_status *value,
-                                  struct mip_builder *builder);
-/** Status. */
-struct mip_tools_status mip_tools_status_make(uint8_t selector);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_tools_status_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_tools_status_decode(struct mip_tools_status *value,
+                                                const struct mip_field *field) {
+    return mip_decode(&mip_tools_status_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_tools_status_encode(const struct mip_tools_status *value,
+                                                struct mip_builder *builder) {
+    return mip_encode(&mip_tools_status_codec, value, builder);
+}
+/**
+ * Status.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_tools_status *mip_tools_status_make(struct mip_tools_status *command,
+                                                             uint8_t selector) {
+    memset(command, 0, sizeof(*command));
+    command->selector = selector;
+    return command;
+}
 /**
  * Status response: response (0x01,0x90).
  *
@@ -366,15 +626,25 @@ struct mip_tools_status_short {
     uint32_t flags;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_TOOLS_STATUS_SHORT 0x0190
 #define MIP_TOOLS_STATUS_SHORT_DESCRIPTOR 0x90
 #define MIP_TOOLS_STATUS_SHORT_NAME "tools.status_short"
 
-extern const struct mip_codec mip_tools_status_short_codec;
-mip_error mip_tools_status_short_decode(struct mip_tools_status_short *value,
-                                        const struct mip_field *field);
-mip_error mip_tools_status_short_encode(const struct mip_tools_status_short *value,
-                                        struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_tools_status_short_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_tools_status_short_decode(struct mip_tools_status_short *value,
+                                                      const struct mip_field *field) {
+    return mip_decode(&mip_tools_status_short_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_tools_status_short_encode(const struct mip_tools_status_short *value,
+                                                      struct mip_builder *builder) {
+    return mip_encode(&mip_tools_status_short_codec, value, builder);
+}
 /**
  * Status response: response (0x01,0x90).
  *
@@ -397,15 +667,25 @@ struct mip_tools_status_long {
     uint64_t uptime;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_TOOLS_STATUS_LONG 0x0190
 #define MIP_TOOLS_STATUS_LONG_DESCRIPTOR 0x90
 #define MIP_TOOLS_STATUS_LONG_NAME "tools.status_long"
 
-extern const struct mip_codec mip_tools_status_long_codec;
-mip_error mip_tools_status_long_decode(struct mip_tools_status_long *value,
-                                       const struct mip_field *field);
-mip_error mip_tools_status_long_encode(const struct mip_tools_status_long *value,
-                                       struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_tools_status_long_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_tools_status_long_decode(struct mip_tools_status_long *value,
+                                                     const struct mip_field *field) {
+    return mip_decode(&mip_tools_status_long_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_tools_status_long_encode(const struct mip_tools_status_long *value,
+                                                     struct mip_builder *builder) {
+    return mip_encode(&mip_tools_status_long_codec, value, builder);
+}
 /**
  * Status response: response (0x01,0x90).
  *
@@ -425,15 +705,25 @@ struct mip_tools_status_old {
     uint32_t uptime;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_TOOLS_STATUS_OLD 0x0190
 #define MIP_TOOLS_STATUS_OLD_DESCRIPTOR 0x90
 #define MIP_TOOLS_STATUS_OLD_NAME "tools.status_old"
 
-extern const struct mip_codec mip_tools_status_old_codec;
-mip_error mip_tools_status_old_decode(struct mip_tools_status_old *value,
-                                      const struct mip_field *field);
-mip_error mip_tools_status_old_encode(const struct mip_tools_status_old *value,
-                                      struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_tools_status_old_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_tools_status_old_decode(struct mip_tools_status_old *value,
+                                                    const struct mip_field *field) {
+    return mip_decode(&mip_tools_status_old_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_tools_status_old_encode(const struct mip_tools_status_old *value,
+                                                    struct mip_builder *builder) {
+    return mip_encode(&mip_tools_status_old_codec, value, builder);
+}
 /**
  * Status response: response (0x01,0x90).
  *
@@ -451,19 +741,29 @@ struct mip_tools_status_full {
     struct mip_point place;
     /** Since start. Unit: s. */
     uint64_t uptime;
-    /** What it does. */
-    mip_mode mode;
+    /** What it does. A value of enum mip_mode. */
+    uint8_t mode;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_TOOLS_STATUS_FULL 0x0190
 #define MIP_TOOLS_STATUS_FULL_DESCRIPTOR 0x90
 #define MIP_TOOLS_STATUS_FULL_NAME "tools.status_full"
 
-extern const struct mip_codec mip_tools_status_full_codec;
-mip_error mip_tools_status_full_decode(struct mip_tools_status_full *value,
-                                       const struct mip_field *field);
-mip_error mip_tools_status_full_encode(const struct mip_tools_status_full *value,
-                                       struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_tools_status_full_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_tools_status_full_decode(struct mip_tools_status_full *value,
+                                                     const struct mip_field *field) {
+    return mip_decode(&mip_tools_status_full_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_tools_status_full_encode(const struct mip_tools_status_full *value,
+                                                     struct mip_builder *builder) {
+    return mip_encode(&mip_tools_status_full_codec, value, builder);
+}
 /**
  * Bias: command (0x01,0x05).
  *
@@ -478,29 +778,83 @@ mip_error mip_tools_status_full_encode(const struct mip_tools_status_full *value
 struct mip_tools_bias {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /** Taken off the measurement. Elements: x, y, z. Unit: g. Frame: sensor. Required for write. */
     float bias[3];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_TOOLS_BIAS 0x0105
 #define MIP_TOOLS_BIAS_DESCRIPTOR 0x05
 #define MIP_TOOLS_BIAS_NAME "tools.bias"
 
-extern const struct mip_codec mip_tools_bias_codec;
-mip_error mip_tools_bias_decode(struct mip_tools_bias *value, const struct mip_field *field);
-mip_error mip_tools_bias_encode(const struct mip_tools_bias *value, struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_tools_bias mip_tools_bias_write(const float bias[3]);
-/** Send the current setting back in a response. */
-struct mip_tools_bias mip_tools_bias_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_tools_bias mip_tools_bias_save(void);
-/** Load the saved setting. */
-struct mip_tools_bias mip_tools_bias_load(void);
-/** Load the factory default setting. */
-struct mip_tools_bias mip_tools_bias_default(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_tools_bias_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_tools_bias_decode(struct mip_tools_bias *value,
+                                              const struct mip_field *field) {
+    return mip_decode(&mip_tools_bias_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_tools_bias_encode(const struct mip_tools_bias *value,
+                                              struct mip_builder *builder) {
+    return mip_encode(&mip_tools_bias_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_tools_bias *mip_tools_bias_write(struct mip_tools_bias *command,
+                                                          const float bias[3]) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    memcpy(command->bias, bias, sizeof(command->bias));
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_tools_bias *mip_tools_bias_read(struct mip_tools_bias *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_tools_bias *mip_tools_bias_save(struct mip_tools_bias *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
+/**
+ * Load the saved setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_tools_bias *mip_tools_bias_load(struct mip_tools_bias *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_LOAD;
+    return command;
+}
+/**
+ * Load the factory default setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_tools_bias *mip_tools_bias_default(struct mip_tools_bias *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return command;
+}
 /**
  * Bias response: response (0x01,0x9B).
  *
@@ -514,15 +868,53 @@ struct mip_tools_bias_vector {
     float bias[3];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_TOOLS_BIAS_VECTOR 0x019B
 #define MIP_TOOLS_BIAS_VECTOR_DESCRIPTOR 0x9B
 #define MIP_TOOLS_BIAS_VECTOR_NAME "tools.bias_vector"
 
-extern const struct mip_codec mip_tools_bias_vector_codec;
-mip_error mip_tools_bias_vector_decode(struct mip_tools_bias_vector *value,
-                                       const struct mip_field *field);
-mip_error mip_tools_bias_vector_encode(const struct mip_tools_bias_vector *value,
-                                       struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_tools_bias_vector_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_tools_bias_vector_decode(struct mip_tools_bias_vector *value,
+                                                     const struct mip_field *field) {
+    return mip_decode(&mip_tools_bias_vector_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_tools_bias_vector_encode(const struct mip_tools_bias_vector *value,
+                                                     struct mip_builder *builder) {
+    return mip_encode(&mip_tools_bias_vector_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_tools_bias_vector_decode_inline(struct mip_tools_bias_vector *value,
+                                                            const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x01, 0x9B, 12);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_get_float(&value->bias[i], field->data + 4 * i);
+    }
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_tools_bias_vector_encode_inline(
+    const struct mip_tools_bias_vector *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x01, 0x9B, 12, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    for (size_t i = 0; i < 3; i++) {
+        mip_put_float(data + 4 * i, &value->bias[i]);
+    }
+    return MIP_OK;
+}
 /**
  * Capture bias: command (0x01,0x06).
  *
@@ -538,17 +930,60 @@ struct mip_tools_capture_bias {
     uint16_t time;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_TOOLS_CAPTURE_BIAS 0x0106
 #define MIP_TOOLS_CAPTURE_BIAS_DESCRIPTOR 0x06
 #define MIP_TOOLS_CAPTURE_BIAS_NAME "tools.capture_bias"
 
-extern const struct mip_codec mip_tools_capture_bias_codec;
-mip_error mip_tools_capture_bias_decode(struct mip_tools_capture_bias *value,
-                                        const struct mip_field *field);
-mip_error mip_tools_capture_bias_encode(const struct mip_tools_capture_bias *value,
-                                        struct mip_builder *builder);
-/** Capture bias. */
-struct mip_tools_capture_bias mip_tools_capture_bias_make(uint16_t time);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_tools_capture_bias_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_tools_capture_bias_decode(struct mip_tools_capture_bias *value,
+                                                      const struct mip_field *field) {
+    return mip_decode(&mip_tools_capture_bias_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_tools_capture_bias_encode(const struct mip_tools_capture_bias *value,
+                                                      struct mip_builder *builder) {
+    return mip_encode(&mip_tools_capture_bias_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_tools_capture_bias_decode_inline(struct mip_tools_capture_bias *value,
+                                                             const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x01, 0x06, 2);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->time = mip_get_16(field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_tools_capture_bias_encode_inline(
+    const struct mip_tools_capture_bias *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x01, 0x06, 2, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_16(data, value->time);
+    return MIP_OK;
+}
+/**
+ * Capture bias.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_tools_capture_bias *
+mip_tools_capture_bias_make(struct mip_tools_capture_bias *command, uint16_t time) {
+    memset(command, 0, sizeof(*command));
+    command->time = time;
+    return command;
+}
 /**
  * Formats: command (0x01,0x07).
  *
@@ -569,18 +1004,41 @@ struct mip_tools_formats {
     struct mip_segment segments[25];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_TOOLS_FORMATS 0x0107
 #define MIP_TOOLS_FORMATS_DESCRIPTOR 0x07
 #define MIP_TOOLS_FORMATS_NAME "tools.formats"
 
-extern const struct mip_codec mip_tools_formats_codec;
-mip_error mip_tools_formats_decode(struct mip_tools_formats *value, const struct mip_field *field);
-mip_error mip_tools_formats_encode(const struct mip_tools_formats *value,
-                                   struct mip_builder *builder);
-/** Formats. */
-struct mip_tools_formats mip_tools_formats_make(mip_bool suppress_ack, uint8_t num_segments,
-                                                uint8_t checkpoint,
-                                                const struct mip_segment segments[]);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_tools_formats_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_tools_formats_decode(struct mip_tools_formats *value,
+                                                 const struct mip_field *field) {
+    return mip_decode(&mip_tools_formats_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_tools_formats_encode(const struct mip_tools_formats *value,
+                                                 struct mip_builder *builder) {
+    return mip_encode(&mip_tools_formats_codec, value, builder);
+}
+/**
+ * Formats.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_tools_formats *mip_tools_formats_make(
+    struct mip_tools_formats *command, mip_bool suppress_ack, uint8_t num_segments,
+    uint8_t checkpoint, const struct mip_segment segments[]) {
+    memset(command, 0, sizeof(*command));
+    command->suppress_ack = suppress_ack;
+    command->num_segments = num_segments;
+    command->checkpoint = checkpoint;
+    mip_copy(command->segments, sizeof(command->segments), segments,
+             num_segments * sizeof(segments[0]));
+    return command;
+}
 /** The member of mip_tools_choice that `shape` selects. */
 union mip_tools_choice_parameters {
     /** If shape is MIP_TOOLS_SHAPE_CIRCLE. */
@@ -605,31 +1063,66 @@ union mip_tools_choice_parameters {
 struct mip_tools_choice {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /** Which one. */
     uint8_t instance;
-    /** Which member follows. Required for write. */
-    mip_tools_shape shape;
+    /** Which member follows. A value of enum mip_tools_shape. Required for write. */
+    uint8_t shape;
     /**
      * The member. Selected by shape. Required for write. Empty if shape is MIP_TOOLS_SHAPE_NONE.
      */
     union mip_tools_choice_parameters parameters;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_TOOLS_CHOICE 0x0108
 #define MIP_TOOLS_CHOICE_DESCRIPTOR 0x08
 #define MIP_TOOLS_CHOICE_NAME "tools.choice"
 
-extern const struct mip_codec mip_tools_choice_codec;
-mip_error mip_tools_choice_decode(struct mip_tools_choice *value, const struct mip_field *field);
-mip_error mip_tools_choice_encode(const struct mip_tools_choice *value,
-                                  struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_tools_choice mip_tools_choice_write(uint8_t instance, mip_tools_shape shape,
-                                               const union mip_tools_choice_parameters *parameters);
-/** Send the current setting back in a response. */
-struct mip_tools_choice mip_tools_choice_read(uint8_t instance);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_tools_choice_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_tools_choice_decode(struct mip_tools_choice *value,
+                                                const struct mip_field *field) {
+    return mip_decode(&mip_tools_choice_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_tools_choice_encode(const struct mip_tools_choice *value,
+                                                struct mip_builder *builder) {
+    return mip_encode(&mip_tools_choice_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_tools_choice *mip_tools_choice_write(
+    struct mip_tools_choice *command, uint8_t instance, enum mip_tools_shape shape,
+    const union mip_tools_choice_parameters *parameters) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->instance = instance;
+    command->shape = (uint8_t)shape;
+    if (parameters != NULL) {
+        command->parameters = *parameters;
+    }
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_tools_choice *mip_tools_choice_read(struct mip_tools_choice *command,
+                                                             uint8_t instance) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    command->instance = instance;
+    return command;
+}
 /** The member of mip_tools_choice_response that `shape` selects. */
 union mip_tools_choice_response_parameters {
     /** If shape is MIP_TOOLS_SHAPE_CIRCLE. */
@@ -652,21 +1145,31 @@ union mip_tools_choice_response_parameters {
 struct mip_tools_choice_response {
     /** Which one. */
     uint8_t instance;
-    /** Which member follows. */
-    mip_tools_shape shape;
+    /** Which member follows. A value of enum mip_tools_shape. */
+    uint8_t shape;
     /** The member. Selected by shape. Empty if shape is MIP_TOOLS_SHAPE_NONE. */
     union mip_tools_choice_response_parameters parameters;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_TOOLS_CHOICE_RESPONSE 0x0188
 #define MIP_TOOLS_CHOICE_RESPONSE_DESCRIPTOR 0x88
 #define MIP_TOOLS_CHOICE_RESPONSE_NAME "tools.choice_response"
 
-extern const struct mip_codec mip_tools_choice_response_codec;
-mip_error mip_tools_choice_response_decode(struct mip_tools_choice_response *value,
-                                           const struct mip_field *field);
-mip_error mip_tools_choice_response_encode(const struct mip_tools_choice_response *value,
-                                           struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_tools_choice_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_tools_choice_response_decode(struct mip_tools_choice_response *value,
+                                                         const struct mip_field *field) {
+    return mip_decode(&mip_tools_choice_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_tools_choice_response_encode(
+    const struct mip_tools_choice_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_tools_choice_response_codec, value, builder);
+}
 /**
  * List: command (0x01,0x09).
  *
@@ -680,27 +1183,66 @@ mip_error mip_tools_choice_response_encode(const struct mip_tools_choice_respons
 struct mip_tools_list {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
     /** Number of items. The number of elements of items. Required for write. */
     uint8_t count;
     /** The items. Required for write. */
     uint16_t items[125];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_TOOLS_LIST 0x0109
 #define MIP_TOOLS_LIST_DESCRIPTOR 0x09
 #define MIP_TOOLS_LIST_NAME "tools.list"
 
-extern const struct mip_codec mip_tools_list_codec;
-mip_error mip_tools_list_decode(struct mip_tools_list *value, const struct mip_field *field);
-mip_error mip_tools_list_encode(const struct mip_tools_list *value, struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_tools_list mip_tools_list_write(uint8_t count, const uint16_t items[]);
-/** Send the current setting back in a response. */
-struct mip_tools_list mip_tools_list_read(void);
-/** Save the current setting to non-volatile memory. */
-struct mip_tools_list mip_tools_list_save(void);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_tools_list_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_tools_list_decode(struct mip_tools_list *value,
+                                              const struct mip_field *field) {
+    return mip_decode(&mip_tools_list_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_tools_list_encode(const struct mip_tools_list *value,
+                                              struct mip_builder *builder) {
+    return mip_encode(&mip_tools_list_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_tools_list *mip_tools_list_write(struct mip_tools_list *command,
+                                                          uint8_t count, const uint16_t items[]) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->count = count;
+    mip_copy(command->items, sizeof(command->items), items, count * sizeof(items[0]));
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_tools_list *mip_tools_list_read(struct mip_tools_list *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    return command;
+}
+/**
+ * Save the current setting to non-volatile memory.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_tools_list *mip_tools_list_save(struct mip_tools_list *command) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_SAVE;
+    return command;
+}
 /**
  * List response: response (0x01,0x89).
  *
@@ -715,15 +1257,25 @@ struct mip_tools_list_response {
     uint16_t items[126];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_TOOLS_LIST_RESPONSE 0x0189
 #define MIP_TOOLS_LIST_RESPONSE_DESCRIPTOR 0x89
 #define MIP_TOOLS_LIST_RESPONSE_NAME "tools.list_response"
 
-extern const struct mip_codec mip_tools_list_response_codec;
-mip_error mip_tools_list_response_decode(struct mip_tools_list_response *value,
-                                         const struct mip_field *field);
-mip_error mip_tools_list_response_encode(const struct mip_tools_list_response *value,
-                                         struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_tools_list_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_tools_list_response_decode(struct mip_tools_list_response *value,
+                                                       const struct mip_field *field) {
+    return mip_decode(&mip_tools_list_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_tools_list_response_encode(const struct mip_tools_list_response *value,
+                                                       struct mip_builder *builder) {
+    return mip_encode(&mip_tools_list_response_codec, value, builder);
+}
 /**
  * Inventory: command (0x01,0x0A).
  *
@@ -738,15 +1290,25 @@ struct mip_tools_inventory {
     uint8_t empty;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_TOOLS_INVENTORY 0x010A
 #define MIP_TOOLS_INVENTORY_DESCRIPTOR 0x0A
 #define MIP_TOOLS_INVENTORY_NAME "tools.inventory"
 
-extern const struct mip_codec mip_tools_inventory_codec;
-mip_error mip_tools_inventory_decode(struct mip_tools_inventory *value,
-                                     const struct mip_field *field);
-mip_error mip_tools_inventory_encode(const struct mip_tools_inventory *value,
-                                     struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_tools_inventory_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_tools_inventory_decode(struct mip_tools_inventory *value,
+                                                   const struct mip_field *field) {
+    return mip_decode(&mip_tools_inventory_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_tools_inventory_encode(const struct mip_tools_inventory *value,
+                                                   struct mip_builder *builder) {
+    return mip_encode(&mip_tools_inventory_codec, value, builder);
+}
 /**
  * Inventory response: response (0x01,0x8A).
  *
@@ -761,15 +1323,25 @@ struct mip_tools_inventory_response {
     uint16_t descriptors[126];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_TOOLS_INVENTORY_RESPONSE 0x018A
 #define MIP_TOOLS_INVENTORY_RESPONSE_DESCRIPTOR 0x8A
 #define MIP_TOOLS_INVENTORY_RESPONSE_NAME "tools.inventory_response"
 
-extern const struct mip_codec mip_tools_inventory_response_codec;
-mip_error mip_tools_inventory_response_decode(struct mip_tools_inventory_response *value,
-                                              const struct mip_field *field);
-mip_error mip_tools_inventory_response_encode(const struct mip_tools_inventory_response *value,
-                                              struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_tools_inventory_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_tools_inventory_response_decode(
+    struct mip_tools_inventory_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_tools_inventory_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_tools_inventory_response_encode(
+    const struct mip_tools_inventory_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_tools_inventory_response_codec, value, builder);
+}
 /**
  * Pin: command (0x01,0x0B).
  *
@@ -782,28 +1354,61 @@ mip_error mip_tools_inventory_response_encode(const struct mip_tools_inventory_r
 struct mip_tools_pin {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
-    /** What to do with the setting. */
-    mip_function_selector function;
-    /** What drives it. */
-    mip_tools_drive drive;
+    /** What to do with the setting. A value of enum mip_function_selector. */
+    uint8_t function;
+    /** What drives it. A value of enum mip_tools_drive. */
+    uint8_t drive;
     /**
-     * How it is used. Required for write. If drive is MIP_TOOLS_DRIVE_PULSE: values of
-     * mip_tools_pulse_use. If drive is MIP_TOOLS_DRIVE_SERIAL: values of mip_tools_serial_use.
+     * How it is used. Required for write. If drive is MIP_TOOLS_DRIVE_PULSE: values of enum
+     * mip_tools_pulse_use. If drive is MIP_TOOLS_DRIVE_SERIAL: values of enum mip_tools_serial_use.
      */
     uint8_t use;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_TOOLS_PIN 0x010B
 #define MIP_TOOLS_PIN_DESCRIPTOR 0x0B
 #define MIP_TOOLS_PIN_NAME "tools.pin"
 
-extern const struct mip_codec mip_tools_pin_codec;
-mip_error mip_tools_pin_decode(struct mip_tools_pin *value, const struct mip_field *field);
-mip_error mip_tools_pin_encode(const struct mip_tools_pin *value, struct mip_builder *builder);
-/** Apply the new setting. */
-struct mip_tools_pin mip_tools_pin_write(mip_tools_drive drive, uint8_t use);
-/** Send the current setting back in a response. */
-struct mip_tools_pin mip_tools_pin_read(mip_tools_drive drive);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_tools_pin_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_tools_pin_decode(struct mip_tools_pin *value,
+                                             const struct mip_field *field) {
+    return mip_decode(&mip_tools_pin_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_tools_pin_encode(const struct mip_tools_pin *value,
+                                             struct mip_builder *builder) {
+    return mip_encode(&mip_tools_pin_codec, value, builder);
+}
+/**
+ * Apply the new setting.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_tools_pin *mip_tools_pin_write(struct mip_tools_pin *command,
+                                                        enum mip_tools_drive drive, uint8_t use) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_WRITE;
+    command->drive = (uint8_t)drive;
+    command->use = use;
+    return command;
+}
+/**
+ * Send the current setting back in a response.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_tools_pin *mip_tools_pin_read(struct mip_tools_pin *command,
+                                                       enum mip_tools_drive drive) {
+    memset(command, 0, sizeof(*command));
+    command->function = MIP_FUNCTION_SELECTOR_READ;
+    command->drive = (uint8_t)drive;
+    return command;
+}
 /**
  * Pin response: response (0x01,0x8B).
  *
@@ -812,24 +1417,60 @@ struct mip_tools_pin mip_tools_pin_read(mip_tools_drive drive);
  * - guide: Pin
  */
 struct mip_tools_pin_response {
-    /** What drives it. */
-    mip_tools_drive drive;
+    /** What drives it. A value of enum mip_tools_drive. */
+    uint8_t drive;
     /**
-     * How it is used. If drive is MIP_TOOLS_DRIVE_PULSE: values of mip_tools_pulse_use. If drive is
-     * MIP_TOOLS_DRIVE_SERIAL: values of mip_tools_serial_use.
+     * How it is used. If drive is MIP_TOOLS_DRIVE_PULSE: values of enum mip_tools_pulse_use. If
+     * drive is MIP_TOOLS_DRIVE_SERIAL: values of enum mip_tools_serial_use.
      */
     uint8_t use;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_TOOLS_PIN_RESPONSE 0x018B
 #define MIP_TOOLS_PIN_RESPONSE_DESCRIPTOR 0x8B
 #define MIP_TOOLS_PIN_RESPONSE_NAME "tools.pin_response"
 
-extern const struct mip_codec mip_tools_pin_response_codec;
-mip_error mip_tools_pin_response_decode(struct mip_tools_pin_response *value,
-                                        const struct mip_field *field);
-mip_error mip_tools_pin_response_encode(const struct mip_tools_pin_response *value,
-                                        struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_tools_pin_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_tools_pin_response_decode(struct mip_tools_pin_response *value,
+                                                      const struct mip_field *field) {
+    return mip_decode(&mip_tools_pin_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_tools_pin_response_encode(const struct mip_tools_pin_response *value,
+                                                      struct mip_builder *builder) {
+    return mip_encode(&mip_tools_pin_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_tools_pin_response_decode_inline(struct mip_tools_pin_response *value,
+                                                             const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x01, 0x8B, 2);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->drive = mip_get_8(field->data);
+    value->use = mip_get_8(field->data + 1);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_tools_pin_response_encode_inline(
+    const struct mip_tools_pin_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x01, 0x8B, 2, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->drive);
+    mip_put_8(data + 1, value->use);
+    return MIP_OK;
+}
 /**
  * Hello: command (0x01,0x0C).
  *
@@ -849,15 +1490,27 @@ struct mip_tools_hello {
     double later[2];
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_TOOLS_HELLO 0x010C
 #define MIP_TOOLS_HELLO_DESCRIPTOR 0x0C
 #define MIP_TOOLS_HELLO_NAME "tools.hello"
 /** The value of `present` if later is the last parameter that is there. */
 #define MIP_TOOLS_HELLO_WITH_LATER 2
 
-extern const struct mip_codec mip_tools_hello_codec;
-mip_error mip_tools_hello_decode(struct mip_tools_hello *value, const struct mip_field *field);
-mip_error mip_tools_hello_encode(const struct mip_tools_hello *value, struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_tools_hello_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_tools_hello_decode(struct mip_tools_hello *value,
+                                               const struct mip_field *field) {
+    return mip_decode(&mip_tools_hello_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_tools_hello_encode(const struct mip_tools_hello *value,
+                                               struct mip_builder *builder) {
+    return mip_encode(&mip_tools_hello_codec, value, builder);
+}
 /**
  * Hello response: response (0x01,0x8C).
  *
@@ -871,15 +1524,49 @@ struct mip_tools_hello_response {
     uint32_t seen;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_TOOLS_HELLO_RESPONSE 0x018C
 #define MIP_TOOLS_HELLO_RESPONSE_DESCRIPTOR 0x8C
 #define MIP_TOOLS_HELLO_RESPONSE_NAME "tools.hello_response"
 
-extern const struct mip_codec mip_tools_hello_response_codec;
-mip_error mip_tools_hello_response_decode(struct mip_tools_hello_response *value,
-                                          const struct mip_field *field);
-mip_error mip_tools_hello_response_encode(const struct mip_tools_hello_response *value,
-                                          struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_tools_hello_response_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_tools_hello_response_decode(struct mip_tools_hello_response *value,
+                                                        const struct mip_field *field) {
+    return mip_decode(&mip_tools_hello_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_tools_hello_response_encode(
+    const struct mip_tools_hello_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_tools_hello_response_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_tools_hello_response_decode_inline(
+    struct mip_tools_hello_response *value, const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x01, 0x8C, 4);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->seen = mip_get_32(field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_tools_hello_response_encode_inline(
+    const struct mip_tools_hello_response *value, struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x01, 0x8C, 4, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_32(data, value->seen);
+    return MIP_OK;
+}
 /**
  * Readings: command (0x01,0x0D).
  *
@@ -890,21 +1577,64 @@ mip_error mip_tools_hello_response_encode(const struct mip_tools_hello_response 
  * - guide: Readings
  */
 struct mip_tools_readings {
-    /** What is asked for. */
-    mip_tools_drive drive;
+    /** What is asked for. A value of enum mip_tools_drive. */
+    uint8_t drive;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_TOOLS_READINGS 0x010D
 #define MIP_TOOLS_READINGS_DESCRIPTOR 0x0D
 #define MIP_TOOLS_READINGS_NAME "tools.readings"
 
-extern const struct mip_codec mip_tools_readings_codec;
-mip_error mip_tools_readings_decode(struct mip_tools_readings *value,
-                                    const struct mip_field *field);
-mip_error mip_tools_readings_encode(const struct mip_tools_readings *value,
-                                    struct mip_builder *builder);
-/** Readings. */
-struct mip_tools_readings mip_tools_readings_make(mip_tools_drive drive);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_tools_readings_codec;
 
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_tools_readings_decode(struct mip_tools_readings *value,
+                                                  const struct mip_field *field) {
+    return mip_decode(&mip_tools_readings_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_tools_readings_encode(const struct mip_tools_readings *value,
+                                                  struct mip_builder *builder) {
+    return mip_encode(&mip_tools_readings_codec, value, builder);
+}
+
+/** The same without the table, for speed: decodes it. */
+static inline mip_error mip_tools_readings_decode_inline(struct mip_tools_readings *value,
+                                                         const struct mip_field *field) {
+    const mip_error error = mip_field_check(field, 0x01, 0x0D, 1);
+    if (error != MIP_OK) {
+        memset(value, 0, sizeof(*value));
+        return error;
+    }
+    value->drive = mip_get_8(field->data);
+    return MIP_OK;
+}
+
+/** The same without the table, for speed: adds it to a packet. */
+static inline mip_error mip_tools_readings_encode_inline(const struct mip_tools_readings *value,
+                                                         struct mip_builder *builder) {
+    uint8_t *data;
+    const mip_error error = mip_builder_reserve(builder, 0x01, 0x0D, 1, &data);
+    if (error != MIP_OK) {
+        return error;
+    }
+    mip_put_8(data, value->drive);
+    return MIP_OK;
+}
+/**
+ * Readings.
+ *
+ * Fills the structure and returns its address.
+ */
+static inline struct mip_tools_readings *mip_tools_readings_make(struct mip_tools_readings *command,
+                                                                 enum mip_tools_drive drive) {
+    memset(command, 0, sizeof(*command));
+    command->drive = (uint8_t)drive;
+    return command;
+}
 /**
  * Readings response: response (0x01,0x8D).
  *
@@ -913,13 +1643,13 @@ struct mip_tools_readings mip_tools_readings_make(mip_tools_drive drive);
  * - guide: Readings
  */
 struct mip_tools_readings_response {
-    /** What was asked for. */
-    mip_tools_drive drive;
+    /** What was asked for. A value of enum mip_tools_drive. */
+    uint8_t drive;
     /** Number of readings. The number of elements of readings. */
     uint8_t count;
     /**
-     * The readings. If drive is MIP_TOOLS_DRIVE_PULSE: kind has values of mip_tools_pulse_use.
-     * Seldom 2. If drive is MIP_TOOLS_DRIVE_SERIAL: kind has values of mip_tools_serial_use.
+     * The readings. If drive is MIP_TOOLS_DRIVE_PULSE: kind has values of enum mip_tools_pulse_use.
+     * Seldom 2. If drive is MIP_TOOLS_DRIVE_SERIAL: kind has values of enum mip_tools_serial_use.
      */
     struct mip_tools_reading readings[49];
     /**
@@ -929,14 +1659,25 @@ struct mip_tools_readings_response {
     struct mip_tools_reading last;
 };
 
+/** Descriptor set and descriptor, as mip_field_key gives them. */
+#define MIP_TOOLS_READINGS_RESPONSE 0x018D
 #define MIP_TOOLS_READINGS_RESPONSE_DESCRIPTOR 0x8D
 #define MIP_TOOLS_READINGS_RESPONSE_NAME "tools.readings_response"
 
-extern const struct mip_codec mip_tools_readings_response_codec;
-mip_error mip_tools_readings_response_decode(struct mip_tools_readings_response *value,
-                                             const struct mip_field *field);
-mip_error mip_tools_readings_response_encode(const struct mip_tools_readings_response *value,
-                                             struct mip_builder *builder);
+/** Its wire format. */
+extern MIP_API const struct mip_codec mip_tools_readings_response_codec;
+
+/** Decodes it. On an error the structure is zeroed. */
+static inline mip_error mip_tools_readings_response_decode(
+    struct mip_tools_readings_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_tools_readings_response_codec, value, field, NULL);
+}
+
+/** Adds it to a packet. On an error the packet is unchanged. */
+static inline mip_error mip_tools_readings_response_encode(
+    const struct mip_tools_readings_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_tools_readings_response_codec, value, builder);
+}
 
 #ifdef __cplusplus
 }

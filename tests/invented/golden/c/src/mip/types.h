@@ -16,27 +16,38 @@ extern "C" {
 #endif
 
 /** The result of a command. */
-typedef uint8_t mip_ack_code;
-/** Done. */
-#define MIP_ACK_CODE_OK 0
-/** No such command. */
-#define MIP_ACK_CODE_UNKNOWN_COMMAND 1
-/** A parameter is out of range. */
-#define MIP_ACK_CODE_INVALID_PARAMETER 3
+enum mip_ack_code {
+    /** Done. */
+    MIP_ACK_CODE_OK = 0,
+    /** No such command. */
+    MIP_ACK_CODE_UNKNOWN_COMMAND = 1,
+    /** A parameter is out of range. */
+    MIP_ACK_CODE_INVALID_PARAMETER = 3
+};
+
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_ack_code_name(uint8_t value);
 
 /** What the device does. Uncertain: Whether there are more. */
-typedef uint8_t mip_mode;
-/** A keyword in three languages. */
-#define MIP_MODE_DEFAULT 0
-/** Quick. Uncertain: How quick. */
-#define MIP_MODE_FAST 1
-/** Careful. Deprecated. */
-#define MIP_MODE_SLOW 2
+enum mip_mode {
+    /** A keyword in three languages. */
+    MIP_MODE_DEFAULT = 0,
+    /** Quick. Uncertain: How quick. */
+    MIP_MODE_FAST = 1,
+    /** Careful. Deprecated. */
+    MIP_MODE_SLOW = 2
+};
+
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_mode_name(uint8_t value);
 
 /** An enumeration over four bytes. */
-typedef uint32_t mip_wide_code;
 #define MIP_WIDE_CODE_LOW 1
+/** An enumeration over four bytes. */
 #define MIP_WIDE_CODE_HIGH UINT32_C(0xFFFF0000)
+
+/** The name of a value in the specification; NULL if it has none. */
+MIP_API const char *mip_wide_code_name(uint32_t value);
 
 /** Bits of all kinds. */
 typedef uint16_t mip_state_flags;
@@ -46,7 +57,7 @@ typedef uint16_t mip_state_flags;
 #define MIP_STATE_FLAGS_HOT 0x0002U
 /** Bits 4 to 6. A number from 0 to 7. */
 #define MIP_STATE_FLAGS_LEVEL 0x0070U
-/** Bits 8 to 9. An enumeration inside the bitfield. A value of mip_mode. */
+/** Bits 8 to 9. An enumeration inside the bitfield. A value of enum mip_mode. */
 #define MIP_STATE_FLAGS_MODE 0x0300U
 /** Bits 0 to 1. Ready or hot. Overlaps other bits. */
 #define MIP_STATE_FLAGS_ANY 0x0003U
@@ -62,12 +73,12 @@ static inline void mip_state_flags_set_level(mip_state_flags *flags, uint8_t val
     *flags = (mip_state_flags)((*flags & ~mask) | (bits & mask));
 }
 
-/** Bits 8 to 9. An enumeration inside the bitfield. A value of mip_mode. */
-static inline mip_mode mip_state_flags_get_mode(mip_state_flags flags) {
+/** Bits 8 to 9. An enumeration inside the bitfield. A value of enum mip_mode. */
+static inline uint8_t mip_state_flags_get_mode(mip_state_flags flags) {
     const uint32_t bits = flags & MIP_STATE_FLAGS_MODE;
-    return (mip_mode)(bits >> 8);
+    return (uint8_t)(bits >> 8);
 }
-static inline void mip_state_flags_set_mode(mip_state_flags *flags, mip_mode value) {
+static inline void mip_state_flags_set_mode(mip_state_flags *flags, uint8_t value) {
     const uint32_t mask = MIP_STATE_FLAGS_MODE;
     const uint32_t bits = (uint32_t)value << 8;
     *flags = (mip_state_flags)((*flags & ~mask) | (bits & mask));
@@ -119,9 +130,6 @@ struct mip_point {
     int16_t y;
 };
 
-void mip_point_read(struct mip_reader *r, struct mip_point *v);
-void mip_point_write(struct mip_writer *w, const struct mip_point *v);
-
 /** Two places, nested. */
 struct mip_segment {
     /** Begins here. */
@@ -131,9 +139,6 @@ struct mip_segment {
     /** Of its ends. */
     uint8_t weights[2];
 };
-
-void mip_segment_read(struct mip_reader *r, struct mip_segment *v);
-void mip_segment_write(struct mip_writer *w, const struct mip_segment *v);
 
 #ifdef __cplusplus
 }

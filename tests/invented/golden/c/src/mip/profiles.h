@@ -2,14 +2,14 @@
  * @file
  * The devices. Plain tables: a program that names one device links only that.
  */
-#ifndef MIP_DEVICES_H
-#define MIP_DEVICES_H
+#ifndef MIP_PROFILES_H
+#define MIP_PROFILES_H
 
 #include "mip/constants.h"
 #include "mip/profile.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/devices.h and mip/constants.h are not of one version"
+#error "mip/profiles.h and mip/constants.h are not of one version"
 #endif
 
 #ifdef __cplusplus
@@ -21,14 +21,14 @@ extern "C" {
  *
  * Model number 4711. Manual: A guide to devices that do not exist, 1.
  */
-extern const struct mip_device mip_device_model_a;
+extern MIP_API const struct mip_profile mip_profile_model_a;
 
 /**
  * Model B: Small, and reads the acknowledge code in its own way.
  *
  * Manual: A leaflet about one of them, 2.
  */
-extern const struct mip_device mip_device_model_b;
+extern MIP_API const struct mip_profile mip_profile_model_b;
 
 /**
  * Model C: Like the model A, with a radio and without a choice.
@@ -38,7 +38,7 @@ extern const struct mip_device mip_device_model_b;
  *
  * - sheet: Radio
  */
-extern const struct mip_device mip_device_model_c;
+extern MIP_API const struct mip_profile mip_profile_model_c;
 
 /**
  * Old 1: Known by its name and number.
@@ -48,7 +48,7 @@ extern const struct mip_device mip_device_model_c;
  *
  * - sheet: Names
  */
-extern const struct mip_device mip_device_old_1;
+extern MIP_API const struct mip_profile mip_profile_old_1;
 
 /**
  * Old 2: Known by its name and number.
@@ -58,7 +58,7 @@ extern const struct mip_device mip_device_old_1;
  *
  * - sheet: Names
  */
-extern const struct mip_device mip_device_old_2;
+extern MIP_API const struct mip_profile mip_profile_old_2;
 
 #ifdef __cplusplus
 }

@@ -1,11 +1,11 @@
 
 
 /* Device profiles. */
-#include "mip/devices.h"
+#include "mip/profiles.h"
 
 /* Model A. */
 
-static const struct mip_device_field model_a_fields[] = {
+static const struct mip_profile_field model_a_fields[] = {
     {0x01, 0x01, "", NULL},       /* tools.ping */
     {0x01, 0x02, "WRSLDA", NULL}, /* tools.settings */
     {0x01, 0x03, "WRA", NULL},    /* tools.set_time */
@@ -33,19 +33,19 @@ static const struct mip_device_field model_a_fields[] = {
     {0xFF, 0xD3, "", NULL},       /* shared.timestamp */
 };
 
-static const struct mip_device_rate model_a_rates[] = {
+static const struct mip_profile_rate model_a_rates[] = {
     {0x80, 1000},
     {0x81, 500},
 };
 
 static const uint32_t model_a_baud_rates_1[] = {9600, 115200};
 
-static const struct mip_device_port model_a_ports[] = {
+static const struct mip_profile_port model_a_ports[] = {
     {"Main", 0x11, 2, model_a_baud_rates_1, "MIP, NMEA"},
     {"USB", 0x00, 0, NULL, "MIP"},
 };
 
-static const struct mip_device_limit model_a_limits[] = {
+static const struct mip_profile_limit model_a_limits[] = {
     {"segments", 12, "", "In a format."},
     {"range", 2.5, "g", "Of the sensor."},
 };
@@ -56,18 +56,18 @@ static const char *const model_a_pins_cells[] = {
     "2",   "serial", /* row 2 */
 };
 
-static const struct mip_device_note model_a_notes[] = {
+static const struct mip_profile_note model_a_notes[] = {
     {"pins", "Pins", "What each pin can do.", model_a_pins_cells, 3, 2},
 };
 
-static const struct mip_device_reading model_a_readings[] = {
+static const struct mip_profile_reading model_a_readings[] = {
     {"tools.status_short.flags", "tools.model_a_faults"},
     {"tools.status_long.flags", "tools.model_a_faults"},
 };
 
 static const uint8_t model_a_ack_codes[] = {0, 1, 3};
 
-const struct mip_device mip_device_model_a = {
+const struct mip_profile mip_profile_model_a = {
     "model-a",
     "Model A",
     "guide",
@@ -96,18 +96,18 @@ const struct mip_device mip_device_model_a = {
 
 /* Model B. */
 
-static const struct mip_device_field model_b_fields[] = {
+static const struct mip_profile_field model_b_fields[] = {
     {0x01, 0x01, "", NULL},   /* tools.ping */
     {0x01, 0x02, "WR", NULL}, /* tools.settings */
     {0x01, 0x04, "", NULL},   /* tools.status */
     {0x80, 0x01, "", NULL},   /* measurements.accel */
 };
 
-static const struct mip_device_rate model_b_rates[] = {
+static const struct mip_profile_rate model_b_rates[] = {
     {0x80, 0},
 };
 
-static const struct mip_device_reading model_b_readings[] = {
+static const struct mip_profile_reading model_b_readings[] = {
     {"protocol.acknowledge.code", "mode"},
     {"tools.status_short.flags", "tools.model_b_faults"},
     {"tools.status_long.flags", "tools.model_b_faults"},
@@ -115,7 +115,7 @@ static const struct mip_device_reading model_b_readings[] = {
 
 static const uint8_t model_b_ack_codes[] = {0, 1};
 
-const struct mip_device mip_device_model_b = {
+const struct mip_profile mip_profile_model_b = {
     "model-b",
     "Model B",
     "leaflet",
@@ -151,7 +151,7 @@ static const char *const model_c_also[] = {
 
 static const char model_c_evidence_1[] = "The sheet names it.";
 
-static const struct mip_device_field model_c_fields[] = {
+static const struct mip_profile_field model_c_fields[] = {
     {0x01, 0x01, "", NULL},               /* tools.ping */
     {0x01, 0x02, "WRS", NULL},            /* tools.settings */
     {0x01, 0x03, "WRA", NULL},            /* tools.set_time */
@@ -179,29 +179,29 @@ static const struct mip_device_field model_c_fields[] = {
     {0xFF, 0xD3, "", NULL},               /* shared.timestamp */
 };
 
-static const struct mip_device_rate model_c_rates[] = {
+static const struct mip_profile_rate model_c_rates[] = {
     {0x80, 1000},
     {0x81, 250},
 };
 
 static const uint32_t model_c_baud_rates_1[] = {9600};
 
-static const struct mip_device_port model_c_ports[] = {
+static const struct mip_profile_port model_c_ports[] = {
     {"Main", 0x12, 1, model_c_baud_rates_1, "MIP"},
     {"CAN", 0x00, 0, NULL, ""},
 };
 
-static const struct mip_device_limit model_c_limits[] = {
+static const struct mip_profile_limit model_c_limits[] = {
     {"segments", 6, "", "In a format."},
 };
 
-static const struct mip_device_reading model_c_readings[] = {
+static const struct mip_profile_reading model_c_readings[] = {
     {"tools.status_short.flags", "tools.model_a_faults"},
 };
 
 static const uint8_t model_c_ack_codes[] = {0, 1, 3};
 
-const struct mip_device mip_device_model_c = {
+const struct mip_profile mip_profile_model_c = {
     "model-c",
     "Model C",
     "",
@@ -240,12 +240,12 @@ static const char *const old_1_incomplete[] = {
 
 static const char old_1_evidence_1[] = "All old devices have it.";
 
-static const struct mip_device_field old_1_fields[] = {
+static const struct mip_profile_field old_1_fields[] = {
     {0x01, 0x01, "", NULL},             /* tools.ping */
     {0x80, 0x02, "", old_1_evidence_1}, /* measurements.numbers */
 };
 
-const struct mip_device mip_device_old_1 = {
+const struct mip_profile mip_profile_old_1 = {
     "old-1",
     "Old 1",
     "",
@@ -280,12 +280,12 @@ static const char *const old_2_incomplete[] = {
 
 static const char old_2_evidence_1[] = "All old devices have it.";
 
-static const struct mip_device_field old_2_fields[] = {
+static const struct mip_profile_field old_2_fields[] = {
     {0x01, 0x01, "", old_2_evidence_1}, /* tools.ping */
     {0x80, 0x02, "", old_2_evidence_1}, /* measurements.numbers */
 };
 
-const struct mip_device mip_device_old_2 = {
+const struct mip_profile mip_profile_old_2 = {
     "old-2",
     "Old 2",
     "",
@@ -314,8 +314,8 @@ const struct mip_device mip_device_old_2 = {
 
 /* All of them. */
 
-const struct mip_device *const mip_devices[] = {
-    &mip_device_model_a, &mip_device_model_b, &mip_device_model_c,
-    &mip_device_old_1,   &mip_device_old_2,
+const struct mip_profile *const mip_profiles[] = {
+    &mip_profile_model_a, &mip_profile_model_b, &mip_profile_model_c,
+    &mip_profile_old_1,   &mip_profile_old_2,
 };
-const size_t mip_device_count = 5;
+const size_t mip_profile_count = 5;

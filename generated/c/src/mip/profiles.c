@@ -1,7 +1,7 @@
 
 
 /* Device profiles. */
-#include "mip/devices.h"
+#include "mip/profiles.h"
 
 /* 3DM-CL5-10. */
 
@@ -15,7 +15,7 @@ static const char *const cl5_10_incomplete[] = {
 
 static const char cl5_10_evidence_1[] = "The vendor's software asks every device for it.";
 
-static const struct mip_device_field cl5_10_fields[] = {
+static const struct mip_profile_field cl5_10_fields[] = {
     {0x01, 0x01, "", cl5_10_evidence_1}, /* base.ping */
     {0x01, 0x02, "", cl5_10_evidence_1}, /* base.set_idle */
     {0x01, 0x03, "", cl5_10_evidence_1}, /* base.get_device_info */
@@ -23,7 +23,7 @@ static const struct mip_device_field cl5_10_fields[] = {
     {0x01, 0x06, "", cl5_10_evidence_1}, /* base.resume */
 };
 
-const struct mip_device mip_device_cl5_10 = {
+const struct mip_profile mip_profile_cl5_10 = {
     "3dm-cl5-10",
     "3DM-CL5-10",
     "",
@@ -66,7 +66,7 @@ static const char cl5_15_evidence_2[] = "MSCL lists what can be chosen on it.";
 
 static const char cl5_15_evidence_3[] = "MSCL asks for it on this device.";
 
-static const struct mip_device_field cl5_15_fields[] = {
+static const struct mip_profile_field cl5_15_fields[] = {
     {0x01, 0x01, "", cl5_15_evidence_1},      /* base.ping */
     {0x01, 0x02, "", cl5_15_evidence_1},      /* base.set_idle */
     {0x01, 0x03, "", cl5_15_evidence_1},      /* base.get_device_info */
@@ -79,19 +79,19 @@ static const struct mip_device_field cl5_15_fields[] = {
     {0x0D, 0x18, "WRSLD", cl5_15_evidence_2}, /* filter.heading_source */
 };
 
-static const struct mip_device_note cl5_15_notes[] = {
+static const struct mip_profile_note cl5_15_notes[] = {
     {"device_status", "Device status",
      "By MSCL, it answers with `3dm.device_status_basic_response` and "
      "`3dm.device_status_diagnostic_response`.",
      NULL, 0, 0},
 };
 
-static const struct mip_device_reading cl5_15_readings[] = {
+static const struct mip_profile_reading cl5_15_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
 };
 
-const struct mip_device mip_device_cl5_15 = {
+const struct mip_profile mip_profile_cl5_15 = {
     "3dm-cl5-15",
     "3DM-CL5-15",
     "",
@@ -134,7 +134,7 @@ static const char cl5_25_evidence_2[] = "MSCL lists what can be chosen on it.";
 
 static const char cl5_25_evidence_3[] = "MSCL asks for it on this device.";
 
-static const struct mip_device_field cl5_25_fields[] = {
+static const struct mip_profile_field cl5_25_fields[] = {
     {0x01, 0x01, "", cl5_25_evidence_1},      /* base.ping */
     {0x01, 0x02, "", cl5_25_evidence_1},      /* base.set_idle */
     {0x01, 0x03, "", cl5_25_evidence_1},      /* base.get_device_info */
@@ -146,19 +146,19 @@ static const struct mip_device_field cl5_25_fields[] = {
     {0x0D, 0x18, "WRSLD", cl5_25_evidence_2}, /* filter.heading_source */
 };
 
-static const struct mip_device_note cl5_25_notes[] = {
+static const struct mip_profile_note cl5_25_notes[] = {
     {"device_status", "Device status",
      "By MSCL, it answers with `3dm.device_status_basic_response` and "
      "`3dm.device_status_diagnostic_response`.",
      NULL, 0, 0},
 };
 
-static const struct mip_device_reading cl5_25_readings[] = {
+static const struct mip_profile_reading cl5_25_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
 };
 
-const struct mip_device mip_device_cl5_25 = {
+const struct mip_profile mip_profile_cl5_25 = {
     "3dm-cl5-25",
     "3DM-CL5-25",
     "",
@@ -201,7 +201,7 @@ static const char cv5_10_evidence_2[] = "MSCL lists what can be chosen on it.";
 
 static const char cv5_10_evidence_3[] = "MSCL asks for it on this device.";
 
-static const struct mip_device_field cv5_10_fields[] = {
+static const struct mip_profile_field cv5_10_fields[] = {
     {0x01, 0x01, "", cv5_10_evidence_1},      /* base.ping */
     {0x01, 0x02, "", cv5_10_evidence_1},      /* base.set_idle */
     {0x01, 0x03, "", cv5_10_evidence_1},      /* base.get_device_info */
@@ -212,19 +212,19 @@ static const struct mip_device_field cv5_10_fields[] = {
     {0x0C, 0x64, "", cv5_10_evidence_3},      /* 3dm.device_status */
 };
 
-static const struct mip_device_note cv5_10_notes[] = {
+static const struct mip_profile_note cv5_10_notes[] = {
     {"device_status", "Device status",
      "By MSCL, it answers with `3dm.device_status_basic_without_state_response` and "
      "`3dm.device_status_diagnostic_imu_response`.",
      NULL, 0, 0},
 };
 
-static const struct mip_device_reading cv5_10_readings[] = {
+static const struct mip_profile_reading cv5_10_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
 };
 
-const struct mip_device mip_device_cv5_10 = {
+const struct mip_profile mip_profile_cv5_10 = {
     "3dm-cv5-10",
     "3DM-CV5-10",
     "",
@@ -267,7 +267,7 @@ static const char cv5_15_evidence_2[] = "MSCL lists what can be chosen on it.";
 
 static const char cv5_15_evidence_3[] = "MSCL asks for it on this device.";
 
-static const struct mip_device_field cv5_15_fields[] = {
+static const struct mip_profile_field cv5_15_fields[] = {
     {0x01, 0x01, "", cv5_15_evidence_1},      /* base.ping */
     {0x01, 0x02, "", cv5_15_evidence_1},      /* base.set_idle */
     {0x01, 0x03, "", cv5_15_evidence_1},      /* base.get_device_info */
@@ -280,19 +280,19 @@ static const struct mip_device_field cv5_15_fields[] = {
     {0x0D, 0x18, "WRSLD", cv5_15_evidence_2}, /* filter.heading_source */
 };
 
-static const struct mip_device_note cv5_15_notes[] = {
+static const struct mip_profile_note cv5_15_notes[] = {
     {"device_status", "Device status",
      "By MSCL, it answers with `3dm.device_status_basic_response` and "
      "`3dm.device_status_diagnostic_response`.",
      NULL, 0, 0},
 };
 
-static const struct mip_device_reading cv5_15_readings[] = {
+static const struct mip_profile_reading cv5_15_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
 };
 
-const struct mip_device mip_device_cv5_15 = {
+const struct mip_profile mip_profile_cv5_15 = {
     "3dm-cv5-15",
     "3DM-CV5-15",
     "",
@@ -335,7 +335,7 @@ static const char cv5_25_evidence_2[] = "MSCL lists what can be chosen on it.";
 
 static const char cv5_25_evidence_3[] = "MSCL asks for it on this device.";
 
-static const struct mip_device_field cv5_25_fields[] = {
+static const struct mip_profile_field cv5_25_fields[] = {
     {0x01, 0x01, "", cv5_25_evidence_1},      /* base.ping */
     {0x01, 0x02, "", cv5_25_evidence_1},      /* base.set_idle */
     {0x01, 0x03, "", cv5_25_evidence_1},      /* base.get_device_info */
@@ -347,19 +347,19 @@ static const struct mip_device_field cv5_25_fields[] = {
     {0x0D, 0x18, "WRSLD", cv5_25_evidence_2}, /* filter.heading_source */
 };
 
-static const struct mip_device_note cv5_25_notes[] = {
+static const struct mip_profile_note cv5_25_notes[] = {
     {"device_status", "Device status",
      "By MSCL, it answers with `3dm.device_status_basic_response` and "
      "`3dm.device_status_diagnostic_response`.",
      NULL, 0, 0},
 };
 
-static const struct mip_device_reading cv5_25_readings[] = {
+static const struct mip_profile_reading cv5_25_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
 };
 
-const struct mip_device mip_device_cv5_25 = {
+const struct mip_profile mip_profile_cv5_25 = {
     "3dm-cv5-25",
     "3DM-CV5-25",
     "",
@@ -400,7 +400,7 @@ static const char cv7_ahrs_evidence_2[] = "MSCL lists what can be chosen on it."
 static const char cv7_ahrs_evidence_3[] =
     "The manual says of what firmware which filter can be set.";
 
-static const struct mip_device_field cv7_ahrs_fields[] = {
+static const struct mip_profile_field cv7_ahrs_fields[] = {
     {0x01, 0x01, "", cv7_ahrs_evidence_1},      /* base.ping */
     {0x01, 0x02, "", cv7_ahrs_evidence_1},      /* base.set_idle */
     {0x01, 0x03, "", cv7_ahrs_evidence_1},      /* base.get_device_info */
@@ -427,7 +427,7 @@ static const struct mip_device_field cv7_ahrs_fields[] = {
     {0x82, 0x06, "", NULL},                     /* filter_data.gyro_bias */
 };
 
-static const struct mip_device_rate cv7_ahrs_rates[] = {
+static const struct mip_profile_rate cv7_ahrs_rates[] = {
     {0x80, 1000},
     {0x82, 1000},
     {0xA0, 1000},
@@ -435,11 +435,11 @@ static const struct mip_device_rate cv7_ahrs_rates[] = {
 
 static const uint32_t cv7_ahrs_baud_rates_1[] = {115200, 230400, 460800, 921600};
 
-static const struct mip_device_port cv7_ahrs_ports[] = {
+static const struct mip_profile_port cv7_ahrs_ports[] = {
     {"Main", 0x01, 4, cv7_ahrs_baud_rates_1, "MIP"},
 };
 
-static const struct mip_device_limit cv7_ahrs_limits[] = {
+static const struct mip_profile_limit cv7_ahrs_limits[] = {
     {"event_triggers", 12, "", "Triggers in all."},
     {"event_gpio_triggers", 4, "", "GPIO triggers."},
     {"event_threshold_triggers", 8, "", "Threshold triggers."},
@@ -458,7 +458,7 @@ static const char *const cv7_ahrs_anti_aliasing_cells[] = {
     "0x82", "0x0D",       "Linear acceleration",      /* row 7 */
 };
 
-static const struct mip_device_note cv7_ahrs_notes[] = {
+static const struct mip_profile_note cv7_ahrs_notes[] = {
     {"anti_aliasing", "Anti-aliasing low-pass filter",
      "Data that `3dm.low_pass_filter` can filter. Up to firmware 1.0.07 there is "
      "`3dm.imu_low_pass_filter` in its place, for sensor data only.",
@@ -468,7 +468,7 @@ static const struct mip_device_note cv7_ahrs_notes[] = {
      NULL, 0, 0},
 };
 
-const struct mip_device mip_device_cv7_ahrs = {
+const struct mip_profile mip_profile_cv7_ahrs = {
     "3dm-cv7-ahrs",
     "3DM-CV7-AHRS",
     "3dm-cv7",
@@ -508,7 +508,7 @@ static const char cv7_ar_evidence_2[] = "MSCL lists what can be chosen on it.";
 
 static const char cv7_ar_evidence_3[] = "The manual says of what firmware which filter can be set.";
 
-static const struct mip_device_field cv7_ar_fields[] = {
+static const struct mip_profile_field cv7_ar_fields[] = {
     {0x01, 0x01, "", cv7_ar_evidence_1},      /* base.ping */
     {0x01, 0x02, "", cv7_ar_evidence_1},      /* base.set_idle */
     {0x01, 0x03, "", cv7_ar_evidence_1},      /* base.get_device_info */
@@ -535,7 +535,7 @@ static const struct mip_device_field cv7_ar_fields[] = {
     {0x82, 0x06, "", NULL},                   /* filter_data.gyro_bias */
 };
 
-static const struct mip_device_rate cv7_ar_rates[] = {
+static const struct mip_profile_rate cv7_ar_rates[] = {
     {0x80, 1000},
     {0x82, 1000},
     {0xA0, 1000},
@@ -543,11 +543,11 @@ static const struct mip_device_rate cv7_ar_rates[] = {
 
 static const uint32_t cv7_ar_baud_rates_1[] = {115200, 230400, 460800, 921600};
 
-static const struct mip_device_port cv7_ar_ports[] = {
+static const struct mip_profile_port cv7_ar_ports[] = {
     {"Main", 0x01, 4, cv7_ar_baud_rates_1, "MIP"},
 };
 
-static const struct mip_device_limit cv7_ar_limits[] = {
+static const struct mip_profile_limit cv7_ar_limits[] = {
     {"event_triggers", 12, "", "Triggers in all."},
     {"event_gpio_triggers", 4, "", "GPIO triggers."},
     {"event_threshold_triggers", 8, "", "Threshold triggers."},
@@ -566,7 +566,7 @@ static const char *const cv7_ar_anti_aliasing_cells[] = {
     "0x82", "0x0D",       "Linear acceleration",      /* row 7 */
 };
 
-static const struct mip_device_note cv7_ar_notes[] = {
+static const struct mip_profile_note cv7_ar_notes[] = {
     {"anti_aliasing", "Anti-aliasing low-pass filter",
      "Data that `3dm.low_pass_filter` can filter. Up to firmware 1.0.07 there is "
      "`3dm.imu_low_pass_filter` in its place, for sensor data only.",
@@ -576,7 +576,7 @@ static const struct mip_device_note cv7_ar_notes[] = {
      NULL, 0, 0},
 };
 
-const struct mip_device mip_device_cv7_ar = {
+const struct mip_profile mip_profile_cv7_ar = {
     "3dm-cv7-ar",
     "3DM-CV7-AR",
     "3dm-cv7",
@@ -608,7 +608,7 @@ const struct mip_device mip_device_cv7_ar = {
 static const char cv7_gnss_ins_evidence_1[] =
     "The page on ports of the manual names it, but the list of commands does not.";
 
-static const struct mip_device_field cv7_gnss_ins_fields[] = {
+static const struct mip_profile_field cv7_gnss_ins_fields[] = {
     {0x01, 0x01, "", NULL},                         /* base.ping */
     {0x01, 0x02, "", NULL},                         /* base.set_idle */
     {0x01, 0x03, "", NULL},                         /* base.get_device_info */
@@ -794,7 +794,7 @@ static const struct mip_device_field cv7_gnss_ins_fields[] = {
     {0xFF, 0xD8, "", NULL}, /* shared.external_time_delta */
 };
 
-static const struct mip_device_rate cv7_gnss_ins_rates[] = {
+static const struct mip_profile_rate cv7_gnss_ins_rates[] = {
     {0x80, 1000}, {0x82, 1000}, {0x91, 5}, {0x92, 5}, {0x93, 0}, {0x94, 0}, {0xA0, 1000},
 };
 
@@ -806,7 +806,7 @@ static const uint32_t cv7_gnss_ins_baud_rates_2[] = {4800,   9600,   19200,  384
 static const uint32_t cv7_gnss_ins_baud_rates_3[] = {4800,   9600,   19200,  38400, 57600,
                                                      115200, 230400, 460800, 921600};
 
-static const struct mip_device_port cv7_gnss_ins_ports[] = {
+static const struct mip_profile_port cv7_gnss_ins_ports[] = {
     {"Main", 0x01, 0, NULL, "MIP, NMEA, RTCM, SPARTN"},
     {"UART 1", 0x11, 5, cv7_gnss_ins_baud_rates_1, "MIP, NMEA, RTCM, SPARTN"},
     {"UART 2", 0x12, 9, cv7_gnss_ins_baud_rates_2, "MIP, NMEA, RTCM, SPARTN"},
@@ -815,7 +815,7 @@ static const struct mip_device_port cv7_gnss_ins_ports[] = {
     {"USB 2", 0x22, 0, NULL, "MIP, NMEA, RTCM, SPARTN"},
 };
 
-static const struct mip_device_limit cv7_gnss_ins_limits[] = {
+static const struct mip_profile_limit cv7_gnss_ins_limits[] = {
     {"event_triggers", 12, "", "Triggers in all."},
     {"event_gpio_triggers", 4, "", "GPIO triggers."},
     {"event_threshold_triggers", 8, "", "Threshold triggers."},
@@ -1035,7 +1035,7 @@ static const char *const cv7_gnss_ins_sensor_ranges_cells[] = {
     "Gyroscope",     "2",       "250 deg/s", /* row 4 */
 };
 
-static const struct mip_device_note cv7_gnss_ins_notes[] = {
+static const struct mip_profile_note cv7_gnss_ins_notes[] = {
     {"ports", "Ports",
      "The main port is USB 1 while a host has it open (DTR set), else UART 1. MIP is always "
      "enabled on it. The others must be enabled first. All ports stream the same data; replies to "
@@ -1079,7 +1079,7 @@ static const struct mip_device_note cv7_gnss_ins_notes[] = {
      NULL, 0, 0},
 };
 
-static const struct mip_device_reading cv7_gnss_ins_readings[] = {
+static const struct mip_profile_reading cv7_gnss_ins_readings[] = {
     {"base.built_in_test_response.result", "cv7_built_in_test"},
     {"base.continuous_built_in_test_response.result", "cv7_continuous_built_in_test"},
     {"filter_data.status.filter_state", "filter_data.cv7_filter_state"},
@@ -1090,7 +1090,7 @@ static const struct mip_device_reading cv7_gnss_ins_readings[] = {
 
 static const uint8_t cv7_gnss_ins_ack_codes[] = {0, 1, 2, 3, 4, 5, 6};
 
-const struct mip_device mip_device_cv7_gnss_ins = {
+const struct mip_profile mip_profile_cv7_gnss_ins = {
     "3dm-cv7-gnss-ins",
     "3DM-CV7-GNSS/INS",
     "3dm-cv7-gnss-ins",
@@ -1130,7 +1130,7 @@ static const char cv7_ins_evidence_1[] = "The vendor's software asks every devic
 static const char cv7_ins_evidence_2[] =
     "A test site of the vendor lists it for this device; the firmware is not known.";
 
-static const struct mip_device_field cv7_ins_fields[] = {
+static const struct mip_profile_field cv7_ins_fields[] = {
     {0x01, 0x01, "", cv7_ins_evidence_1}, /* base.ping */
     {0x01, 0x02, "", cv7_ins_evidence_1}, /* base.set_idle */
     {0x01, 0x03, "", cv7_ins_evidence_1}, /* base.get_device_info */
@@ -1151,15 +1151,15 @@ static const struct mip_device_field cv7_ins_fields[] = {
     {0x94, 0x20, "", cv7_ins_evidence_2}, /* gnss_external.satellite_status */
 };
 
-static const struct mip_device_rate cv7_ins_rates[] = {
+static const struct mip_profile_rate cv7_ins_rates[] = {
     {0x94, 0},
 };
 
-static const struct mip_device_limit cv7_ins_limits[] = {
+static const struct mip_profile_limit cv7_ins_limits[] = {
     {"antenna_offset", 10, "m", "Greatest distance of the antenna from the device."},
 };
 
-const struct mip_device mip_device_cv7_ins = {
+const struct mip_profile mip_profile_cv7_ins = {
     "3dm-cv7-ins",
     "3DM-CV7-INS",
     "3dm-cv7-ins",
@@ -1202,7 +1202,7 @@ static const char cx5_10_evidence_2[] = "MSCL lists what can be chosen on it.";
 
 static const char cx5_10_evidence_3[] = "MSCL asks for it on this device.";
 
-static const struct mip_device_field cx5_10_fields[] = {
+static const struct mip_profile_field cx5_10_fields[] = {
     {0x01, 0x01, "", cx5_10_evidence_1},      /* base.ping */
     {0x01, 0x02, "", cx5_10_evidence_1},      /* base.set_idle */
     {0x01, 0x03, "", cx5_10_evidence_1},      /* base.get_device_info */
@@ -1213,19 +1213,19 @@ static const struct mip_device_field cx5_10_fields[] = {
     {0x0C, 0x64, "", cx5_10_evidence_3},      /* 3dm.device_status */
 };
 
-static const struct mip_device_note cx5_10_notes[] = {
+static const struct mip_profile_note cx5_10_notes[] = {
     {"device_status", "Device status",
      "By MSCL, it answers with `3dm.device_status_basic_without_state_response` and "
      "`3dm.device_status_diagnostic_imu_response`.",
      NULL, 0, 0},
 };
 
-static const struct mip_device_reading cx5_10_readings[] = {
+static const struct mip_profile_reading cx5_10_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
 };
 
-const struct mip_device mip_device_cx5_10 = {
+const struct mip_profile mip_profile_cx5_10 = {
     "3dm-cx5-10",
     "3DM-CX5-10",
     "",
@@ -1268,7 +1268,7 @@ static const char cx5_15_evidence_2[] = "MSCL lists what can be chosen on it.";
 
 static const char cx5_15_evidence_3[] = "MSCL asks for it on this device.";
 
-static const struct mip_device_field cx5_15_fields[] = {
+static const struct mip_profile_field cx5_15_fields[] = {
     {0x01, 0x01, "", cx5_15_evidence_1},      /* base.ping */
     {0x01, 0x02, "", cx5_15_evidence_1},      /* base.set_idle */
     {0x01, 0x03, "", cx5_15_evidence_1},      /* base.get_device_info */
@@ -1279,19 +1279,19 @@ static const struct mip_device_field cx5_15_fields[] = {
     {0x0C, 0x64, "", cx5_15_evidence_3},      /* 3dm.device_status */
 };
 
-static const struct mip_device_note cx5_15_notes[] = {
+static const struct mip_profile_note cx5_15_notes[] = {
     {"device_status", "Device status",
      "By MSCL, it answers with `3dm.device_status_basic_response` and "
      "`3dm.device_status_diagnostic_response`.",
      NULL, 0, 0},
 };
 
-static const struct mip_device_reading cx5_15_readings[] = {
+static const struct mip_profile_reading cx5_15_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
 };
 
-const struct mip_device mip_device_cx5_15 = {
+const struct mip_profile mip_profile_cx5_15 = {
     "3dm-cx5-15",
     "3DM-CX5-15",
     "",
@@ -1334,7 +1334,7 @@ static const char cx5_25_evidence_2[] = "MSCL lists what can be chosen on it.";
 
 static const char cx5_25_evidence_3[] = "MSCL asks for it on this device.";
 
-static const struct mip_device_field cx5_25_fields[] = {
+static const struct mip_profile_field cx5_25_fields[] = {
     {0x01, 0x01, "", cx5_25_evidence_1},      /* base.ping */
     {0x01, 0x02, "", cx5_25_evidence_1},      /* base.set_idle */
     {0x01, 0x03, "", cx5_25_evidence_1},      /* base.get_device_info */
@@ -1344,19 +1344,19 @@ static const struct mip_device_field cx5_25_fields[] = {
     {0x0C, 0x64, "", cx5_25_evidence_3},      /* 3dm.device_status */
 };
 
-static const struct mip_device_note cx5_25_notes[] = {
+static const struct mip_profile_note cx5_25_notes[] = {
     {"device_status", "Device status",
      "By MSCL, it answers with `3dm.device_status_basic_response` and "
      "`3dm.device_status_diagnostic_response`.",
      NULL, 0, 0},
 };
 
-static const struct mip_device_reading cx5_25_readings[] = {
+static const struct mip_profile_reading cx5_25_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
 };
 
-const struct mip_device mip_device_cx5_25 = {
+const struct mip_profile mip_profile_cx5_25 = {
     "3dm-cx5-25",
     "3DM-CX5-25",
     "",
@@ -1399,7 +1399,7 @@ static const char cx5_35_evidence_2[] = "MSCL lists what can be chosen on it.";
 
 static const char cx5_35_evidence_3[] = "MSCL asks for it on this device.";
 
-static const struct mip_device_field cx5_35_fields[] = {
+static const struct mip_profile_field cx5_35_fields[] = {
     {0x01, 0x01, "", cx5_35_evidence_1},      /* base.ping */
     {0x01, 0x02, "", cx5_35_evidence_1},      /* base.set_idle */
     {0x01, 0x03, "", cx5_35_evidence_1},      /* base.get_device_info */
@@ -1409,19 +1409,19 @@ static const struct mip_device_field cx5_35_fields[] = {
     {0x0C, 0x64, "", cx5_35_evidence_3},      /* 3dm.device_status */
 };
 
-static const struct mip_device_note cx5_35_notes[] = {
+static const struct mip_profile_note cx5_35_notes[] = {
     {"device_status", "Device status",
      "By MSCL, it answers with `3dm.device_status_basic_response` and "
      "`3dm.device_status_diagnostic_gnss_response`.",
      NULL, 0, 0},
 };
 
-static const struct mip_device_reading cx5_35_readings[] = {
+static const struct mip_profile_reading cx5_35_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
 };
 
-const struct mip_device mip_device_cx5_35 = {
+const struct mip_profile mip_profile_cx5_35 = {
     "3dm-cx5-35",
     "3DM-CX5-35",
     "",
@@ -1464,7 +1464,7 @@ static const char cx5_45_evidence_2[] = "MSCL lists what can be chosen on it.";
 
 static const char cx5_45_evidence_3[] = "MSCL asks for it on this device.";
 
-static const struct mip_device_field cx5_45_fields[] = {
+static const struct mip_profile_field cx5_45_fields[] = {
     {0x01, 0x01, "", cx5_45_evidence_1},      /* base.ping */
     {0x01, 0x02, "", cx5_45_evidence_1},      /* base.set_idle */
     {0x01, 0x03, "", cx5_45_evidence_1},      /* base.get_device_info */
@@ -1474,19 +1474,19 @@ static const struct mip_device_field cx5_45_fields[] = {
     {0x0C, 0x64, "", cx5_45_evidence_3},      /* 3dm.device_status */
 };
 
-static const struct mip_device_note cx5_45_notes[] = {
+static const struct mip_profile_note cx5_45_notes[] = {
     {"device_status", "Device status",
      "By MSCL, it answers with `3dm.device_status_basic_response` and "
      "`3dm.device_status_diagnostic_gnss_response`.",
      NULL, 0, 0},
 };
 
-static const struct mip_device_reading cx5_45_readings[] = {
+static const struct mip_profile_reading cx5_45_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
 };
 
-const struct mip_device mip_device_cx5_45 = {
+const struct mip_profile mip_profile_cx5_45 = {
     "3dm-cx5-45",
     "3DM-CX5-45",
     "",
@@ -1523,7 +1523,7 @@ static const char dh3_evidence_1[] = "The vendor's software asks every device fo
 
 static const char dh3_evidence_2[] = "MSCL lists what can be chosen on it.";
 
-static const struct mip_device_field dh3_fields[] = {
+static const struct mip_profile_field dh3_fields[] = {
     {0x01, 0x01, "", dh3_evidence_1},      /* base.ping */
     {0x01, 0x02, "", dh3_evidence_1},      /* base.set_idle */
     {0x01, 0x03, "", dh3_evidence_1},      /* base.get_device_info */
@@ -1532,12 +1532,12 @@ static const struct mip_device_field dh3_fields[] = {
     {0x0C, 0x11, "WRSLD", dh3_evidence_2}, /* 3dm.data_stream_control */
 };
 
-static const struct mip_device_reading dh3_readings[] = {
+static const struct mip_profile_reading dh3_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
 };
 
-const struct mip_device mip_device_dh3 = {
+const struct mip_profile mip_profile_dh3 = {
     "3dm-dh3",  "3DM-DH3",
     "",         "Device of generation 3, known by its name and its number.",
     6219, /* model number */
@@ -1568,7 +1568,7 @@ static const char *const gq4_45_incomplete[] = {
 
 static const char gq4_45_evidence_1[] = "MSCL lists what can be chosen on it.";
 
-static const struct mip_device_field gq4_45_fields[] = {
+static const struct mip_profile_field gq4_45_fields[] = {
     {0x01, 0x01, "", NULL},                   /* base.ping */
     {0x01, 0x02, "", NULL},                   /* base.set_idle */
     {0x01, 0x03, "", NULL},                   /* base.get_device_info */
@@ -1607,19 +1607,19 @@ static const struct mip_device_field gq4_45_fields[] = {
     {0x0D, 0x45, "WRSLD", gq4_45_evidence_1}, /* filter.mag_magnitude_error_adaptive_measurement */
 };
 
-static const struct mip_device_note gq4_45_notes[] = {
+static const struct mip_profile_note gq4_45_notes[] = {
     {"device_status", "Device status",
      "By MSCL, it answers with `3dm.device_status_basic_response` and "
      "`3dm.device_status_diagnostic_gq4_45_response`.",
      NULL, 0, 0},
 };
 
-static const struct mip_device_reading gq4_45_readings[] = {
+static const struct mip_profile_reading gq4_45_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
 };
 
-const struct mip_device mip_device_gq4_45 = {
+const struct mip_profile mip_profile_gq4_45 = {
     "3dm-gq4-45",
     "3DM-GQ4-45",
     "3dm-gq4-45",
@@ -1663,7 +1663,7 @@ static const char gq7_evidence_2[] = "MSCL lists what can be chosen on it.";
 
 static const char gq7_evidence_3[] = "The manual says of what firmware which filter can be set.";
 
-static const struct mip_device_field gq7_fields[] = {
+static const struct mip_profile_field gq7_fields[] = {
     {0x01, 0x01, "", gq7_evidence_1},      /* base.ping */
     {0x01, 0x02, "", gq7_evidence_1},      /* base.set_idle */
     {0x01, 0x03, "", gq7_evidence_1},      /* base.get_device_info */
@@ -1687,13 +1687,13 @@ static const struct mip_device_field gq7_fields[] = {
     {0x92, 0x0D, "", NULL},                /* gnss_2.hardware_status */
 };
 
-static const struct mip_device_rate gq7_rates[] = {
+static const struct mip_profile_rate gq7_rates[] = {
     {0x80, 1000}, {0x82, 1000}, {0x91, 2}, {0x92, 2}, {0x93, 0}, {0xA0, 1000},
 };
 
 static const uint32_t gq7_baud_rates_1[] = {115200, 230400, 460800, 921600};
 
-static const struct mip_device_port gq7_ports[] = {
+static const struct mip_profile_port gq7_ports[] = {
     {"Main", 0x01, 4, gq7_baud_rates_1, "MIP, NMEA"},
     {"Aux", 0x02, 0, NULL, "MIP"},
 };
@@ -1717,7 +1717,7 @@ static const char *const gq7_gpio_pins_cells[] = {
     "4",   "GPIO",               /* row 4 */
 };
 
-static const struct mip_device_note gq7_notes[] = {
+static const struct mip_profile_note gq7_notes[] = {
     {"anti_aliasing", "Anti-aliasing low-pass filter",
      "Data that `3dm.low_pass_filter` can filter. Up to firmware 1.0.10 there is "
      "`3dm.imu_low_pass_filter` in its place, for sensor data only.",
@@ -1731,7 +1731,7 @@ static const struct mip_device_note gq7_notes[] = {
      0, 0},
 };
 
-const struct mip_device mip_device_gq7 = {
+const struct mip_profile mip_profile_gq7 = {
     "3dm-gq7",  "3DM-GQ7-GNSS/INS",
     "3dm-gq7",  "Inertial navigation system with two GNSS receivers.",
     6284, /* model number */
@@ -1760,7 +1760,7 @@ static const char *const gv7_ahrs_incomplete[] = {
 
 static const char gv7_ahrs_evidence_1[] = "The vendor's software asks every device for it.";
 
-static const struct mip_device_field gv7_ahrs_fields[] = {
+static const struct mip_profile_field gv7_ahrs_fields[] = {
     {0x01, 0x01, "", gv7_ahrs_evidence_1}, /* base.ping */
     {0x01, 0x02, "", gv7_ahrs_evidence_1}, /* base.set_idle */
     {0x01, 0x03, "", gv7_ahrs_evidence_1}, /* base.get_device_info */
@@ -1768,7 +1768,7 @@ static const struct mip_device_field gv7_ahrs_fields[] = {
     {0x01, 0x06, "", gv7_ahrs_evidence_1}, /* base.resume */
 };
 
-const struct mip_device mip_device_gv7_ahrs = {
+const struct mip_profile mip_profile_gv7_ahrs = {
     "3dm-gv7-ahrs",
     "3DM-GV7-AHRS",
     "",
@@ -1803,7 +1803,7 @@ static const char *const gv7_ar_incomplete[] = {
 
 static const char gv7_ar_evidence_1[] = "The vendor's software asks every device for it.";
 
-static const struct mip_device_field gv7_ar_fields[] = {
+static const struct mip_profile_field gv7_ar_fields[] = {
     {0x01, 0x01, "", gv7_ar_evidence_1}, /* base.ping */
     {0x01, 0x02, "", gv7_ar_evidence_1}, /* base.set_idle */
     {0x01, 0x03, "", gv7_ar_evidence_1}, /* base.get_device_info */
@@ -1811,7 +1811,7 @@ static const struct mip_device_field gv7_ar_fields[] = {
     {0x01, 0x06, "", gv7_ar_evidence_1}, /* base.resume */
 };
 
-const struct mip_device mip_device_gv7_ar = {
+const struct mip_profile mip_profile_gv7_ar = {
     "3dm-gv7-ar",
     "3DM-GV7-AR",
     "",
@@ -1846,7 +1846,7 @@ static const char *const gv7_ins_incomplete[] = {
 
 static const char gv7_ins_evidence_1[] = "The vendor's software asks every device for it.";
 
-static const struct mip_device_field gv7_ins_fields[] = {
+static const struct mip_profile_field gv7_ins_fields[] = {
     {0x01, 0x01, "", gv7_ins_evidence_1}, /* base.ping */
     {0x01, 0x02, "", gv7_ins_evidence_1}, /* base.set_idle */
     {0x01, 0x03, "", gv7_ins_evidence_1}, /* base.get_device_info */
@@ -1854,7 +1854,7 @@ static const struct mip_device_field gv7_ins_fields[] = {
     {0x01, 0x06, "", gv7_ins_evidence_1}, /* base.resume */
 };
 
-const struct mip_device mip_device_gv7_ins = {
+const struct mip_profile mip_profile_gv7_ins = {
     "3dm-gv7-ins",
     "3DM-GV7-INS",
     "",
@@ -1891,7 +1891,7 @@ static const char gx3_15_evidence_1[] = "The vendor's software asks every device
 
 static const char gx3_15_evidence_2[] = "MSCL lists what can be chosen on it.";
 
-static const struct mip_device_field gx3_15_fields[] = {
+static const struct mip_profile_field gx3_15_fields[] = {
     {0x01, 0x01, "", gx3_15_evidence_1},      /* base.ping */
     {0x01, 0x02, "", gx3_15_evidence_1},      /* base.set_idle */
     {0x01, 0x03, "", gx3_15_evidence_1},      /* base.get_device_info */
@@ -1900,12 +1900,12 @@ static const struct mip_device_field gx3_15_fields[] = {
     {0x0C, 0x11, "WRSLD", gx3_15_evidence_2}, /* 3dm.data_stream_control */
 };
 
-static const struct mip_device_reading gx3_15_readings[] = {
+static const struct mip_profile_reading gx3_15_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
 };
 
-const struct mip_device mip_device_gx3_15 = {
+const struct mip_profile mip_profile_gx3_15 = {
     "3dm-gx3-15",
     "3DM-GX3-15",
     "",
@@ -1942,7 +1942,7 @@ static const char gx3_25_evidence_1[] = "The vendor's software asks every device
 
 static const char gx3_25_evidence_2[] = "MSCL lists what can be chosen on it.";
 
-static const struct mip_device_field gx3_25_fields[] = {
+static const struct mip_profile_field gx3_25_fields[] = {
     {0x01, 0x01, "", gx3_25_evidence_1},      /* base.ping */
     {0x01, 0x02, "", gx3_25_evidence_1},      /* base.set_idle */
     {0x01, 0x03, "", gx3_25_evidence_1},      /* base.get_device_info */
@@ -1951,12 +1951,12 @@ static const struct mip_device_field gx3_25_fields[] = {
     {0x0C, 0x11, "WRSLD", gx3_25_evidence_2}, /* 3dm.data_stream_control */
 };
 
-static const struct mip_device_reading gx3_25_readings[] = {
+static const struct mip_profile_reading gx3_25_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
 };
 
-const struct mip_device mip_device_gx3_25 = {
+const struct mip_profile mip_profile_gx3_25 = {
     "3dm-gx3-25",
     "3DM-GX3-25",
     "",
@@ -1993,7 +1993,7 @@ static const char gx3_35_evidence_1[] = "The vendor's software asks every device
 
 static const char gx3_35_evidence_2[] = "MSCL lists what can be chosen on it.";
 
-static const struct mip_device_field gx3_35_fields[] = {
+static const struct mip_profile_field gx3_35_fields[] = {
     {0x01, 0x01, "", gx3_35_evidence_1},      /* base.ping */
     {0x01, 0x02, "", gx3_35_evidence_1},      /* base.set_idle */
     {0x01, 0x03, "", gx3_35_evidence_1},      /* base.get_device_info */
@@ -2002,12 +2002,12 @@ static const struct mip_device_field gx3_35_fields[] = {
     {0x0C, 0x11, "WRSLD", gx3_35_evidence_2}, /* 3dm.data_stream_control */
 };
 
-static const struct mip_device_reading gx3_35_readings[] = {
+static const struct mip_profile_reading gx3_35_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
 };
 
-const struct mip_device mip_device_gx3_35 = {
+const struct mip_profile mip_profile_gx3_35 = {
     "3dm-gx3-35",
     "3DM-GX3-35",
     "",
@@ -2044,7 +2044,7 @@ static const char gx3_45_evidence_1[] = "The vendor's software asks every device
 
 static const char gx3_45_evidence_2[] = "MSCL lists what can be chosen on it.";
 
-static const struct mip_device_field gx3_45_fields[] = {
+static const struct mip_profile_field gx3_45_fields[] = {
     {0x01, 0x01, "", gx3_45_evidence_1},      /* base.ping */
     {0x01, 0x02, "", gx3_45_evidence_1},      /* base.set_idle */
     {0x01, 0x03, "", gx3_45_evidence_1},      /* base.get_device_info */
@@ -2059,12 +2059,12 @@ static const struct mip_device_field gx3_45_fields[] = {
     {0x0D, 0x45, "WRSLD", gx3_45_evidence_2}, /* filter.mag_magnitude_error_adaptive_measurement */
 };
 
-static const struct mip_device_reading gx3_45_readings[] = {
+static const struct mip_profile_reading gx3_45_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
 };
 
-const struct mip_device mip_device_gx3_45 = {
+const struct mip_profile mip_profile_gx3_45 = {
     "3dm-gx3-45",
     "3DM-GX3-45",
     "",
@@ -2103,7 +2103,7 @@ static const char gx4_15_evidence_2[] = "MSCL lists what can be chosen on it.";
 
 static const char gx4_15_evidence_3[] = "MSCL asks for it on this device.";
 
-static const struct mip_device_field gx4_15_fields[] = {
+static const struct mip_profile_field gx4_15_fields[] = {
     {0x01, 0x01, "", gx4_15_evidence_1},      /* base.ping */
     {0x01, 0x02, "", gx4_15_evidence_1},      /* base.set_idle */
     {0x01, 0x03, "", gx4_15_evidence_1},      /* base.get_device_info */
@@ -2117,19 +2117,19 @@ static const struct mip_device_field gx4_15_fields[] = {
     {0x0D, 0x45, "WRSLD", gx4_15_evidence_2}, /* filter.mag_magnitude_error_adaptive_measurement */
 };
 
-static const struct mip_device_note gx4_15_notes[] = {
+static const struct mip_profile_note gx4_15_notes[] = {
     {"device_status", "Device status",
      "By MSCL, it answers with `3dm.device_status_basic_without_state_response` and "
      "`3dm.device_status_diagnostic_gx4_response`.",
      NULL, 0, 0},
 };
 
-static const struct mip_device_reading gx4_15_readings[] = {
+static const struct mip_profile_reading gx4_15_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
 };
 
-const struct mip_device mip_device_gx4_15 = {
+const struct mip_profile mip_profile_gx4_15 = {
     "3dm-gx4-15",
     "3DM-GX4-15",
     "",
@@ -2168,7 +2168,7 @@ static const char gx4_25_evidence_2[] = "MSCL lists what can be chosen on it.";
 
 static const char gx4_25_evidence_3[] = "MSCL asks for it on this device.";
 
-static const struct mip_device_field gx4_25_fields[] = {
+static const struct mip_profile_field gx4_25_fields[] = {
     {0x01, 0x01, "", gx4_25_evidence_1},      /* base.ping */
     {0x01, 0x02, "", gx4_25_evidence_1},      /* base.set_idle */
     {0x01, 0x03, "", gx4_25_evidence_1},      /* base.get_device_info */
@@ -2183,19 +2183,19 @@ static const struct mip_device_field gx4_25_fields[] = {
     {0x0D, 0x45, "WRSLD", gx4_25_evidence_2}, /* filter.mag_magnitude_error_adaptive_measurement */
 };
 
-static const struct mip_device_note gx4_25_notes[] = {
+static const struct mip_profile_note gx4_25_notes[] = {
     {"device_status", "Device status",
      "By MSCL, it answers with `3dm.device_status_basic_without_state_response` and "
      "`3dm.device_status_diagnostic_gx4_response`.",
      NULL, 0, 0},
 };
 
-static const struct mip_device_reading gx4_25_readings[] = {
+static const struct mip_profile_reading gx4_25_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
 };
 
-const struct mip_device mip_device_gx4_25 = {
+const struct mip_profile mip_profile_gx4_25 = {
     "3dm-gx4-25",
     "3DM-GX4-25",
     "",
@@ -2234,7 +2234,7 @@ static const char gx4_45_evidence_2[] = "MSCL lists what can be chosen on it.";
 
 static const char gx4_45_evidence_3[] = "MSCL asks for it on this device.";
 
-static const struct mip_device_field gx4_45_fields[] = {
+static const struct mip_profile_field gx4_45_fields[] = {
     {0x01, 0x01, "", gx4_45_evidence_1},      /* base.ping */
     {0x01, 0x02, "", gx4_45_evidence_1},      /* base.set_idle */
     {0x01, 0x03, "", gx4_45_evidence_1},      /* base.get_device_info */
@@ -2249,19 +2249,19 @@ static const struct mip_device_field gx4_45_fields[] = {
     {0x0D, 0x45, "WRSLD", gx4_45_evidence_2}, /* filter.mag_magnitude_error_adaptive_measurement */
 };
 
-static const struct mip_device_note gx4_45_notes[] = {
+static const struct mip_profile_note gx4_45_notes[] = {
     {"device_status", "Device status",
      "By MSCL, it answers with `3dm.device_status_basic_response` and "
      "`3dm.device_status_diagnostic_gnss_response`.",
      NULL, 0, 0},
 };
 
-static const struct mip_device_reading gx4_45_readings[] = {
+static const struct mip_profile_reading gx4_45_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
 };
 
-const struct mip_device mip_device_gx4_45 = {
+const struct mip_profile mip_profile_gx4_45 = {
     "3dm-gx4-45",
     "3DM-GX4-45",
     "",
@@ -2304,7 +2304,7 @@ static const char gx5_10_evidence_2[] = "MSCL lists what can be chosen on it.";
 
 static const char gx5_10_evidence_3[] = "MSCL asks for it on this device.";
 
-static const struct mip_device_field gx5_10_fields[] = {
+static const struct mip_profile_field gx5_10_fields[] = {
     {0x01, 0x01, "", gx5_10_evidence_1},      /* base.ping */
     {0x01, 0x02, "", gx5_10_evidence_1},      /* base.set_idle */
     {0x01, 0x03, "", gx5_10_evidence_1},      /* base.get_device_info */
@@ -2315,19 +2315,19 @@ static const struct mip_device_field gx5_10_fields[] = {
     {0x0C, 0x64, "", gx5_10_evidence_3},      /* 3dm.device_status */
 };
 
-static const struct mip_device_note gx5_10_notes[] = {
+static const struct mip_profile_note gx5_10_notes[] = {
     {"device_status", "Device status",
      "By MSCL, it answers with `3dm.device_status_basic_without_state_response` and "
      "`3dm.device_status_diagnostic_imu_response`.",
      NULL, 0, 0},
 };
 
-static const struct mip_device_reading gx5_10_readings[] = {
+static const struct mip_profile_reading gx5_10_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
 };
 
-const struct mip_device mip_device_gx5_10 = {
+const struct mip_profile mip_profile_gx5_10 = {
     "3dm-gx5-10",
     "3DM-GX5-10",
     "",
@@ -2360,7 +2360,7 @@ static const char *const gx5_15_also[] = {
     "3DM-GX5-AR",
 };
 
-static const struct mip_device_field gx5_15_fields[] = {
+static const struct mip_profile_field gx5_15_fields[] = {
     {0x01, 0x01, "", NULL},       /* base.ping */
     {0x01, 0x02, "", NULL},       /* base.set_idle */
     {0x01, 0x03, "", NULL},       /* base.get_device_info */
@@ -2436,19 +2436,19 @@ static const struct mip_device_field gx5_15_fields[] = {
     {0x82, 0x21, "", NULL},       /* filter_data.pressure_altitude */
 };
 
-static const struct mip_device_rate gx5_15_rates[] = {
+static const struct mip_profile_rate gx5_15_rates[] = {
     {0x80, 1000},
     {0x82, 500},
 };
 
 static const uint32_t gx5_15_baud_rates_1[] = {9600, 19200, 115200, 230400, 460800, 921600};
 
-static const struct mip_device_port gx5_15_ports[] = {
+static const struct mip_profile_port gx5_15_ports[] = {
     {"UART 1", 0x00, 6, gx5_15_baud_rates_1, "MIP"},
     {"USB", 0x00, 0, NULL, "MIP"},
 };
 
-static const struct mip_device_limit gx5_15_limits[] = {
+static const struct mip_profile_limit gx5_15_limits[] = {
     {"low_pass_cutoff", 250, "Hz", "Highest cutoff of the low-pass filters."},
     {"external_heading_rate", 20, "Hz", "Highest rate of external heading updates."},
     {"zero_angular_rate_update_rate", 10, "Hz",
@@ -2464,7 +2464,7 @@ static const char *const gx5_15_low_pass_filter_cells[] = {
     "0x80", "0x17",       "Scaled pressure", /* row 3 */
 };
 
-static const struct mip_device_note gx5_15_notes[] = {
+static const struct mip_profile_note gx5_15_notes[] = {
     {"base_rates", "Base rates",
      "The manual gives both 1000 and 500 for each stream. Read the base rates from the device "
      "before computing a decimation.",
@@ -2490,7 +2490,7 @@ static const struct mip_device_note gx5_15_notes[] = {
      NULL, 0, 0},
 };
 
-static const struct mip_device_reading gx5_15_readings[] = {
+static const struct mip_profile_reading gx5_15_readings[] = {
     {"base.built_in_test_response.result", "gx5_built_in_test"},
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
@@ -2502,7 +2502,7 @@ static const struct mip_device_reading gx5_15_readings[] = {
 
 static const uint8_t gx5_15_ack_codes[] = {0, 1, 2, 3, 4, 5};
 
-const struct mip_device mip_device_gx5_15 = {
+const struct mip_profile mip_profile_gx5_15 = {
     "3dm-gx5-15",
     "3DM-GX5-15",
     "3dm-gx5-15",
@@ -2545,7 +2545,7 @@ static const char gx5_25_evidence_2[] = "MSCL lists what can be chosen on it.";
 
 static const char gx5_25_evidence_3[] = "MSCL asks for it on this device.";
 
-static const struct mip_device_field gx5_25_fields[] = {
+static const struct mip_profile_field gx5_25_fields[] = {
     {0x01, 0x01, "", gx5_25_evidence_1},      /* base.ping */
     {0x01, 0x02, "", gx5_25_evidence_1},      /* base.set_idle */
     {0x01, 0x03, "", gx5_25_evidence_1},      /* base.get_device_info */
@@ -2557,19 +2557,19 @@ static const struct mip_device_field gx5_25_fields[] = {
     {0x0D, 0x18, "WRSLD", gx5_25_evidence_2}, /* filter.heading_source */
 };
 
-static const struct mip_device_note gx5_25_notes[] = {
+static const struct mip_profile_note gx5_25_notes[] = {
     {"device_status", "Device status",
      "By MSCL, it answers with `3dm.device_status_basic_response` and "
      "`3dm.device_status_diagnostic_response`.",
      NULL, 0, 0},
 };
 
-static const struct mip_device_reading gx5_25_readings[] = {
+static const struct mip_profile_reading gx5_25_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
 };
 
-const struct mip_device mip_device_gx5_25 = {
+const struct mip_profile mip_profile_gx5_25 = {
     "3dm-gx5-25",
     "3DM-GX5-25",
     "",
@@ -2609,7 +2609,7 @@ static const char *const gx5_35_incomplete[] = {
 static const char gx5_35_evidence_1[] = "The numbers of the sections leave room for it, and the "
                                         "manual of a sister device has it there.";
 
-static const struct mip_device_field gx5_35_fields[] = {
+static const struct mip_profile_field gx5_35_fields[] = {
     {0x01, 0x01, "", NULL},                    /* base.ping */
     {0x01, 0x02, "", gx5_35_evidence_1},       /* base.set_idle */
     {0x01, 0x03, "", NULL},                    /* base.get_device_info */
@@ -2669,16 +2669,16 @@ static const struct mip_device_field gx5_35_fields[] = {
     {0x81, 0x0F, "", gx5_35_evidence_1},       /* gnss_data.dgps_channel */
 };
 
-static const struct mip_device_rate gx5_35_rates[] = {
+static const struct mip_profile_rate gx5_35_rates[] = {
     {0x80, 500},
     {0x81, 4},
 };
 
-static const struct mip_device_limit gx5_35_limits[] = {
+static const struct mip_profile_limit gx5_35_limits[] = {
     {"reserved_gnss_channels", 32, "", "Sum of the channels that constellations reserve."},
 };
 
-static const struct mip_device_note gx5_35_notes[] = {
+static const struct mip_profile_note gx5_35_notes[] = {
     {"receiver", "Receiver",
      "The GNSS receiver is a u-blox M8M. GLONASS and BeiDou exclude each other.", NULL, 0, 0},
     {"streams", "Streams",
@@ -2691,13 +2691,13 @@ static const struct mip_device_note gx5_35_notes[] = {
      NULL, 0, 0},
 };
 
-static const struct mip_device_reading gx5_35_readings[] = {
+static const struct mip_profile_reading gx5_35_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
     {"sensor.gps_timestamp.valid_flags", "gx5_sensor_gps_timestamp_flags"},
 };
 
-const struct mip_device mip_device_gx5_35 = {
+const struct mip_profile mip_profile_gx5_35 = {
     "3dm-gx5-35",
     "3DM-GX5-35",
     "3dm-gx5-35",
@@ -2740,7 +2740,7 @@ static const char gx5_45_evidence_1[] = "The numbers of the sections leave room 
 
 static const char gx5_45_evidence_2[] = "MSCL lists what can be chosen on it.";
 
-static const struct mip_device_field gx5_45_fields[] = {
+static const struct mip_profile_field gx5_45_fields[] = {
     {0x01, 0x01, "", gx5_45_evidence_1},       /* base.ping */
     {0x01, 0x02, "", gx5_45_evidence_1},       /* base.set_idle */
     {0x01, 0x03, "", NULL},                    /* base.get_device_info */
@@ -2843,7 +2843,7 @@ static const struct mip_device_field gx5_45_fields[] = {
     {0x82, 0x14, "", NULL},                   /* filter_data.heading_update_state */
 };
 
-static const struct mip_device_rate gx5_45_rates[] = {
+static const struct mip_profile_rate gx5_45_rates[] = {
     {0x80, 500},
     {0x81, 4},
     {0x82, 500},
@@ -2851,18 +2851,18 @@ static const struct mip_device_rate gx5_45_rates[] = {
 
 static const uint32_t gx5_45_baud_rates_1[] = {9600, 19200, 115200, 230400, 460800, 921600};
 
-static const struct mip_device_port gx5_45_ports[] = {
+static const struct mip_profile_port gx5_45_ports[] = {
     {"UART 1", 0x00, 6, gx5_45_baud_rates_1, "MIP"},
     {"USB", 0x00, 0, NULL, "MIP"},
 };
 
-static const struct mip_device_limit gx5_45_limits[] = {
+static const struct mip_profile_limit gx5_45_limits[] = {
     {"baud_rate_delay", 250, "ms",
      "Time from the acknowledge of a new baud rate until commands are answered at that rate."},
     {"rtcm_chunk", 253, "byte", "Most bytes of RTCM in one field."},
 };
 
-static const struct mip_device_note gx5_45_notes[] = {
+static const struct mip_profile_note gx5_45_notes[] = {
     {"rtcm", "RTCM input",
      "A command of which only the name and the descriptor 0x20 of the set `3dm` are known takes "
      "RTCM 2.3. The receiver uses the messages 1, 2, 3 and 9.",
@@ -2877,12 +2877,12 @@ static const struct mip_device_note gx5_45_notes[] = {
      NULL, 0, 0},
 };
 
-static const struct mip_device_reading gx5_45_readings[] = {
+static const struct mip_profile_reading gx5_45_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
 };
 
-const struct mip_device mip_device_gx5_45 = {
+const struct mip_profile mip_profile_gx5_45 = {
     "3dm-gx5-45",
     "3DM-GX5-45",
     "3dm-gx5-45",
@@ -2923,7 +2923,7 @@ static const char mv5_ar_evidence_1[] = "The vendor's software asks every device
 
 static const char mv5_ar_evidence_2[] = "MSCL lists what can be chosen on it.";
 
-static const struct mip_device_field mv5_ar_fields[] = {
+static const struct mip_profile_field mv5_ar_fields[] = {
     {0x01, 0x01, "", mv5_ar_evidence_1},      /* base.ping */
     {0x01, 0x02, "", mv5_ar_evidence_1},      /* base.set_idle */
     {0x01, 0x03, "", mv5_ar_evidence_1},      /* base.get_device_info */
@@ -2932,12 +2932,12 @@ static const struct mip_device_field mv5_ar_fields[] = {
     {0x0C, 0x11, "WRSLD", mv5_ar_evidence_2}, /* 3dm.data_stream_control */
 };
 
-static const struct mip_device_reading mv5_ar_readings[] = {
+static const struct mip_profile_reading mv5_ar_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
 };
 
-const struct mip_device mip_device_mv5_ar = {
+const struct mip_profile mip_profile_mv5_ar = {
     "3dm-mv5-ar",
     "3DM-MV5-AR",
     "",
@@ -2978,7 +2978,7 @@ static const char *const rq1_45_lt_incomplete[] = {
 
 static const char rq1_45_lt_evidence_1[] = "MSCL lists what can be chosen on it.";
 
-static const struct mip_device_field rq1_45_lt_fields[] = {
+static const struct mip_profile_field rq1_45_lt_fields[] = {
     {0x01, 0x01, "", NULL},                      /* base.ping */
     {0x01, 0x02, "", NULL},                      /* base.set_idle */
     {0x01, 0x03, "", NULL},                      /* base.get_device_info */
@@ -3017,7 +3017,7 @@ static const struct mip_device_field rq1_45_lt_fields[] = {
      rq1_45_lt_evidence_1}, /* filter.mag_magnitude_error_adaptive_measurement */
 };
 
-static const struct mip_device_note rq1_45_lt_notes[] = {
+static const struct mip_profile_note rq1_45_lt_notes[] = {
     {"device_status", "Device status",
      "By MSCL, it answers with `3dm.device_status_basic_response` and "
      "`3dm.device_status_diagnostic_rq1_45_response`.",
@@ -3028,12 +3028,12 @@ static const struct mip_device_note rq1_45_lt_notes[] = {
      NULL, 0, 0},
 };
 
-static const struct mip_device_reading rq1_45_lt_readings[] = {
+static const struct mip_profile_reading rq1_45_lt_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
 };
 
-const struct mip_device mip_device_rq1_45_lt = {
+const struct mip_profile mip_profile_rq1_45_lt = {
     "3dm-rq1-45-lt",
     "3DM-RQ1-45-LT",
     "3dm-rq1-45",
@@ -3074,7 +3074,7 @@ static const char *const rq1_45_st_incomplete[] = {
 
 static const char rq1_45_st_evidence_1[] = "MSCL lists what can be chosen on it.";
 
-static const struct mip_device_field rq1_45_st_fields[] = {
+static const struct mip_profile_field rq1_45_st_fields[] = {
     {0x01, 0x01, "", NULL},                      /* base.ping */
     {0x01, 0x02, "", NULL},                      /* base.set_idle */
     {0x01, 0x03, "", NULL},                      /* base.get_device_info */
@@ -3113,7 +3113,7 @@ static const struct mip_device_field rq1_45_st_fields[] = {
      rq1_45_st_evidence_1}, /* filter.mag_magnitude_error_adaptive_measurement */
 };
 
-static const struct mip_device_note rq1_45_st_notes[] = {
+static const struct mip_profile_note rq1_45_st_notes[] = {
     {"device_status", "Device status",
      "By MSCL, it answers with `3dm.device_status_basic_response` and "
      "`3dm.device_status_diagnostic_rq1_45_response`.",
@@ -3124,12 +3124,12 @@ static const struct mip_device_note rq1_45_st_notes[] = {
      NULL, 0, 0},
 };
 
-static const struct mip_device_reading rq1_45_st_readings[] = {
+static const struct mip_profile_reading rq1_45_st_readings[] = {
     {"3dm.data_stream_control.descriptor_set", "3dm.legacy_data_stream"},
     {"3dm.data_stream_control_response.descriptor_set", "3dm.legacy_data_stream"},
 };
 
-const struct mip_device mip_device_rq1_45_st = {
+const struct mip_profile mip_profile_rq1_45_st = {
     "3dm-rq1-45-st",
     "3DM-RQ1-45-ST",
     "3dm-rq1-45",
@@ -3164,7 +3164,7 @@ static const char *const rtk_incomplete[] = {
 
 static const char rtk_evidence_1[] = "The vendor's software asks every device for it.";
 
-static const struct mip_device_field rtk_fields[] = {
+static const struct mip_profile_field rtk_fields[] = {
     {0x01, 0x01, "", rtk_evidence_1}, /* base.ping */
     {0x01, 0x02, "", rtk_evidence_1}, /* base.set_idle */
     {0x01, 0x03, "", rtk_evidence_1}, /* base.get_device_info */
@@ -3172,7 +3172,7 @@ static const struct mip_device_field rtk_fields[] = {
     {0x01, 0x06, "", rtk_evidence_1}, /* base.resume */
 };
 
-const struct mip_device mip_device_rtk = {
+const struct mip_profile mip_profile_rtk = {
     "3dm-rtk", "3DM-RTK",      "",         "Modem for GNSS corrections.",
     6285, /* model number */
     7,    /* generation */
@@ -3192,16 +3192,16 @@ const struct mip_device mip_device_rtk = {
 
 /* All of them. */
 
-const struct mip_device *const mip_devices[] = {
-    &mip_device_cl5_10,       &mip_device_cl5_15,  &mip_device_cl5_25,    &mip_device_cv5_10,
-    &mip_device_cv5_15,       &mip_device_cv5_25,  &mip_device_cv7_ahrs,  &mip_device_cv7_ar,
-    &mip_device_cv7_gnss_ins, &mip_device_cv7_ins, &mip_device_cx5_10,    &mip_device_cx5_15,
-    &mip_device_cx5_25,       &mip_device_cx5_35,  &mip_device_cx5_45,    &mip_device_dh3,
-    &mip_device_gq4_45,       &mip_device_gq7,     &mip_device_gv7_ahrs,  &mip_device_gv7_ar,
-    &mip_device_gv7_ins,      &mip_device_gx3_15,  &mip_device_gx3_25,    &mip_device_gx3_35,
-    &mip_device_gx3_45,       &mip_device_gx4_15,  &mip_device_gx4_25,    &mip_device_gx4_45,
-    &mip_device_gx5_10,       &mip_device_gx5_15,  &mip_device_gx5_25,    &mip_device_gx5_35,
-    &mip_device_gx5_45,       &mip_device_mv5_ar,  &mip_device_rq1_45_lt, &mip_device_rq1_45_st,
-    &mip_device_rtk,
+const struct mip_profile *const mip_profiles[] = {
+    &mip_profile_cl5_10,       &mip_profile_cl5_15,  &mip_profile_cl5_25,    &mip_profile_cv5_10,
+    &mip_profile_cv5_15,       &mip_profile_cv5_25,  &mip_profile_cv7_ahrs,  &mip_profile_cv7_ar,
+    &mip_profile_cv7_gnss_ins, &mip_profile_cv7_ins, &mip_profile_cx5_10,    &mip_profile_cx5_15,
+    &mip_profile_cx5_25,       &mip_profile_cx5_35,  &mip_profile_cx5_45,    &mip_profile_dh3,
+    &mip_profile_gq4_45,       &mip_profile_gq7,     &mip_profile_gv7_ahrs,  &mip_profile_gv7_ar,
+    &mip_profile_gv7_ins,      &mip_profile_gx3_15,  &mip_profile_gx3_25,    &mip_profile_gx3_35,
+    &mip_profile_gx3_45,       &mip_profile_gx4_15,  &mip_profile_gx4_25,    &mip_profile_gx4_45,
+    &mip_profile_gx5_10,       &mip_profile_gx5_15,  &mip_profile_gx5_25,    &mip_profile_gx5_35,
+    &mip_profile_gx5_45,       &mip_profile_mv5_ar,  &mip_profile_rq1_45_lt, &mip_profile_rq1_45_st,
+    &mip_profile_rtk,
 };
-const size_t mip_device_count = 37;
+const size_t mip_profile_count = 37;

@@ -2,14 +2,14 @@
  * @file
  * The devices. Plain tables: a program that names one device links only that.
  */
-#ifndef MIP_DEVICES_H
-#define MIP_DEVICES_H
+#ifndef MIP_PROFILES_H
+#define MIP_PROFILES_H
 
 #include "mip/constants.h"
 #include "mip/profile.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/devices.h and mip/constants.h are not of one version"
+#error "mip/profiles.h and mip/constants.h are not of one version"
 #endif
 
 #ifdef __cplusplus
@@ -26,7 +26,7 @@ extern "C" {
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
  */
-extern const struct mip_device mip_device_cl5_10;
+extern MIP_API const struct mip_profile mip_profile_cl5_10;
 
 /**
  * 3DM-CL5-15: Attitude reference.
@@ -37,7 +37,7 @@ extern const struct mip_device mip_device_cl5_10;
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
  */
-extern const struct mip_device mip_device_cl5_15;
+extern MIP_API const struct mip_profile mip_profile_cl5_15;
 
 /**
  * 3DM-CL5-25: Attitude and heading reference system.
@@ -48,7 +48,7 @@ extern const struct mip_device mip_device_cl5_15;
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
  */
-extern const struct mip_device mip_device_cl5_25;
+extern MIP_API const struct mip_profile mip_profile_cl5_25;
 
 /**
  * 3DM-CV5-10: Inertial measurement unit.
@@ -59,7 +59,7 @@ extern const struct mip_device mip_device_cl5_25;
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
  */
-extern const struct mip_device mip_device_cv5_10;
+extern MIP_API const struct mip_profile mip_profile_cv5_10;
 
 /**
  * 3DM-CV5-15: Attitude reference.
@@ -70,7 +70,7 @@ extern const struct mip_device mip_device_cv5_10;
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
  */
-extern const struct mip_device mip_device_cv5_15;
+extern MIP_API const struct mip_profile mip_profile_cv5_15;
 
 /**
  * 3DM-CV5-25: Attitude and heading reference system.
@@ -81,7 +81,7 @@ extern const struct mip_device mip_device_cv5_15;
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
  */
-extern const struct mip_device mip_device_cv5_25;
+extern MIP_API const struct mip_profile mip_profile_cv5_25;
 
 /**
  * 3DM-CV7-AHRS: Attitude and heading reference system.
@@ -95,7 +95,7 @@ extern const struct mip_device mip_device_cv5_25;
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
  */
-extern const struct mip_device mip_device_cv7_ahrs;
+extern MIP_API const struct mip_profile mip_profile_cv7_ahrs;
 
 /**
  * 3DM-CV7-AR: Attitude reference.
@@ -109,7 +109,7 @@ extern const struct mip_device mip_device_cv7_ahrs;
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
  */
-extern const struct mip_device mip_device_cv7_ar;
+extern MIP_API const struct mip_profile mip_profile_cv7_ar;
 
 /**
  * 3DM-CV7-GNSS/INS: Inertial navigation system with two RTK-capable GNSS receivers, magnetometer
@@ -119,7 +119,7 @@ extern const struct mip_device mip_device_cv7_ar;
  *
  * - mip-sdk-4: Device models
  */
-extern const struct mip_device mip_device_cv7_gnss_ins;
+extern MIP_API const struct mip_profile mip_profile_cv7_gnss_ins;
 
 /**
  * 3DM-CV7-INS: Inertial navigation system without a GNSS receiver of its own.
@@ -133,7 +133,7 @@ extern const struct mip_device mip_device_cv7_gnss_ins;
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
  */
-extern const struct mip_device mip_device_cv7_ins;
+extern MIP_API const struct mip_profile mip_profile_cv7_ins;
 
 /**
  * 3DM-CX5-10: Inertial measurement unit.
@@ -144,7 +144,7 @@ extern const struct mip_device mip_device_cv7_ins;
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
  */
-extern const struct mip_device mip_device_cx5_10;
+extern MIP_API const struct mip_profile mip_profile_cx5_10;
 
 /**
  * 3DM-CX5-15: Attitude reference.
@@ -156,7 +156,7 @@ extern const struct mip_device mip_device_cx5_10;
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
  */
-extern const struct mip_device mip_device_cx5_15;
+extern MIP_API const struct mip_profile mip_profile_cx5_15;
 
 /**
  * 3DM-CX5-25: Attitude and heading reference system.
@@ -168,7 +168,7 @@ extern const struct mip_device mip_device_cx5_15;
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
  */
-extern const struct mip_device mip_device_cx5_25;
+extern MIP_API const struct mip_profile mip_profile_cx5_25;
 
 /**
  * 3DM-CX5-35: Attitude and heading reference with GNSS.
@@ -179,7 +179,7 @@ extern const struct mip_device mip_device_cx5_25;
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
  */
-extern const struct mip_device mip_device_cx5_35;
+extern MIP_API const struct mip_profile mip_profile_cx5_35;
 
 /**
  * 3DM-CX5-45: Inertial navigation system with GNSS.
@@ -190,7 +190,7 @@ extern const struct mip_device mip_device_cx5_35;
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
  */
-extern const struct mip_device mip_device_cx5_45;
+extern MIP_API const struct mip_profile mip_profile_cx5_45;
 
 /**
  * 3DM-DH3: Device of generation 3, known by its name and its number.
@@ -201,7 +201,7 @@ extern const struct mip_device mip_device_cx5_45;
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
  */
-extern const struct mip_device mip_device_dh3;
+extern MIP_API const struct mip_profile mip_profile_dh3;
 
 /**
  * 3DM-GQ4-45: Tactical grade inertial navigation system with GNSS.
@@ -215,7 +215,7 @@ extern const struct mip_device mip_device_dh3;
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
  */
-extern const struct mip_device mip_device_gq4_45;
+extern MIP_API const struct mip_profile mip_profile_gq4_45;
 
 /**
  * 3DM-GQ7-GNSS/INS: Inertial navigation system with two GNSS receivers.
@@ -231,7 +231,7 @@ extern const struct mip_device mip_device_gq4_45;
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
  */
-extern const struct mip_device mip_device_gq7;
+extern MIP_API const struct mip_profile mip_profile_gq7;
 
 /**
  * 3DM-GV7-AHRS: Attitude and heading reference system.
@@ -242,7 +242,7 @@ extern const struct mip_device mip_device_gq7;
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
  */
-extern const struct mip_device mip_device_gv7_ahrs;
+extern MIP_API const struct mip_profile mip_profile_gv7_ahrs;
 
 /**
  * 3DM-GV7-AR: Attitude reference.
@@ -253,7 +253,7 @@ extern const struct mip_device mip_device_gv7_ahrs;
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
  */
-extern const struct mip_device mip_device_gv7_ar;
+extern MIP_API const struct mip_profile mip_profile_gv7_ar;
 
 /**
  * 3DM-GV7-INS: Inertial navigation system.
@@ -264,7 +264,7 @@ extern const struct mip_device mip_device_gv7_ar;
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
  */
-extern const struct mip_device mip_device_gv7_ins;
+extern MIP_API const struct mip_profile mip_profile_gv7_ins;
 
 /**
  * 3DM-GX3-15: Device of generation 3, known by its name and its number.
@@ -275,7 +275,7 @@ extern const struct mip_device mip_device_gv7_ins;
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
  */
-extern const struct mip_device mip_device_gx3_15;
+extern MIP_API const struct mip_profile mip_profile_gx3_15;
 
 /**
  * 3DM-GX3-25: Device of generation 3, known by its name and its number.
@@ -286,7 +286,7 @@ extern const struct mip_device mip_device_gx3_15;
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
  */
-extern const struct mip_device mip_device_gx3_25;
+extern MIP_API const struct mip_profile mip_profile_gx3_25;
 
 /**
  * 3DM-GX3-35: Device of generation 3, known by its name and its number.
@@ -297,7 +297,7 @@ extern const struct mip_device mip_device_gx3_25;
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
  */
-extern const struct mip_device mip_device_gx3_35;
+extern MIP_API const struct mip_profile mip_profile_gx3_35;
 
 /**
  * 3DM-GX3-45: Device of generation 3, known by its name and its number.
@@ -308,7 +308,7 @@ extern const struct mip_device mip_device_gx3_35;
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
  */
-extern const struct mip_device mip_device_gx3_45;
+extern MIP_API const struct mip_profile mip_profile_gx3_45;
 
 /**
  * 3DM-GX4-15: Device of generation 4, known by its name and its number.
@@ -319,7 +319,7 @@ extern const struct mip_device mip_device_gx3_45;
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
  */
-extern const struct mip_device mip_device_gx4_15;
+extern MIP_API const struct mip_profile mip_profile_gx4_15;
 
 /**
  * 3DM-GX4-25: Device of generation 4, known by its name and its number.
@@ -330,7 +330,7 @@ extern const struct mip_device mip_device_gx4_15;
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
  */
-extern const struct mip_device mip_device_gx4_25;
+extern MIP_API const struct mip_profile mip_profile_gx4_25;
 
 /**
  * 3DM-GX4-45: Device of generation 4, known by its name and its number.
@@ -341,7 +341,7 @@ extern const struct mip_device mip_device_gx4_25;
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
  */
-extern const struct mip_device mip_device_gx4_45;
+extern MIP_API const struct mip_profile mip_profile_gx4_45;
 
 /**
  * 3DM-GX5-10: Inertial measurement unit.
@@ -352,7 +352,7 @@ extern const struct mip_device mip_device_gx4_45;
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
  */
-extern const struct mip_device mip_device_gx5_10;
+extern MIP_API const struct mip_profile mip_profile_gx5_10;
 
 /**
  * 3DM-GX5-15: Vertical reference unit with an inertial sensor, a pressure sensor and an estimation
@@ -364,7 +364,7 @@ extern const struct mip_device mip_device_gx5_10;
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
  */
-extern const struct mip_device mip_device_gx5_15;
+extern MIP_API const struct mip_profile mip_profile_gx5_15;
 
 /**
  * 3DM-GX5-25: Attitude and heading reference system.
@@ -375,7 +375,7 @@ extern const struct mip_device mip_device_gx5_15;
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
  */
-extern const struct mip_device mip_device_gx5_25;
+extern MIP_API const struct mip_profile mip_profile_gx5_25;
 
 /**
  * 3DM-GX5-35: Attitude and heading reference with GNSS.
@@ -388,7 +388,7 @@ extern const struct mip_device mip_device_gx5_25;
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
  */
-extern const struct mip_device mip_device_gx5_35;
+extern MIP_API const struct mip_profile mip_profile_gx5_35;
 
 /**
  * 3DM-GX5-45: Inertial navigation system with GNSS, magnetometer and pressure sensor.
@@ -405,7 +405,7 @@ extern const struct mip_device mip_device_gx5_35;
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
  */
-extern const struct mip_device mip_device_gx5_45;
+extern MIP_API const struct mip_profile mip_profile_gx5_45;
 
 /**
  * 3DM-MV5-AR: Device of generation 5, known by its name and its number.
@@ -416,7 +416,7 @@ extern const struct mip_device mip_device_gx5_45;
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
  */
-extern const struct mip_device mip_device_mv5_ar;
+extern MIP_API const struct mip_profile mip_profile_mv5_ar;
 
 /**
  * 3DM-RQ1-45-LT: Ruggedized tactical grade inertial navigation system with GPS.
@@ -430,7 +430,7 @@ extern const struct mip_device mip_device_mv5_ar;
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
  */
-extern const struct mip_device mip_device_rq1_45_lt;
+extern MIP_API const struct mip_profile mip_profile_rq1_45_lt;
 
 /**
  * 3DM-RQ1-45-ST: Ruggedized tactical grade inertial navigation system with GPS.
@@ -444,7 +444,7 @@ extern const struct mip_device mip_device_rq1_45_lt;
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
  */
-extern const struct mip_device mip_device_rq1_45_st;
+extern MIP_API const struct mip_profile mip_profile_rq1_45_st;
 
 /**
  * 3DM-RTK: Modem for GNSS corrections.
@@ -455,7 +455,7 @@ extern const struct mip_device mip_device_rq1_45_st;
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
  */
-extern const struct mip_device mip_device_rtk;
+extern MIP_API const struct mip_profile mip_profile_rtk;
 
 #ifdef __cplusplus
 }

@@ -1,0 +1,175 @@
+/**
+ * @file
+ * The commands of Base, each with the types of its parameters and of its response.
+ */
+#ifndef MIP_BASE_COMMANDS_H
+#define MIP_BASE_COMMANDS_H
+
+#include "mip/base.h"
+#include "mip/client.h"
+
+#if MIP_VERSION_NUMBER != 100
+#error "mip/base_commands.h and mip/constants.h are not of one version"
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** What the client knows of the command. */
+extern MIP_API const struct mip_command mip_base_ping_command;
+
+/** Adds the command to a packet and waits for its answer: see mip_client_send. Ping. */
+static inline mip_error mip_send_base_ping(struct mip_client *client, struct mip_request *request,
+                                           struct mip_builder *packet, uint32_t now) {
+    return mip_client_send(client, request, packet, &mip_base_ping_command, NULL, NULL, NULL, now);
+}
+/** What the client knows of the command. */
+extern MIP_API const struct mip_command mip_base_set_idle_command;
+
+/** Adds the command to a packet and waits for its answer: see mip_client_send. Set to idle. */
+static inline mip_error mip_send_base_set_idle(struct mip_client *client,
+                                               struct mip_request *request,
+                                               struct mip_builder *packet, uint32_t now) {
+    return mip_client_send(client, request, packet, &mip_base_set_idle_command, NULL, NULL, NULL,
+                           now);
+}
+/** What the client knows of the command. */
+extern MIP_API const struct mip_command mip_base_get_device_info_command;
+
+/**
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Get device
+ * information. The response goes to `response`, which may be NULL, if the command asks for it.
+ */
+static inline mip_error mip_send_base_get_device_info(
+    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
+    struct mip_base_get_device_info_response *response, uint32_t now) {
+    return mip_client_send(client, request, packet, &mip_base_get_device_info_command, NULL,
+                           &mip_base_get_device_info_response_codec, response, now);
+}
+/** What the client knows of the command. */
+extern MIP_API const struct mip_command mip_base_get_device_descriptors_command;
+
+/**
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Get device
+ * descriptors. The response goes to `response`, which may be NULL, if the command asks for it.
+ */
+static inline mip_error mip_send_base_get_device_descriptors(
+    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
+    struct mip_base_get_device_descriptors_response *response, uint32_t now) {
+    return mip_client_send(client, request, packet, &mip_base_get_device_descriptors_command, NULL,
+                           &mip_base_get_device_descriptors_response_codec, response, now);
+}
+/** What the client knows of the command. */
+extern MIP_API const struct mip_command mip_base_built_in_test_command;
+
+/**
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Built-in test. The
+ * response goes to `response`, which may be NULL, if the command asks for it.
+ */
+static inline mip_error mip_send_base_built_in_test(
+    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
+    struct mip_base_built_in_test_response *response, uint32_t now) {
+    return mip_client_send(client, request, packet, &mip_base_built_in_test_command, NULL,
+                           &mip_base_built_in_test_response_codec, response, now);
+}
+/** What the client knows of the command. */
+extern MIP_API const struct mip_command mip_base_resume_command;
+
+/** Adds the command to a packet and waits for its answer: see mip_client_send. Resume. */
+static inline mip_error mip_send_base_resume(struct mip_client *client, struct mip_request *request,
+                                             struct mip_builder *packet, uint32_t now) {
+    return mip_client_send(client, request, packet, &mip_base_resume_command, NULL, NULL, NULL,
+                           now);
+}
+/** What the client knows of the command. */
+extern MIP_API const struct mip_command mip_base_get_extended_descriptors_command;
+
+/**
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Get device
+ * descriptors (extended). The response goes to `response`, which may be NULL, if the command asks
+ * for it.
+ */
+static inline mip_error mip_send_base_get_extended_descriptors(
+    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
+    struct mip_base_get_extended_descriptors_response *response, uint32_t now) {
+    return mip_client_send(client, request, packet, &mip_base_get_extended_descriptors_command,
+                           NULL, &mip_base_get_extended_descriptors_response_codec, response, now);
+}
+/** What the client knows of the command. */
+extern MIP_API const struct mip_command mip_base_continuous_built_in_test_command;
+
+/**
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Continuous built-in
+ * test. The response goes to `response`, which may be NULL, if the command asks for it.
+ */
+static inline mip_error mip_send_base_continuous_built_in_test(
+    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
+    struct mip_base_continuous_built_in_test_response *response, uint32_t now) {
+    return mip_client_send(client, request, packet, &mip_base_continuous_built_in_test_command,
+                           NULL, &mip_base_continuous_built_in_test_response_codec, response, now);
+}
+/** What the client knows of the command. */
+extern MIP_API const struct mip_command mip_base_comm_speed_command;
+
+/**
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Comm port speed. The
+ * response goes to `response`, which may be NULL, if the command asks for it.
+ */
+static inline mip_error mip_send_base_comm_speed(struct mip_client *client,
+                                                 struct mip_request *request,
+                                                 struct mip_builder *packet,
+                                                 const struct mip_base_comm_speed *command,
+                                                 struct mip_base_comm_speed_response *response,
+                                                 uint32_t now) {
+    return mip_client_send(client, request, packet, &mip_base_comm_speed_command, command,
+                           &mip_base_comm_speed_response_codec, response, now);
+}
+/** What the client knows of the command. */
+extern MIP_API const struct mip_command mip_base_gps_time_update_command;
+
+/** Adds the command to a packet and waits for its answer: see mip_client_send. GPS time update. */
+static inline mip_error mip_send_base_gps_time_update(
+    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
+    const struct mip_base_gps_time_update *command, uint32_t now) {
+    return mip_client_send(client, request, packet, &mip_base_gps_time_update_command, command,
+                           NULL, NULL, now);
+}
+/**
+ * Adds the command to a packet and waits for its answer: see mip_client_send. GPS time update. It
+ * is answered by this response.
+ */
+static inline mip_error mip_send_for_base_gps_time_update_week_number_response(
+    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
+    const struct mip_base_gps_time_update *command,
+    struct mip_base_gps_time_update_week_number_response *response, uint32_t now) {
+    return mip_client_send(client, request, packet, &mip_base_gps_time_update_command, command,
+                           &mip_base_gps_time_update_week_number_response_codec, response, now);
+}
+/**
+ * Adds the command to a packet and waits for its answer: see mip_client_send. GPS time update. It
+ * is answered by this response.
+ */
+static inline mip_error mip_send_for_base_gps_time_update_tow_response(
+    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
+    const struct mip_base_gps_time_update *command,
+    struct mip_base_gps_time_update_tow_response *response, uint32_t now) {
+    return mip_client_send(client, request, packet, &mip_base_gps_time_update_command, command,
+                           &mip_base_gps_time_update_tow_response_codec, response, now);
+}
+/** What the client knows of the command. */
+extern MIP_API const struct mip_command mip_base_soft_reset_command;
+
+/** Adds the command to a packet and waits for its answer: see mip_client_send. Reset device. */
+static inline mip_error mip_send_base_soft_reset(struct mip_client *client,
+                                                 struct mip_request *request,
+                                                 struct mip_builder *packet, uint32_t now) {
+    return mip_client_send(client, request, packet, &mip_base_soft_reset_command, NULL, NULL, NULL,
+                           now);
+}
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

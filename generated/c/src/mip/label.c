@@ -1,0 +1,35 @@
+/* The names of values. */
+#include "mip/reflect.h"
+
+#include <string.h>
+
+uint64_t mip_names_number(const struct mip_names *names, size_t index) {
+    const uint8_t *at = (const uint8_t *)names->numbers + index * names->size;
+    uint8_t byte = 0;
+    uint16_t half = 0;
+    uint32_t word = 0;
+    uint64_t twice = 0;
+    switch (names->size) {
+    case 1:
+        memcpy(&byte, at, sizeof(byte));
+        return byte;
+    case 2:
+        memcpy(&half, at, sizeof(half));
+        return half;
+    case 4:
+        memcpy(&word, at, sizeof(word));
+        return word;
+    default:
+        memcpy(&twice, at, sizeof(twice));
+        return twice;
+    }
+}
+
+const char *mip_value_name(const struct mip_names *names, uint64_t value) {
+    for (size_t i = 0; names->labels != NULL && i < names->count; i++) {
+        if (mip_names_number(names, i) == value) {
+            return names->labels[i];
+        }
+    }
+    return NULL;
+}

@@ -1,0 +1,40 @@
+/* The members of structures: texts, bytes, and bits of bytes. */
+#include "mip/core.h"
+
+void mip_copy(void *to, size_t room, const void *from, size_t size) {
+    if (size > 0 && room > 0) {
+        memcpy(to, from, size < room ? size : room);
+    }
+}
+
+void mip_copy_text(char *to, size_t room, const char *text) {
+    size_t i = 0;
+    for (; i + 1 < room && text[i] != '\0'; i++) {
+        to[i] = text[i];
+    }
+    for (; i + 1 < room; i++) {
+        to[i] = ' ';
+    }
+    to[i] = '\0';
+}
+
+uint64_t mip_get_bits(const uint8_t *bytes, unsigned first, unsigned width) {
+    uint64_t value = 0;
+    for (unsigned i = width; i-- > 0;) {
+        const unsigned bit = first + i;
+        value = value << 1 | (bytes[bit / 8] >> bit % 8 & 1U);
+    }
+    return value;
+}
+
+void mip_set_bits(uint8_t *bytes, unsigned first, unsigned width, uint64_t value) {
+    for (unsigned i = 0; i < width; i++) {
+        const unsigned bit = first + i;
+        const unsigned mask = 1U << bit % 8;
+        if ((value >> i & 1U) != 0) {
+            bytes[bit / 8] = (uint8_t)(bytes[bit / 8] | mask);
+        } else {
+            bytes[bit / 8] = (uint8_t)(bytes[bit / 8] & ~mask);
+        }
+    }
+}
