@@ -64,6 +64,7 @@ def client(of: m.Model) -> Iterator[bytes]:
                 answer = next(variants(response)) if response else b""
                 end = bytes((ANSWER, 0, 0, choice, min(len(answer), 247))) + answer[:247]
                 yield sent(f, f.set, data, choice) + end
+                yield sent(f, f.set, data, choice | 128) + end
     for _, steps, _ in scenarios.scenarios(of):
         yield b"".join(step(s, of) for s in steps)
 
