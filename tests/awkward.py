@@ -102,15 +102,24 @@ fields:
 
 
 def lengths(longest: int = 33) -> str:
-    """Types and fields with names of every length, so that every line that is written may be too long."""
+    """Types and fields with names of every length, so that every line that is written may be too long. Where names of C
+    would be too long, the types and the fields are shorter the longer the names are that follow theirs."""
     types, fields = [], []
     for number, size in enumerate(range(4, longest + 1), 1):
         w = "w" * size
+        e, b, s, f = (f"short: {kind}_{'w' * (40 - size)}" if size > 20 else "" for kind in "ebsf")
         types.append(
             f"""
-  e{w}: {{enum: u8, values: {{none: 0, {w}: 1, a_{w}: 2, b: 3}}}}
-  b{w}: {{bitfield: u32, bits: {{{w}: 0, n_{w}: {{bits: 3-9}}, m: {{bits: 10-11, enum: e{w}}}}}}}
+  e{w}:
+    {e}
+    enum: u8
+    values: {{none: 0, {w}: 1, a_{w}: 2, b: 3}}
+  b{w}:
+    {b}
+    bitfield: u32
+    bits: {{{w}: 0, n_{w}: {{bits: 3-9}}, m: {{bits: 10-11, enum: e{w}}}}}
   s{w}:
+    {s}
     struct:
       - {{name: a_{w}, type: u8}}
       - {{name: tag, type: e{w}}}
@@ -121,6 +130,7 @@ def lengths(longest: int = 33) -> str:
             f"""
   - command: {number}
     name: f{w}
+    {f}
     title: T
     description: D.
     sources: [{{manual: leaflet, section: S}}]

@@ -50,6 +50,10 @@ command_or text2pcap "it comes with Wireshark (Debian: apt-get install wireshark
 command_or g++ "install it (Debian: apt-get install g++)"
 command_or clang "install it (Debian: apt-get install clang)"
 command_or clang++ "install it (Debian: apt-get install clang)"
+command_or x86_64-w64-mingw32-gcc "install it (Debian: apt-get install gcc-mingw-w64-x86-64)"
+command_or arduino-builder "install it (Debian: apt-get install arduino-builder)"
+[ -d /usr/share/arduino/hardware/arduino/avr ] ||
+    lacks "the core of Arduino's AVR boards" "install it (Debian: apt-get install arduino-core-avr)"
 command_or node "install it (Debian: apt-get install nodejs)"
 command_or npm "install it (Debian: apt-get install npm)"
 target=thumbv7m-none-eabi

@@ -13,7 +13,7 @@ from .problems import Problem, Problems, SpecError
 
 @dataclass(frozen=True, slots=True)
 class Output:
-    """The files that one target makes of a model, or the name collisions that prevent it."""
+    """The files that one target makes of a model, or the names that prevent it."""
 
     name: str
     title: str
@@ -22,8 +22,8 @@ class Output:
 
 
 def check_names(model: Model, sources: Sequence[Source]) -> None:
-    """Raises SpecError if two things of the model get the same name in one of the languages."""
-    found = parallel.each(lambda source: _collisions(model, source), sources)
+    """Raises SpecError if two things of the model get the same name in one of the languages, or one too long a name."""
+    found = parallel.each(lambda source: _unfit(model, source), sources)
     _raise([problem for problems in found for problem in problems])
 
 
@@ -31,7 +31,7 @@ def make(model: Model, sources: Sequence[Source]) -> list[Output]:
     """The output of each target, each made in its own process."""
 
     def one(source: Source) -> Output:
-        problems = _collisions(model, source)
+        problems = _unfit(model, source)
         files = {} if problems else render.render(source, model)
         return Output(source.name, source.load().TITLE, files, problems)
 
@@ -40,9 +40,10 @@ def make(model: Model, sources: Sequence[Source]) -> list[Output]:
     return made
 
 
-def _collisions(model: Model, source: Source) -> list[Problem]:
+def _unfit(model: Model, source: Source) -> list[Problem]:
     problems = Problems()
-    naming.collisions(source.name, source.load().identifiers(model), problems)
+    target = source.load()
+    naming.judge(source.name, target.identifiers(model), getattr(target, "MAX_IDENTIFIER", None), problems)
     return problems.sorted()
 
 

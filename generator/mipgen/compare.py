@@ -116,6 +116,7 @@ def _field(old: m.Field, new: m.Field) -> Iterator[Change]:
     name = new.full_name
     if old.full_name != name:
         yield Change("source", name, f"was called {old.full_name}")
+    yield from _differences("source", name, {"short name": (old.short, new.short)})
     if _wire(old) != _wire(new):
         yield Change("wire", name, _first_difference(old, new))
         return  # parameters can no longer be matched by position
@@ -249,10 +250,12 @@ def _type(name: str, old: m.Type, new: m.Type) -> Iterator[Change]:
     match old, new:
         case m.Enum(), m.Enum():
             yield from _named(name, {v.value: v.name for v in old.values}, {v.value: v.name for v in new.values})
+            yield from _shortened(name, old.values, new.values)
         case m.Bitfield(), m.Bitfield():
             yield from _named(
                 name, {(b.first, b.last): b.name for b in old.bits}, {(b.first, b.last): b.name for b in new.bits}
             )
+            yield from _shortened(name, old.bits, new.bits)
         case m.Struct(), m.Struct():
             if _wire(old) == _wire(new):  # otherwise the fields report it
                 yield from _parameters(name, old.parameters, new.parameters)
@@ -261,8 +264,18 @@ def _type(name: str, old: m.Type, new: m.Type) -> Iterator[Change]:
                 yield Change("source", name, f"elements {', '.join(new.elements)}, were {', '.join(old.elements)}")
         case _:
             yield Change("source", name, f"{new.kind}, was {old.kind}")
+    if not isinstance(old, m.Vector) and not isinstance(new, m.Vector):
+        yield from _differences("source", name, {"short name": (old.short, new.short)})
     if old.description != new.description:
         yield Change("compatible", name, "another description")
+
+
+def _shortened(of: str, old: Sequence[m.EnumValue | m.Bits], new: Sequence[m.EnumValue | m.Bits]) -> Iterator[Change]:
+    """The short names of those that are still there."""
+    before = {x.name: x.short for x in old}
+    for x in new:
+        if x.name in before:
+            yield from _differences("source", f"{of}.{x.name}", {"short name": (before[x.name], x.short)})
 
 
 def _named(of: str, old: dict[Any, str], new: dict[Any, str]) -> Iterator[Change]:

@@ -16,7 +16,7 @@ from .nodes import Node
 from .operations import REST, open_ended, operation, size, with_capacity
 from .problems import Problems, nearest
 from .variation import Scope
-from .vocabulary import Vocabulary, sentences, sources
+from .vocabulary import Vocabulary, sentences, short_name, sources
 
 #: How deep structures may be nested: far beyond need, and short of Python's own limit.
 MAX_NESTING = 16
@@ -105,6 +105,8 @@ class Types:
                 return None
         description = node.scalar("description", "")
         if kinds[0] == "vector":
+            if "short" in node:
+                self.problems.add(node.keys["short"], f"the vector '{name}' has no 'short'; remove it")
             scalar = m.SCALARS[node["vector"].value]
             elements = node["elements"].plain()
             for i, entry in enumerate(node["elements"]):
@@ -113,18 +115,22 @@ class Types:
                         entry.position, f"'{entry.value}' is used twice in the vector '{name}'; rename one"
                     )
             return m.Vector(name, scalar, tuple(elements), description, sentences(node, "uncertain"))
+        short = short_name(node, name, self.problems)
         origin = (description, owner, sources(node, self.vocabulary, self.problems), sentences(node, "uncertain"))
         if kinds[0] == "enum":
-            return m.Enum(name, m.SCALARS[node["enum"].value], self._values(node), *origin, position=node.position)
+            values = self._values(node)
+            scalar = m.SCALARS[node["enum"].value]
+            return m.Enum(name, scalar, values, *origin, short=short, position=node.position)
         if kinds[0] == "struct":
             record = self.record(list(node["struct"]), owner, inside=True)
             return m.Struct(
                 name, record.parameters, record.operations, record.min_size, record.max_size, *origin,
-                position=node.position,
+                short=short, position=node.position,
             )  # fmt: skip
         base = m.SCALARS[node["bitfield"].value] if "bitfield" in node else None
         size = base.size if base else node["bytes"].value
-        return m.Bitfield(name, base, size, self._bits(node, owner, size * 8), *origin, position=node.position)
+        bits = self._bits(node, owner, size * 8)
+        return m.Bitfield(name, base, size, bits, *origin, short=short, position=node.position)
 
     def _values(self, node: Node) -> tuple[m.EnumValue, ...]:
         places = node["values"].keys
@@ -137,6 +143,7 @@ class Types:
                 v.scalar("description", ""),
                 v.scalar("deprecated", False),
                 sentences(v, "uncertain"),
+                short_name(v, name, self.problems),
                 places[name],
             )
             for name, v in node["values"].items()
@@ -161,7 +168,8 @@ class Types:
             place = node["bits"].keys[name]
             enum = self._enum_of(entry, owner)
             description, alias = entry.scalar("description", ""), entry.scalar("alias", False)
-            found.append(m.Bits(name, low, high, description, alias, enum, sentences(entry, "uncertain"), place))
+            uncertain, short = sentences(entry, "uncertain"), short_name(entry, name, self.problems)
+            found.append(m.Bits(name, low, high, description, alias, enum, uncertain, short, place))
         return tuple(found)
 
     def _enum_of(self, bits: Node, owner: str | None) -> m.Enum | None:

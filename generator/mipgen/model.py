@@ -3,6 +3,7 @@
 Frozen dataclasses that describe the protocol, independent of any language. `resolve` builds them,
 `checks` checks them, targets and templates read them. Names are words in lower case joined by
 underscores, as the specification gives them; `naming` turns them into each language's case.
+Languages that limit the length of identifiers take `short` in place of a name, where there is one.
 
 Templates get layouts as *operations*, the ordered steps of one codec. A template has one branch
 per `Operation.kind` and computes nothing.
@@ -89,6 +90,7 @@ class EnumValue:
     description: str
     deprecated: bool = False
     uncertain: tuple[str, ...] = ()
+    short: str | None = None
     position: Position | None = field(default=None, compare=False)
 
 
@@ -104,6 +106,7 @@ class Enum:
     sources: tuple[Source, ...] = ()
     uncertain: tuple[str, ...] = ()
     kind: Literal["enum"] = "enum"
+    short: str | None = None
     position: Position | None = field(default=None, compare=False)
 
     def by_name(self, name: str) -> EnumValue | None:
@@ -121,6 +124,7 @@ class Bits:
     alias: bool  # intentionally overlaps other bits
     enum: Enum | None = None
     uncertain: tuple[str, ...] = ()
+    short: str | None = None
     position: Position | None = field(default=None, compare=False)
 
     @property
@@ -145,6 +149,7 @@ class Bitfield:
     sources: tuple[Source, ...] = ()
     uncertain: tuple[str, ...] = ()
     kind: Literal["bitfield"] = "bitfield"
+    short: str | None = None
     position: Position | None = field(default=None, compare=False)
 
     @property
@@ -181,6 +186,7 @@ class Struct:
     sources: tuple[Source, ...] = ()
     uncertain: tuple[str, ...] = ()
     kind: Literal["struct"] = "struct"
+    short: str | None = None
     position: Position | None = field(default=None, compare=False)
 
     @property
@@ -470,6 +476,7 @@ class Field:
     also: tuple[str, ...] = ()  # other names
     notes: tuple[str, ...] = ()
     uncertain: tuple[str, ...] = ()
+    short: str | None = None
     position: Position | None = field(default=None, compare=False)
 
     @property

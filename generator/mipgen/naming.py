@@ -60,6 +60,30 @@ class Identifier:
     position: Position | None
 
 
+def judge(target: str, identifiers: Iterable[Identifier], longest: int | None, problems: Problems) -> None:
+    """Reports the names that a language cannot have; `longest`: how many characters of a name count, if limited."""
+    found = list(identifiers)
+    collisions(target, found, problems)
+    if longest is not None:
+        lengths(target, found, longest, problems)
+
+
+def lengths(target: str, identifiers: Iterable[Identifier], longest: int, problems: Problems) -> None:
+    """No name may be longer; of the names that one thing gives rise to, the longest is reported."""
+    worst: dict[tuple[str, Position | None], Identifier] = {}
+    for i in identifiers:
+        other = worst.setdefault((i.what, i.position), i)
+        if len(i.name) > len(other.name):
+            worst[i.what, i.position] = i
+    for i in worst.values():
+        if len(i.name) > longest:
+            problems.add(
+                i.position,
+                f"'{i.what}' becomes {i.name}, and the target {target} looks at {longest} of its {len(i.name)} "
+                "characters; give it, or what it belongs to, a shorter name with 'short'",
+            )
+
+
 def collisions(target: str, identifiers: Iterable[Identifier], problems: Problems) -> None:
     """Two things of the specification must not become one name of a language."""
     seen: dict[tuple[str, str], Identifier] = {}

@@ -35,8 +35,9 @@ class File:
 class Target(Protocol):
     """The interface of a target's module.
 
-    It may also have FORMATTER, a `formatting.Formatter`, and for its conformance driver CONFORMANCE, the operations
-    that it offers, and NEEDS, tools other than Python, a C compiler and cargo.
+    It may also have FORMATTER, a `formatting.Formatter`, and MAX_IDENTIFIER, how many characters of a name its
+    language looks at; and for its conformance driver CONFORMANCE, the operations that it offers, and NEEDS, tools other
+    than Python, a C compiler and cargo.
     """
 
     TITLE: str  # "C99", shown by `mipgen generate`

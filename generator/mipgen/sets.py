@@ -9,7 +9,7 @@ from . import model as m
 from .layout import Types
 from .nodes import Node
 from .problems import Problems, nearest
-from .vocabulary import sentences, sources
+from .vocabulary import sentences, short_name, sources
 
 Kind = Literal["command", "data", "shared"]
 
@@ -83,7 +83,8 @@ class Sets:
             max_rate=node.scalar("max_rate"), timeout=node.scalar("timeout"),
             advanced=node.scalar("advanced", False), deprecated=node.scalar("deprecated"),
             sent_by=node.scalar("sent_by", "host"), also=sentences(node, "also"),
-            notes=sentences(node, "notes"), uncertain=sentences(node, "uncertain"), position=node.position,
+            notes=sentences(node, "notes"), uncertain=sentences(node, "uncertain"),
+            short=short_name(node, node["name"].value, self.problems), position=node.position,
         )  # fmt: skip
         if role == m.COMMAND and "silent_when" in node:
             self.silences[command.full_name] = node["silent_when"]
@@ -122,8 +123,10 @@ class Sets:
                 self.problems.add(
                     lengths.keys[manual], f"the command cites no manual '{manual}'{nearest(manual, known)}"
                 )
+        name = node.scalar("name", f"{command.name}_response")
+        usual = f"{command.short}_response" if command.short and "name" not in node else None
         return m.Field(
-            set=command.set, set_name=command.set_name, name=node.scalar("name", f"{command.name}_response"),
+            set=command.set, set_name=command.set_name, name=name,
             descriptor=node["response"].value, role=m.RESPONSE,
             title=node.scalar("title", f"{command.title} response"),
             description=node.scalar("description", ""),
@@ -138,7 +141,8 @@ class Sets:
             command=command.name,
             when=self.conditions(node.get("when"), command),
             also=(*(f"{name}_response" for name in command.also if "name" not in node), *sentences(node, "also")),
-            notes=sentences(node, "notes"), uncertain=sentences(node, "uncertain"), position=node.position,
+            notes=sentences(node, "notes"), uncertain=sentences(node, "uncertain"),
+            short=short_name(node, name, self.problems) or usual, position=node.position,
         )  # fmt: skip
 
     # ----------------------------------------------------------------------- conditions
@@ -217,13 +221,16 @@ class Sets:
         known = {f.name: f for f in origin.own_fields if f.role == m.DATA}
         found: dict[str, m.Field] = {}
 
-        def repeat(field: m.Field, title: str, cited: tuple[m.Source, ...], place: m.Position) -> None:
+        def repeat(
+            field: m.Field, title: str, short: str | None, cited: tuple[m.Source, ...], place: m.Position
+        ) -> None:
             found[field.name] = replace(
                 field,
                 set=number,
                 set_name=set_name,
                 definition=field.full_name,
                 title=title,
+                short=short,
                 sources=cited,
                 position=place,
             )
@@ -238,12 +245,13 @@ class Sets:
             if name in found:
                 self.problems.add(entry["name"].position, f"'{name}' is listed twice; remove one")
             cited = sources(entry, self.types.vocabulary, self.problems)
-            repeat(field, entry.scalar("title", field.title), cited, entry.position)
+            short = short_name(entry, name, self.problems) or field.short
+            repeat(field, entry.scalar("title", field.title), short, cited, entry.position)
         if self.whole(node):
             cited = sources(node["repeats"], self.types.vocabulary, self.problems)
             for name, field in known.items():
                 if name not in found:
-                    repeat(field, field.title, cited, of.position)
+                    repeat(field, field.title, field.short, cited, of.position)
         return list(found.values())
 
     @staticmethod

@@ -32,6 +32,16 @@ def sentences(node: Node, key: str) -> tuple[str, ...]:
     return tuple(node[key].plain()) if key in node else ()
 
 
+def short_name(node: Node, name: str, problems: Problems) -> str | None:
+    """The `short` of a node: its name in languages that limit identifiers."""
+    entry = node.get("short")
+    if entry is None:
+        return None
+    if len(entry.value) >= len(name):
+        problems.add(entry.position, f"'{entry.value}' is not shorter than the name '{name}'; shorten or remove it")
+    return str(entry.value)
+
+
 def sources(node: Node, vocabulary: Vocabulary, problems: Problems) -> tuple[m.Source, ...]:
     """The `sources` of a node."""
     found = []

@@ -74,6 +74,12 @@ def said(facts: Iterable[describe.Fact]) -> list[str]:
     return [plain(describe.say(f.sentence, reference)) for f in facts]
 
 
+def in_full(thing: m.Field | m.Type | m.EnumValue | m.Bits) -> list[str]:
+    """The whole name of a thing that has a shorter one in C."""
+    name = thing.full_name if isinstance(thing, m.Field) else thing.name
+    return [f"In full: {name}."] if getattr(thing, "short", None) else []
+
+
 def prose(text: str, of: m.Model) -> str:
     """A text of the specification, with names of C for the fields that it names."""
     return describe.say(describe.prose(text, of), reference)
@@ -88,26 +94,25 @@ def wanted(of: m.Model) -> Iterator[tuple[str, list[str]]]:
         name = names.field_name(f)
         yield name, [f.title, prose(f.description, of), *said(describe.field(f, of)), *describe.sources(f)]
         place = f"(0x{f.set:02X},0x{f.descriptor:02X})" if f.set else f"0x{f.descriptor:02X}"
-        yield name, [f"{f.role} {place}."]
+        yield name, [f"{f.role} {place}.", *in_full(f)]
         yield from of_record(f, of)
     for t in (of.protocol.function_selector, *of.all_types):
         if not isinstance(t, m.Vector):
-            told = [prose(t.description, of), *said(describe.type(t, of)), *describe.sources(t)]
+            told = [prose(t.description, of), *said(describe.type(t, of)), *describe.sources(t), *in_full(t)]
             whole = not isinstance(t, m.Enum) or names.is_enum(t)  # one that C cannot have is only its values
             yield names.type_name(t) if whole else names.constant(t, t.values[0]), told
         if isinstance(t, m.Struct):
             yield from of_record(t, of)
         elif isinstance(t, m.Enum):
-            yield from (
-                (names.constant(t, v), [prose(v.description, of), *said(describe.value(v, of))]) for v in t.values
-            )
+            for v in t.values:
+                yield names.constant(t, v), [prose(v.description, of), *said(describe.value(v, of)), *in_full(v)]
         elif isinstance(t, m.Bitfield):
             for b in t.bits:
-                told = [prose(b.description, of), *said(describe.bits(b, of))]
+                told = [prose(b.description, of), *said(describe.bits(b, of)), *in_full(b)]
                 if t.scalar:
                     yield names.constant(t, b), told
                 if members.has_accessor(b, t):
-                    yield f"{names.type_name(t)}_get_{b.name}", told
+                    yield names.accessor(t, "get", b), told
     for d in of.devices:
         told = [d.title, prose(d.description, of), *said(describe.device(d, of)), *describe.sources(d)]
         yield f"mip_profile_{d.name}", told

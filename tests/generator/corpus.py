@@ -73,7 +73,8 @@ def problems(spec: Path, target: str | None = None) -> list[str]:
         model = load_model(spec)
         if target is not None:
             found = Problems()
-            naming.collisions(target, render.target(target).identifiers(model), found)
+            module = render.target(target)
+            naming.judge(target, module.identifiers(model), getattr(module, "MAX_IDENTIFIER", None), found)
             found.raise_if_any()
     except SpecError as error:
         return [str(p).replace(f"{spec}/", "").replace(str(spec), ".") for p in error.problems]

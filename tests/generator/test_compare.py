@@ -43,6 +43,16 @@ PORT = "{name: port, type: u8, for: WRS"
         (TYPES, "slow: 1", "lazy: 1", "source", "mode.lazy: was called slow"),
         (TYPES, "slow: 1", "slow: 1, turbo: 7", "compatible", "mode.turbo: added: 7"),
         (TYPES, "level: {bits: 4-6", "level: {bits: 4-7", "wire", "flags.level: is bits 4-7, was bits 4-6"),
+        (
+            TOOLS,
+            "name: identify",
+            "name: identify\n    short: who",
+            "source",
+            "tools.identify: short name who, was none",
+        ),
+        (TYPES, "slow: 1", "slow: {value: 1, short: lag, description: S.}", "source", "mode.slow: short name lag, was"),
+        (TYPES, "{bits: 4-6", "{bits: 4-6, short: lv", "source", "flags.level: short name lv, was none"),
+        (TYPES, "health: {", "health: {short: hp, ", "source", "health: short name hp, was none"),
         ("devices/model_a.yaml", "title: Model A", "title: Model 1", "compatible", "model-a: another profile"),
         (
             "devices/model_a.yaml",

@@ -9,7 +9,7 @@ import pkgutil
 import mipgen
 import pytest
 from mipgen.model import Position
-from mipgen.naming import Escape, Identifier, collisions, pascal, upper
+from mipgen.naming import Escape, Identifier, collisions, judge, pascal, upper
 from mipgen.problems import Problems
 
 MODULES = [m.name for m in pkgutil.walk_packages(mipgen.__path__, "mipgen.") if m.name != "mipgen.__main__"]
@@ -58,4 +58,20 @@ def test_collisions_name_both_and_point_at_the_second() -> None:
     )
     assert [str(p) for p in problems.sorted()] == [
         "a.yaml:5:3: error: 'a.port1' and 'a.port_1' both become Port1 in module a of the target c; rename one"
+    ]
+
+
+def test_too_long_a_name_is_reported_once_for_each_thing() -> None:
+    place = Position("a.yaml", 5, 3)
+    names = [Identifier("C", "a" * n, "set.field", place) for n in (63, 64, 66, 65)]
+
+    def judged(identifiers: list[Identifier], longest: int | None) -> list[str]:
+        problems = Problems()
+        judge("c", identifiers, longest, problems)
+        return [str(p) for p in problems.sorted()]
+
+    assert judged(names[:1], 63) == judged(names, 66) == judged(names, None) == []
+    assert judged(names, 63) == [
+        f"a.yaml:5:3: error: 'set.field' becomes {'a' * 66}, and the target c looks at 63 of its 66 characters; give "
+        "it, or what it belongs to, a shorter name with 'short'"
     ]

@@ -986,118 +986,111 @@ const struct mip_codec mip_3dm_device_settings_codec = {
 const struct mip_command mip_3dm_device_settings_command = {&mip_3dm_device_settings_codec, NULL,
                                                             NULL, 1000};
 
-static const uint8_t program_sensor_to_vehicle_transform_euler[] = {
+static const uint8_t program_sensor_to_vehicle_euler[] = {
     MIP_REQUIRED(2, 0, 3),
     MIP_GROUP(1, 1),
-    MIP_32_BITS(1, MIP_AT(struct mip_3dm_sensor_to_vehicle_transform_euler, roll)),
+    MIP_32_BITS(1, MIP_AT(struct mip_3dm_sensor_to_vehicle_euler, roll)),
     MIP_GROUP(2, 2),
-    MIP_32_BITS(1, MIP_AT(struct mip_3dm_sensor_to_vehicle_transform_euler, pitch)),
+    MIP_32_BITS(1, MIP_AT(struct mip_3dm_sensor_to_vehicle_euler, pitch)),
     MIP_GROUP(3, 3),
-    MIP_32_BITS(1, MIP_AT(struct mip_3dm_sensor_to_vehicle_transform_euler, yaw)),
+    MIP_32_BITS(1, MIP_AT(struct mip_3dm_sensor_to_vehicle_euler, yaw)),
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_sensor_to_vehicle_transform_euler_codec = {
-    0x0C, 0x31, MIP_COMMAND, sizeof(struct mip_3dm_sensor_to_vehicle_transform_euler),
-    program_sensor_to_vehicle_transform_euler};
+const struct mip_codec mip_3dm_sensor_to_vehicle_euler_codec = {
+    0x0C, 0x31, MIP_COMMAND, sizeof(struct mip_3dm_sensor_to_vehicle_euler),
+    program_sensor_to_vehicle_euler};
 
-static bool asked_sensor_to_vehicle_transform_euler_1(const void *value) {
-    const struct mip_3dm_sensor_to_vehicle_transform_euler *v =
-        (const struct mip_3dm_sensor_to_vehicle_transform_euler *)value;
+static bool asked_sensor_to_vehicle_euler_1(const void *value) {
+    const struct mip_3dm_sensor_to_vehicle_euler *v =
+        (const struct mip_3dm_sensor_to_vehicle_euler *)value;
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_sensor_to_vehicle_transform_euler[] = {
-    {&mip_3dm_sensor_to_vehicle_transform_euler_response_codec,
-     asked_sensor_to_vehicle_transform_euler_1},
+static const struct mip_response responses_sensor_to_vehicle_euler[] = {
+    {&mip_3dm_sensor_to_vehicle_euler_response_codec, asked_sensor_to_vehicle_euler_1},
     {NULL, NULL},
 };
 
-const struct mip_command mip_3dm_sensor_to_vehicle_transform_euler_command = {
-    &mip_3dm_sensor_to_vehicle_transform_euler_codec, NULL,
-    responses_sensor_to_vehicle_transform_euler, 0};
+const struct mip_command mip_3dm_sensor_to_vehicle_euler_command = {
+    &mip_3dm_sensor_to_vehicle_euler_codec, NULL, responses_sensor_to_vehicle_euler, 0};
 
-static const uint8_t program_sensor_to_vehicle_transform_euler_response[] = {
-    MIP_32_BITS(3, MIP_AT(struct mip_3dm_sensor_to_vehicle_transform_euler_response, roll)),
+static const uint8_t program_sensor_to_vehicle_euler_response[] = {
+    MIP_32_BITS(3, MIP_AT(struct mip_3dm_sensor_to_vehicle_euler_response, roll)),
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_sensor_to_vehicle_transform_euler_response_codec = {
-    0x0C, 0xB1, MIP_RESPONSE, sizeof(struct mip_3dm_sensor_to_vehicle_transform_euler_response),
-    program_sensor_to_vehicle_transform_euler_response};
+const struct mip_codec mip_3dm_sensor_to_vehicle_euler_response_codec = {
+    0x0C, 0xB1, MIP_RESPONSE, sizeof(struct mip_3dm_sensor_to_vehicle_euler_response),
+    program_sensor_to_vehicle_euler_response};
 
-static const uint8_t program_sensor_to_vehicle_transform_quaternion[] = {
+static const uint8_t program_sensor_to_vehicle_quaternion[] = {
     MIP_REQUIRED(2, 0, 1),
     MIP_GROUP(1, 1),
-    MIP_32_BITS(4, MIP_AT(struct mip_3dm_sensor_to_vehicle_transform_quaternion, q)),
+    MIP_32_BITS(4, MIP_AT(struct mip_3dm_sensor_to_vehicle_quaternion, q)),
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_sensor_to_vehicle_transform_quaternion_codec = {
-    0x0C, 0x32, MIP_COMMAND, sizeof(struct mip_3dm_sensor_to_vehicle_transform_quaternion),
-    program_sensor_to_vehicle_transform_quaternion};
+const struct mip_codec mip_3dm_sensor_to_vehicle_quaternion_codec = {
+    0x0C, 0x32, MIP_COMMAND, sizeof(struct mip_3dm_sensor_to_vehicle_quaternion),
+    program_sensor_to_vehicle_quaternion};
 
-static bool asked_sensor_to_vehicle_transform_quaternion_1(const void *value) {
-    const struct mip_3dm_sensor_to_vehicle_transform_quaternion *v =
-        (const struct mip_3dm_sensor_to_vehicle_transform_quaternion *)value;
+static bool asked_sensor_to_vehicle_quaternion_1(const void *value) {
+    const struct mip_3dm_sensor_to_vehicle_quaternion *v =
+        (const struct mip_3dm_sensor_to_vehicle_quaternion *)value;
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_sensor_to_vehicle_transform_quaternion[] = {
-    {&mip_3dm_sensor_to_vehicle_transform_quaternion_response_codec,
-     asked_sensor_to_vehicle_transform_quaternion_1},
+static const struct mip_response responses_sensor_to_vehicle_quaternion[] = {
+    {&mip_3dm_sensor_to_vehicle_quaternion_response_codec, asked_sensor_to_vehicle_quaternion_1},
     {NULL, NULL},
 };
 
-const struct mip_command mip_3dm_sensor_to_vehicle_transform_quaternion_command = {
-    &mip_3dm_sensor_to_vehicle_transform_quaternion_codec, NULL,
-    responses_sensor_to_vehicle_transform_quaternion, 0};
+const struct mip_command mip_3dm_sensor_to_vehicle_quaternion_command = {
+    &mip_3dm_sensor_to_vehicle_quaternion_codec, NULL, responses_sensor_to_vehicle_quaternion, 0};
 
-static const uint8_t program_sensor_to_vehicle_transform_quaternion_response[] = {
-    MIP_32_BITS(4, MIP_AT(struct mip_3dm_sensor_to_vehicle_transform_quaternion_response, q)),
+static const uint8_t program_sensor_to_vehicle_quaternion_response[] = {
+    MIP_32_BITS(4, MIP_AT(struct mip_3dm_sensor_to_vehicle_quaternion_response, q)),
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_sensor_to_vehicle_transform_quaternion_response_codec = {
-    0x0C, 0xB2, MIP_RESPONSE,
-    sizeof(struct mip_3dm_sensor_to_vehicle_transform_quaternion_response),
-    program_sensor_to_vehicle_transform_quaternion_response};
+const struct mip_codec mip_3dm_sensor_to_vehicle_quaternion_response_codec = {
+    0x0C, 0xB2, MIP_RESPONSE, sizeof(struct mip_3dm_sensor_to_vehicle_quaternion_response),
+    program_sensor_to_vehicle_quaternion_response};
 
-static const uint8_t program_sensor_to_vehicle_transform_dcm[] = {
+static const uint8_t program_sensor_to_vehicle_dcm[] = {
     MIP_REQUIRED(2, 0, 1),
     MIP_GROUP(1, 1),
-    MIP_32_BITS(9, MIP_AT(struct mip_3dm_sensor_to_vehicle_transform_dcm, dcm)),
+    MIP_32_BITS(9, MIP_AT(struct mip_3dm_sensor_to_vehicle_dcm, dcm)),
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_sensor_to_vehicle_transform_dcm_codec = {
-    0x0C, 0x33, MIP_COMMAND, sizeof(struct mip_3dm_sensor_to_vehicle_transform_dcm),
-    program_sensor_to_vehicle_transform_dcm};
+const struct mip_codec mip_3dm_sensor_to_vehicle_dcm_codec = {
+    0x0C, 0x33, MIP_COMMAND, sizeof(struct mip_3dm_sensor_to_vehicle_dcm),
+    program_sensor_to_vehicle_dcm};
 
-static bool asked_sensor_to_vehicle_transform_dcm_1(const void *value) {
-    const struct mip_3dm_sensor_to_vehicle_transform_dcm *v =
-        (const struct mip_3dm_sensor_to_vehicle_transform_dcm *)value;
+static bool asked_sensor_to_vehicle_dcm_1(const void *value) {
+    const struct mip_3dm_sensor_to_vehicle_dcm *v =
+        (const struct mip_3dm_sensor_to_vehicle_dcm *)value;
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_sensor_to_vehicle_transform_dcm[] = {
-    {&mip_3dm_sensor_to_vehicle_transform_dcm_response_codec,
-     asked_sensor_to_vehicle_transform_dcm_1},
+static const struct mip_response responses_sensor_to_vehicle_dcm[] = {
+    {&mip_3dm_sensor_to_vehicle_dcm_response_codec, asked_sensor_to_vehicle_dcm_1},
     {NULL, NULL},
 };
 
-const struct mip_command mip_3dm_sensor_to_vehicle_transform_dcm_command = {
-    &mip_3dm_sensor_to_vehicle_transform_dcm_codec, NULL, responses_sensor_to_vehicle_transform_dcm,
-    0};
+const struct mip_command mip_3dm_sensor_to_vehicle_dcm_command = {
+    &mip_3dm_sensor_to_vehicle_dcm_codec, NULL, responses_sensor_to_vehicle_dcm, 0};
 
-static const uint8_t program_sensor_to_vehicle_transform_dcm_response[] = {
-    MIP_32_BITS(9, MIP_AT(struct mip_3dm_sensor_to_vehicle_transform_dcm_response, dcm)),
+static const uint8_t program_sensor_to_vehicle_dcm_response[] = {
+    MIP_32_BITS(9, MIP_AT(struct mip_3dm_sensor_to_vehicle_dcm_response, dcm)),
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_sensor_to_vehicle_transform_dcm_response_codec = {
-    0x0C, 0xB3, MIP_RESPONSE, sizeof(struct mip_3dm_sensor_to_vehicle_transform_dcm_response),
-    program_sensor_to_vehicle_transform_dcm_response};
+const struct mip_codec mip_3dm_sensor_to_vehicle_dcm_response_codec = {
+    0x0C, 0xB3, MIP_RESPONSE, sizeof(struct mip_3dm_sensor_to_vehicle_dcm_response),
+    program_sensor_to_vehicle_dcm_response};
 
 static const uint8_t program_accel_bias[] = {
     MIP_REQUIRED(7, 0, 1, 0, 0, 0, 0, 1),
@@ -1659,7 +1652,7 @@ static bool asked_device_status_2(const void *value) {
 
 static const struct mip_response responses_device_status[] = {
     {&mip_3dm_device_status_basic_response_codec, asked_device_status_1},
-    {&mip_3dm_device_status_basic_without_state_response_codec, asked_device_status_1},
+    {&mip_3dm_device_status_basic_stateless_response_codec, asked_device_status_1},
     {&mip_3dm_device_status_diagnostic_response_codec, asked_device_status_2},
     {&mip_3dm_device_status_diagnostic_gnss_response_codec, asked_device_status_2},
     {&mip_3dm_device_status_diagnostic_gq4_45_response_codec, asked_device_status_2},
@@ -1686,17 +1679,17 @@ const struct mip_codec mip_3dm_device_status_basic_response_codec = {
     0x0C, 0x90, MIP_RESPONSE, sizeof(struct mip_3dm_device_status_basic_response),
     program_device_status_basic_response};
 
-static const uint8_t program_device_status_basic_without_state_response[] = {
+static const uint8_t program_device_status_basic_stateless_response[] = {
     MIP_LAYOUT(0, 12, 1, 2, 0x01),
-    MIP_16_BITS(1, MIP_AT(struct mip_3dm_device_status_basic_without_state_response, model_number)),
+    MIP_16_BITS(1, MIP_AT(struct mip_3dm_device_status_basic_stateless_response, model_number)),
     MIP_CONSTANT(1, 0x01),
-    MIP_32_BITS(2, MIP_AT(struct mip_3dm_device_status_basic_without_state_response, status_flags)),
+    MIP_32_BITS(2, MIP_AT(struct mip_3dm_device_status_basic_stateless_response, status_flags)),
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_device_status_basic_without_state_response_codec = {
-    0x0C, 0x90, MIP_RESPONSE, sizeof(struct mip_3dm_device_status_basic_without_state_response),
-    program_device_status_basic_without_state_response};
+const struct mip_codec mip_3dm_device_status_basic_stateless_response_codec = {
+    0x0C, 0x90, MIP_RESPONSE, sizeof(struct mip_3dm_device_status_basic_stateless_response),
+    program_device_status_basic_stateless_response};
 
 static const uint8_t program_device_status_diagnostic_response[] = {
     MIP_LAYOUT(0, 59, 1, 2, 0x02),

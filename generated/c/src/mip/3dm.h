@@ -3642,8 +3642,10 @@ mip_3dm_device_settings_default(struct mip_3dm_device_settings *command) {
  *
  * Mounting of the sensor in the vehicle as Euler angles.
  *
+ * In full: 3dm.sensor_to_vehicle_transform_euler.
+ *
  * Also called `sensor_2_vehicle_transform_euler`. Functions: write, read, save, load and default.
- * Answered by mip_3dm_sensor_to_vehicle_transform_euler_response. Supported by 3DM-CV7-GNSS/INS and
+ * Answered by mip_3dm_sensor_to_vehicle_euler_response. Supported by 3DM-CV7-GNSS/INS and
  * 3DM-GQ7-GNSS/INS.
  *
  * The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
@@ -3663,7 +3665,7 @@ mip_3dm_device_settings_default(struct mip_3dm_device_settings *command) {
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
  */
-struct mip_3dm_sensor_to_vehicle_transform_euler {
+struct mip_3dm_sensor_to_vehicle_euler {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -3677,32 +3679,31 @@ struct mip_3dm_sensor_to_vehicle_transform_euler {
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER 0x0C31
-#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_DESCRIPTOR 0x31
-#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_NAME "3dm.sensor_to_vehicle_transform_euler"
+#define MIP_3DM_SENSOR_TO_VEHICLE_EULER 0x0C31
+#define MIP_3DM_SENSOR_TO_VEHICLE_EULER_DESCRIPTOR 0x31
+#define MIP_3DM_SENSOR_TO_VEHICLE_EULER_NAME "3dm.sensor_to_vehicle_transform_euler"
 
 /** Its wire format. */
-extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_transform_euler_codec;
+extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_euler_codec;
 
 /** Decodes it. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_sensor_to_vehicle_transform_euler_decode(
-    struct mip_3dm_sensor_to_vehicle_transform_euler *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_sensor_to_vehicle_transform_euler_codec, value, field, NULL);
+static inline mip_error mip_3dm_sensor_to_vehicle_euler_decode(
+    struct mip_3dm_sensor_to_vehicle_euler *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_sensor_to_vehicle_euler_codec, value, field, NULL);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_sensor_to_vehicle_transform_euler_encode(
-    const struct mip_3dm_sensor_to_vehicle_transform_euler *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_sensor_to_vehicle_transform_euler_codec, value, builder);
+static inline mip_error mip_3dm_sensor_to_vehicle_euler_encode(
+    const struct mip_3dm_sensor_to_vehicle_euler *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_sensor_to_vehicle_euler_codec, value, builder);
 }
 /**
  * Apply the new setting.
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_3dm_sensor_to_vehicle_transform_euler *
-mip_3dm_sensor_to_vehicle_transform_euler_write(
-    struct mip_3dm_sensor_to_vehicle_transform_euler *command, float roll, float pitch, float yaw) {
+static inline struct mip_3dm_sensor_to_vehicle_euler *mip_3dm_sensor_to_vehicle_euler_write(
+    struct mip_3dm_sensor_to_vehicle_euler *command, float roll, float pitch, float yaw) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_WRITE;
     command->roll = roll;
@@ -3715,9 +3716,8 @@ mip_3dm_sensor_to_vehicle_transform_euler_write(
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_3dm_sensor_to_vehicle_transform_euler *
-mip_3dm_sensor_to_vehicle_transform_euler_read(
-    struct mip_3dm_sensor_to_vehicle_transform_euler *command) {
+static inline struct mip_3dm_sensor_to_vehicle_euler *
+mip_3dm_sensor_to_vehicle_euler_read(struct mip_3dm_sensor_to_vehicle_euler *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
@@ -3727,9 +3727,8 @@ mip_3dm_sensor_to_vehicle_transform_euler_read(
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_3dm_sensor_to_vehicle_transform_euler *
-mip_3dm_sensor_to_vehicle_transform_euler_save(
-    struct mip_3dm_sensor_to_vehicle_transform_euler *command) {
+static inline struct mip_3dm_sensor_to_vehicle_euler *
+mip_3dm_sensor_to_vehicle_euler_save(struct mip_3dm_sensor_to_vehicle_euler *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
@@ -3739,9 +3738,8 @@ mip_3dm_sensor_to_vehicle_transform_euler_save(
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_3dm_sensor_to_vehicle_transform_euler *
-mip_3dm_sensor_to_vehicle_transform_euler_load(
-    struct mip_3dm_sensor_to_vehicle_transform_euler *command) {
+static inline struct mip_3dm_sensor_to_vehicle_euler *
+mip_3dm_sensor_to_vehicle_euler_load(struct mip_3dm_sensor_to_vehicle_euler *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
@@ -3751,9 +3749,8 @@ mip_3dm_sensor_to_vehicle_transform_euler_load(
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_3dm_sensor_to_vehicle_transform_euler *
-mip_3dm_sensor_to_vehicle_transform_euler_default(
-    struct mip_3dm_sensor_to_vehicle_transform_euler *command) {
+static inline struct mip_3dm_sensor_to_vehicle_euler *
+mip_3dm_sensor_to_vehicle_euler_default(struct mip_3dm_sensor_to_vehicle_euler *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
@@ -3761,12 +3758,14 @@ mip_3dm_sensor_to_vehicle_transform_euler_default(
 /**
  * Sensor-to-Vehicle Frame Transformation Euler response: response (0x0C,0xB1).
  *
- * Also called `sensor_2_vehicle_transform_euler_response`. Answers
- * mip_3dm_sensor_to_vehicle_transform_euler. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * In full: 3dm.sensor_to_vehicle_transform_euler_response.
+ *
+ * Also called `sensor_2_vehicle_transform_euler_response`. Answers mip_3dm_sensor_to_vehicle_euler.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
  */
-struct mip_3dm_sensor_to_vehicle_transform_euler_response {
+struct mip_3dm_sensor_to_vehicle_euler_response {
     /** Rotation about the x axis. Unit: rad. */
     float roll;
     /** Rotation about the y axis. Unit: rad. */
@@ -3776,33 +3775,29 @@ struct mip_3dm_sensor_to_vehicle_transform_euler_response {
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_RESPONSE 0x0CB1
-#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_RESPONSE_DESCRIPTOR 0xB1
-#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_RESPONSE_NAME \
+#define MIP_3DM_SENSOR_TO_VEHICLE_EULER_RESPONSE 0x0CB1
+#define MIP_3DM_SENSOR_TO_VEHICLE_EULER_RESPONSE_DESCRIPTOR 0xB1
+#define MIP_3DM_SENSOR_TO_VEHICLE_EULER_RESPONSE_NAME \
     "3dm.sensor_to_vehicle_transform_euler_response"
 
 /** Its wire format. */
-extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_transform_euler_response_codec;
+extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_euler_response_codec;
 
 /** Decodes it. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_sensor_to_vehicle_transform_euler_response_decode(
-    struct mip_3dm_sensor_to_vehicle_transform_euler_response *value,
-    const struct mip_field *field) {
-    return mip_decode(&mip_3dm_sensor_to_vehicle_transform_euler_response_codec, value, field,
-                      NULL);
+static inline mip_error mip_3dm_sensor_to_vehicle_euler_response_decode(
+    struct mip_3dm_sensor_to_vehicle_euler_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_sensor_to_vehicle_euler_response_codec, value, field, NULL);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_sensor_to_vehicle_transform_euler_response_encode(
-    const struct mip_3dm_sensor_to_vehicle_transform_euler_response *value,
-    struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_sensor_to_vehicle_transform_euler_response_codec, value, builder);
+static inline mip_error mip_3dm_sensor_to_vehicle_euler_response_encode(
+    const struct mip_3dm_sensor_to_vehicle_euler_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_sensor_to_vehicle_euler_response_codec, value, builder);
 }
 
 /** The same without the table, for speed: decodes it. */
-static inline mip_error mip_3dm_sensor_to_vehicle_transform_euler_response_decode_inline(
-    struct mip_3dm_sensor_to_vehicle_transform_euler_response *value,
-    const struct mip_field *field) {
+static inline mip_error mip_3dm_sensor_to_vehicle_euler_response_decode_inline(
+    struct mip_3dm_sensor_to_vehicle_euler_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0xB1, 12);
     if (error != MIP_OK) {
         memset(value, 0, sizeof(*value));
@@ -3815,9 +3810,8 @@ static inline mip_error mip_3dm_sensor_to_vehicle_transform_euler_response_decod
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_sensor_to_vehicle_transform_euler_response_encode_inline(
-    const struct mip_3dm_sensor_to_vehicle_transform_euler_response *value,
-    struct mip_builder *builder) {
+static inline mip_error mip_3dm_sensor_to_vehicle_euler_response_encode_inline(
+    const struct mip_3dm_sensor_to_vehicle_euler_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0xB1, 12, &data);
     if (error != MIP_OK) {
@@ -3833,21 +3827,23 @@ static inline mip_error mip_3dm_sensor_to_vehicle_transform_euler_response_encod
  *
  * Mounting of the sensor in the vehicle as a quaternion.
  *
+ * In full: 3dm.sensor_to_vehicle_transform_quaternion.
+ *
  * Also called `sensor_2_vehicle_transform_quaternion`. Functions: write, read, save, load and
- * default. Answered by mip_3dm_sensor_to_vehicle_transform_quaternion_response. Supported by
+ * default. Answered by mip_3dm_sensor_to_vehicle_quaternion_response. Supported by
  * 3DM-CV7-GNSS/INS.
  *
  * The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
  * be another form of it.
  *
  * `p_vehicle = q^-1 * p_sensor * q`, where the vectors are quaternions with the scalar part 0. This
- * is the inverse of the quaternion that mip_filter_sensor_to_vehicle_rotation_quaternion takes.
+ * is the inverse of the quaternion that mip_filter_sensor_to_vehicle_quaternion takes.
  *
  * A change resets the low-pass filters, the complementary filter and the estimation filter.
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
  */
-struct mip_3dm_sensor_to_vehicle_transform_quaternion {
+struct mip_3dm_sensor_to_vehicle_quaternion {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -3860,34 +3856,32 @@ struct mip_3dm_sensor_to_vehicle_transform_quaternion {
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION 0x0C32
-#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_DESCRIPTOR 0x32
-#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_NAME \
-    "3dm.sensor_to_vehicle_transform_quaternion"
+#define MIP_3DM_SENSOR_TO_VEHICLE_QUATERNION 0x0C32
+#define MIP_3DM_SENSOR_TO_VEHICLE_QUATERNION_DESCRIPTOR 0x32
+#define MIP_3DM_SENSOR_TO_VEHICLE_QUATERNION_NAME "3dm.sensor_to_vehicle_transform_quaternion"
 
 /** Its wire format. */
-extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_transform_quaternion_codec;
+extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_quaternion_codec;
 
 /** Decodes it. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_decode(
-    struct mip_3dm_sensor_to_vehicle_transform_quaternion *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_sensor_to_vehicle_transform_quaternion_codec, value, field, NULL);
+static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_decode(
+    struct mip_3dm_sensor_to_vehicle_quaternion *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_sensor_to_vehicle_quaternion_codec, value, field, NULL);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_encode(
-    const struct mip_3dm_sensor_to_vehicle_transform_quaternion *value,
-    struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_sensor_to_vehicle_transform_quaternion_codec, value, builder);
+static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_encode(
+    const struct mip_3dm_sensor_to_vehicle_quaternion *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_sensor_to_vehicle_quaternion_codec, value, builder);
 }
 /**
  * Apply the new setting.
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_3dm_sensor_to_vehicle_transform_quaternion *
-mip_3dm_sensor_to_vehicle_transform_quaternion_write(
-    struct mip_3dm_sensor_to_vehicle_transform_quaternion *command, const float q[4]) {
+static inline struct mip_3dm_sensor_to_vehicle_quaternion *
+mip_3dm_sensor_to_vehicle_quaternion_write(struct mip_3dm_sensor_to_vehicle_quaternion *command,
+                                           const float q[4]) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_WRITE;
     memcpy(command->q, q, sizeof(command->q));
@@ -3898,9 +3892,8 @@ mip_3dm_sensor_to_vehicle_transform_quaternion_write(
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_3dm_sensor_to_vehicle_transform_quaternion *
-mip_3dm_sensor_to_vehicle_transform_quaternion_read(
-    struct mip_3dm_sensor_to_vehicle_transform_quaternion *command) {
+static inline struct mip_3dm_sensor_to_vehicle_quaternion *
+mip_3dm_sensor_to_vehicle_quaternion_read(struct mip_3dm_sensor_to_vehicle_quaternion *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
@@ -3910,9 +3903,8 @@ mip_3dm_sensor_to_vehicle_transform_quaternion_read(
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_3dm_sensor_to_vehicle_transform_quaternion *
-mip_3dm_sensor_to_vehicle_transform_quaternion_save(
-    struct mip_3dm_sensor_to_vehicle_transform_quaternion *command) {
+static inline struct mip_3dm_sensor_to_vehicle_quaternion *
+mip_3dm_sensor_to_vehicle_quaternion_save(struct mip_3dm_sensor_to_vehicle_quaternion *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
@@ -3922,9 +3914,8 @@ mip_3dm_sensor_to_vehicle_transform_quaternion_save(
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_3dm_sensor_to_vehicle_transform_quaternion *
-mip_3dm_sensor_to_vehicle_transform_quaternion_load(
-    struct mip_3dm_sensor_to_vehicle_transform_quaternion *command) {
+static inline struct mip_3dm_sensor_to_vehicle_quaternion *
+mip_3dm_sensor_to_vehicle_quaternion_load(struct mip_3dm_sensor_to_vehicle_quaternion *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
@@ -3934,9 +3925,8 @@ mip_3dm_sensor_to_vehicle_transform_quaternion_load(
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_3dm_sensor_to_vehicle_transform_quaternion *
-mip_3dm_sensor_to_vehicle_transform_quaternion_default(
-    struct mip_3dm_sensor_to_vehicle_transform_quaternion *command) {
+static inline struct mip_3dm_sensor_to_vehicle_quaternion *
+mip_3dm_sensor_to_vehicle_quaternion_default(struct mip_3dm_sensor_to_vehicle_quaternion *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
@@ -3944,12 +3934,14 @@ mip_3dm_sensor_to_vehicle_transform_quaternion_default(
 /**
  * Sensor-to-Vehicle Frame Transformation Quaternion response: response (0x0C,0xB2).
  *
+ * In full: 3dm.sensor_to_vehicle_transform_quaternion_response.
+ *
  * Also called `sensor_2_vehicle_transform_quaternion_response`. Answers
- * mip_3dm_sensor_to_vehicle_transform_quaternion. Supported by 3DM-CV7-GNSS/INS.
+ * mip_3dm_sensor_to_vehicle_quaternion. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
  */
-struct mip_3dm_sensor_to_vehicle_transform_quaternion_response {
+struct mip_3dm_sensor_to_vehicle_quaternion_response {
     /**
      * Unit quaternion that transforms vectors from the sensor frame to the vehicle frame. Elements:
      * w, x, y, z. Unit: 1.
@@ -3958,34 +3950,30 @@ struct mip_3dm_sensor_to_vehicle_transform_quaternion_response {
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_RESPONSE 0x0CB2
-#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_RESPONSE_DESCRIPTOR 0xB2
-#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_RESPONSE_NAME \
+#define MIP_3DM_SENSOR_TO_VEHICLE_QUATERNION_RESPONSE 0x0CB2
+#define MIP_3DM_SENSOR_TO_VEHICLE_QUATERNION_RESPONSE_DESCRIPTOR 0xB2
+#define MIP_3DM_SENSOR_TO_VEHICLE_QUATERNION_RESPONSE_NAME \
     "3dm.sensor_to_vehicle_transform_quaternion_response"
 
 /** Its wire format. */
-extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_transform_quaternion_response_codec;
+extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_quaternion_response_codec;
 
 /** Decodes it. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_response_decode(
-    struct mip_3dm_sensor_to_vehicle_transform_quaternion_response *value,
-    const struct mip_field *field) {
-    return mip_decode(&mip_3dm_sensor_to_vehicle_transform_quaternion_response_codec, value, field,
-                      NULL);
+static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_response_decode(
+    struct mip_3dm_sensor_to_vehicle_quaternion_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_sensor_to_vehicle_quaternion_response_codec, value, field, NULL);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_response_encode(
-    const struct mip_3dm_sensor_to_vehicle_transform_quaternion_response *value,
+static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_response_encode(
+    const struct mip_3dm_sensor_to_vehicle_quaternion_response *value,
     struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_sensor_to_vehicle_transform_quaternion_response_codec, value,
-                      builder);
+    return mip_encode(&mip_3dm_sensor_to_vehicle_quaternion_response_codec, value, builder);
 }
 
 /** The same without the table, for speed: decodes it. */
-static inline mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_response_decode_inline(
-    struct mip_3dm_sensor_to_vehicle_transform_quaternion_response *value,
-    const struct mip_field *field) {
+static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_response_decode_inline(
+    struct mip_3dm_sensor_to_vehicle_quaternion_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0xB2, 16);
     if (error != MIP_OK) {
         memset(value, 0, sizeof(*value));
@@ -3998,8 +3986,8 @@ static inline mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_response_
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_response_encode_inline(
-    const struct mip_3dm_sensor_to_vehicle_transform_quaternion_response *value,
+static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_response_encode_inline(
+    const struct mip_3dm_sensor_to_vehicle_quaternion_response *value,
     struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0xB2, 16, &data);
@@ -4016,20 +4004,22 @@ static inline mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_response_
  *
  * Mounting of the sensor in the vehicle as a direction cosine matrix.
  *
+ * In full: 3dm.sensor_to_vehicle_transform_dcm.
+ *
  * Also called `sensor_2_vehicle_transform_dcm`. Functions: write, read, save, load and default.
- * Answered by mip_3dm_sensor_to_vehicle_transform_dcm_response. Supported by 3DM-CV7-GNSS/INS.
+ * Answered by mip_3dm_sensor_to_vehicle_dcm_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
  * be another form of it.
  *
  * `v_vehicle = dcm * v_sensor`. This is the inverse of the matrix that
- * mip_filter_sensor_to_vehicle_rotation_dcm takes.
+ * mip_filter_sensor_to_vehicle_dcm takes.
  *
  * A change resets the low-pass filters, the complementary filter and the estimation filter.
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
  */
-struct mip_3dm_sensor_to_vehicle_transform_dcm {
+struct mip_3dm_sensor_to_vehicle_dcm {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -4042,32 +4032,31 @@ struct mip_3dm_sensor_to_vehicle_transform_dcm {
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM 0x0C33
-#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_DESCRIPTOR 0x33
-#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_NAME "3dm.sensor_to_vehicle_transform_dcm"
+#define MIP_3DM_SENSOR_TO_VEHICLE_DCM 0x0C33
+#define MIP_3DM_SENSOR_TO_VEHICLE_DCM_DESCRIPTOR 0x33
+#define MIP_3DM_SENSOR_TO_VEHICLE_DCM_NAME "3dm.sensor_to_vehicle_transform_dcm"
 
 /** Its wire format. */
-extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_transform_dcm_codec;
+extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_dcm_codec;
 
 /** Decodes it. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_sensor_to_vehicle_transform_dcm_decode(
-    struct mip_3dm_sensor_to_vehicle_transform_dcm *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_sensor_to_vehicle_transform_dcm_codec, value, field, NULL);
+static inline mip_error mip_3dm_sensor_to_vehicle_dcm_decode(
+    struct mip_3dm_sensor_to_vehicle_dcm *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_sensor_to_vehicle_dcm_codec, value, field, NULL);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_sensor_to_vehicle_transform_dcm_encode(
-    const struct mip_3dm_sensor_to_vehicle_transform_dcm *value, struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_sensor_to_vehicle_transform_dcm_codec, value, builder);
+static inline mip_error mip_3dm_sensor_to_vehicle_dcm_encode(
+    const struct mip_3dm_sensor_to_vehicle_dcm *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_sensor_to_vehicle_dcm_codec, value, builder);
 }
 /**
  * Apply the new setting.
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_3dm_sensor_to_vehicle_transform_dcm *
-mip_3dm_sensor_to_vehicle_transform_dcm_write(
-    struct mip_3dm_sensor_to_vehicle_transform_dcm *command, const float dcm[9]) {
+static inline struct mip_3dm_sensor_to_vehicle_dcm *mip_3dm_sensor_to_vehicle_dcm_write(
+    struct mip_3dm_sensor_to_vehicle_dcm *command, const float dcm[9]) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_WRITE;
     memcpy(command->dcm, dcm, sizeof(command->dcm));
@@ -4078,9 +4067,8 @@ mip_3dm_sensor_to_vehicle_transform_dcm_write(
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_3dm_sensor_to_vehicle_transform_dcm *
-mip_3dm_sensor_to_vehicle_transform_dcm_read(
-    struct mip_3dm_sensor_to_vehicle_transform_dcm *command) {
+static inline struct mip_3dm_sensor_to_vehicle_dcm *
+mip_3dm_sensor_to_vehicle_dcm_read(struct mip_3dm_sensor_to_vehicle_dcm *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
@@ -4090,9 +4078,8 @@ mip_3dm_sensor_to_vehicle_transform_dcm_read(
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_3dm_sensor_to_vehicle_transform_dcm *
-mip_3dm_sensor_to_vehicle_transform_dcm_save(
-    struct mip_3dm_sensor_to_vehicle_transform_dcm *command) {
+static inline struct mip_3dm_sensor_to_vehicle_dcm *
+mip_3dm_sensor_to_vehicle_dcm_save(struct mip_3dm_sensor_to_vehicle_dcm *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
@@ -4102,9 +4089,8 @@ mip_3dm_sensor_to_vehicle_transform_dcm_save(
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_3dm_sensor_to_vehicle_transform_dcm *
-mip_3dm_sensor_to_vehicle_transform_dcm_load(
-    struct mip_3dm_sensor_to_vehicle_transform_dcm *command) {
+static inline struct mip_3dm_sensor_to_vehicle_dcm *
+mip_3dm_sensor_to_vehicle_dcm_load(struct mip_3dm_sensor_to_vehicle_dcm *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
@@ -4114,9 +4100,8 @@ mip_3dm_sensor_to_vehicle_transform_dcm_load(
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_3dm_sensor_to_vehicle_transform_dcm *
-mip_3dm_sensor_to_vehicle_transform_dcm_default(
-    struct mip_3dm_sensor_to_vehicle_transform_dcm *command) {
+static inline struct mip_3dm_sensor_to_vehicle_dcm *
+mip_3dm_sensor_to_vehicle_dcm_default(struct mip_3dm_sensor_to_vehicle_dcm *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
@@ -4124,12 +4109,14 @@ mip_3dm_sensor_to_vehicle_transform_dcm_default(
 /**
  * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix response: response (0x0C,0xB3).
  *
- * Also called `sensor_2_vehicle_transform_dcm_response`. Answers
- * mip_3dm_sensor_to_vehicle_transform_dcm. Supported by 3DM-CV7-GNSS/INS.
+ * In full: 3dm.sensor_to_vehicle_transform_dcm_response.
+ *
+ * Also called `sensor_2_vehicle_transform_dcm_response`. Answers mip_3dm_sensor_to_vehicle_dcm.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
  */
-struct mip_3dm_sensor_to_vehicle_transform_dcm_response {
+struct mip_3dm_sensor_to_vehicle_dcm_response {
     /**
      * The matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
      * 1.
@@ -4138,30 +4125,28 @@ struct mip_3dm_sensor_to_vehicle_transform_dcm_response {
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_RESPONSE 0x0CB3
-#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_RESPONSE_DESCRIPTOR 0xB3
-#define MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_RESPONSE_NAME \
-    "3dm.sensor_to_vehicle_transform_dcm_response"
+#define MIP_3DM_SENSOR_TO_VEHICLE_DCM_RESPONSE 0x0CB3
+#define MIP_3DM_SENSOR_TO_VEHICLE_DCM_RESPONSE_DESCRIPTOR 0xB3
+#define MIP_3DM_SENSOR_TO_VEHICLE_DCM_RESPONSE_NAME "3dm.sensor_to_vehicle_transform_dcm_response"
 
 /** Its wire format. */
-extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_transform_dcm_response_codec;
+extern MIP_API const struct mip_codec mip_3dm_sensor_to_vehicle_dcm_response_codec;
 
 /** Decodes it. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_sensor_to_vehicle_transform_dcm_response_decode(
-    struct mip_3dm_sensor_to_vehicle_transform_dcm_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_3dm_sensor_to_vehicle_transform_dcm_response_codec, value, field, NULL);
+static inline mip_error mip_3dm_sensor_to_vehicle_dcm_response_decode(
+    struct mip_3dm_sensor_to_vehicle_dcm_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_sensor_to_vehicle_dcm_response_codec, value, field, NULL);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_sensor_to_vehicle_transform_dcm_response_encode(
-    const struct mip_3dm_sensor_to_vehicle_transform_dcm_response *value,
-    struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_sensor_to_vehicle_transform_dcm_response_codec, value, builder);
+static inline mip_error mip_3dm_sensor_to_vehicle_dcm_response_encode(
+    const struct mip_3dm_sensor_to_vehicle_dcm_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_3dm_sensor_to_vehicle_dcm_response_codec, value, builder);
 }
 
 /** The same without the table, for speed: decodes it. */
-static inline mip_error mip_3dm_sensor_to_vehicle_transform_dcm_response_decode_inline(
-    struct mip_3dm_sensor_to_vehicle_transform_dcm_response *value, const struct mip_field *field) {
+static inline mip_error mip_3dm_sensor_to_vehicle_dcm_response_decode_inline(
+    struct mip_3dm_sensor_to_vehicle_dcm_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0xB3, 36);
     if (error != MIP_OK) {
         memset(value, 0, sizeof(*value));
@@ -4174,9 +4159,8 @@ static inline mip_error mip_3dm_sensor_to_vehicle_transform_dcm_response_decode_
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_3dm_sensor_to_vehicle_transform_dcm_response_encode_inline(
-    const struct mip_3dm_sensor_to_vehicle_transform_dcm_response *value,
-    struct mip_builder *builder) {
+static inline mip_error mip_3dm_sensor_to_vehicle_dcm_response_encode_inline(
+    const struct mip_3dm_sensor_to_vehicle_dcm_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0C, 0xB3, 36, &data);
     if (error != MIP_OK) {
@@ -6680,7 +6664,7 @@ static inline mip_error mip_3dm_low_pass_filter_response_encode_inline(
  * Asks for the state of the device, in short or with counters.
  *
  * For advanced use. Answered by mip_3dm_device_status_basic_response,
- * mip_3dm_device_status_basic_without_state_response, mip_3dm_device_status_diagnostic_response,
+ * mip_3dm_device_status_basic_stateless_response, mip_3dm_device_status_diagnostic_response,
  * mip_3dm_device_status_diagnostic_gnss_response, mip_3dm_device_status_diagnostic_gq4_45_response,
  * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response
  * or mip_3dm_device_status_diagnostic_imu_response. Supported by 3DM-GQ4-45, 3DM-GX5-15,
@@ -6770,10 +6754,10 @@ mip_3dm_device_status_make(struct mip_3dm_device_status *command, uint16_t model
  *
  * State and timer.
  *
- * Answers mip_3dm_device_status. Told from mip_3dm_device_status_basic_without_state_response by
- * the size of its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC. Supported
- * by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be
- * supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15,
+ * Answers mip_3dm_device_status. Told from mip_3dm_device_status_basic_stateless_response by the
+ * size of its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC. Supported by
+ * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported
+ * by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15,
  * 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and
  * 3DM-GX5-25.
  *
@@ -6820,6 +6804,8 @@ static inline mip_error mip_3dm_device_status_basic_response_encode(
  *
  * Timer alone.
  *
+ * In full: 3dm.device_status_basic_without_state_response.
+ *
  * Answers mip_3dm_device_status. Told from mip_3dm_device_status_basic_response by the size of its
  * data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC. Supported by 3DM-GQ4-45,
  * 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
@@ -6837,7 +6823,7 @@ static inline mip_error mip_3dm_device_status_basic_response_encode(
  * - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
  * - mscl: Device Status (0x0C,0x64)
  */
-struct mip_3dm_device_status_basic_without_state_response {
+struct mip_3dm_device_status_basic_stateless_response {
     /** Model number of the device. */
     uint16_t model_number;
     /** Reserved. */
@@ -6847,27 +6833,25 @@ struct mip_3dm_device_status_basic_without_state_response {
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_3DM_DEVICE_STATUS_BASIC_WITHOUT_STATE_RESPONSE 0x0C90
-#define MIP_3DM_DEVICE_STATUS_BASIC_WITHOUT_STATE_RESPONSE_DESCRIPTOR 0x90
-#define MIP_3DM_DEVICE_STATUS_BASIC_WITHOUT_STATE_RESPONSE_NAME \
+#define MIP_3DM_DEVICE_STATUS_BASIC_STATELESS_RESPONSE 0x0C90
+#define MIP_3DM_DEVICE_STATUS_BASIC_STATELESS_RESPONSE_DESCRIPTOR 0x90
+#define MIP_3DM_DEVICE_STATUS_BASIC_STATELESS_RESPONSE_NAME \
     "3dm.device_status_basic_without_state_response"
 
 /** Its wire format. */
-extern MIP_API const struct mip_codec mip_3dm_device_status_basic_without_state_response_codec;
+extern MIP_API const struct mip_codec mip_3dm_device_status_basic_stateless_response_codec;
 
 /** Decodes it. On an error the structure is zeroed. */
-static inline mip_error mip_3dm_device_status_basic_without_state_response_decode(
-    struct mip_3dm_device_status_basic_without_state_response *value,
-    const struct mip_field *field) {
-    return mip_decode(&mip_3dm_device_status_basic_without_state_response_codec, value, field,
-                      NULL);
+static inline mip_error mip_3dm_device_status_basic_stateless_response_decode(
+    struct mip_3dm_device_status_basic_stateless_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_3dm_device_status_basic_stateless_response_codec, value, field, NULL);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_3dm_device_status_basic_without_state_response_encode(
-    const struct mip_3dm_device_status_basic_without_state_response *value,
+static inline mip_error mip_3dm_device_status_basic_stateless_response_encode(
+    const struct mip_3dm_device_status_basic_stateless_response *value,
     struct mip_builder *builder) {
-    return mip_encode(&mip_3dm_device_status_basic_without_state_response_codec, value, builder);
+    return mip_encode(&mip_3dm_device_status_basic_stateless_response_codec, value, builder);
 }
 /**
  * Diagnostic Device Status: response (0x0C,0x90).

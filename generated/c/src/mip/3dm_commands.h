@@ -401,52 +401,50 @@ static inline mip_error mip_send_3dm_device_settings(struct mip_client *client,
                            NULL, now);
 }
 /** What the client knows of the command. */
-extern MIP_API const struct mip_command mip_3dm_sensor_to_vehicle_transform_euler_command;
+extern MIP_API const struct mip_command mip_3dm_sensor_to_vehicle_euler_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Sensor-to-Vehicle
  * Frame Transformation Euler. The response goes to `response`, which may be NULL, if the command
  * asks for it.
  */
-static inline mip_error mip_send_3dm_sensor_to_vehicle_transform_euler(
+static inline mip_error mip_send_3dm_sensor_to_vehicle_euler(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_3dm_sensor_to_vehicle_transform_euler *command,
-    struct mip_3dm_sensor_to_vehicle_transform_euler_response *response, uint32_t now) {
-    return mip_client_send(
-        client, request, packet, &mip_3dm_sensor_to_vehicle_transform_euler_command, command,
-        &mip_3dm_sensor_to_vehicle_transform_euler_response_codec, response, now);
+    const struct mip_3dm_sensor_to_vehicle_euler *command,
+    struct mip_3dm_sensor_to_vehicle_euler_response *response, uint32_t now) {
+    return mip_client_send(client, request, packet, &mip_3dm_sensor_to_vehicle_euler_command,
+                           command, &mip_3dm_sensor_to_vehicle_euler_response_codec, response, now);
 }
 /** What the client knows of the command. */
-extern MIP_API const struct mip_command mip_3dm_sensor_to_vehicle_transform_quaternion_command;
+extern MIP_API const struct mip_command mip_3dm_sensor_to_vehicle_quaternion_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Sensor-to-Vehicle
  * Frame Transformation Quaternion. The response goes to `response`, which may be NULL, if the
  * command asks for it.
  */
-static inline mip_error mip_send_3dm_sensor_to_vehicle_transform_quaternion(
+static inline mip_error mip_send_3dm_sensor_to_vehicle_quaternion(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_3dm_sensor_to_vehicle_transform_quaternion *command,
-    struct mip_3dm_sensor_to_vehicle_transform_quaternion_response *response, uint32_t now) {
-    return mip_client_send(
-        client, request, packet, &mip_3dm_sensor_to_vehicle_transform_quaternion_command, command,
-        &mip_3dm_sensor_to_vehicle_transform_quaternion_response_codec, response, now);
+    const struct mip_3dm_sensor_to_vehicle_quaternion *command,
+    struct mip_3dm_sensor_to_vehicle_quaternion_response *response, uint32_t now) {
+    return mip_client_send(client, request, packet, &mip_3dm_sensor_to_vehicle_quaternion_command,
+                           command, &mip_3dm_sensor_to_vehicle_quaternion_response_codec, response,
+                           now);
 }
 /** What the client knows of the command. */
-extern MIP_API const struct mip_command mip_3dm_sensor_to_vehicle_transform_dcm_command;
+extern MIP_API const struct mip_command mip_3dm_sensor_to_vehicle_dcm_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Sensor-to-Vehicle
  * Frame Transformation Direction Cosine Matrix. The response goes to `response`, which may be NULL,
  * if the command asks for it.
  */
-static inline mip_error mip_send_3dm_sensor_to_vehicle_transform_dcm(
+static inline mip_error mip_send_3dm_sensor_to_vehicle_dcm(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_3dm_sensor_to_vehicle_transform_dcm *command,
-    struct mip_3dm_sensor_to_vehicle_transform_dcm_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet,
-                           &mip_3dm_sensor_to_vehicle_transform_dcm_command, command,
-                           &mip_3dm_sensor_to_vehicle_transform_dcm_response_codec, response, now);
+    const struct mip_3dm_sensor_to_vehicle_dcm *command,
+    struct mip_3dm_sensor_to_vehicle_dcm_response *response, uint32_t now) {
+    return mip_client_send(client, request, packet, &mip_3dm_sensor_to_vehicle_dcm_command, command,
+                           &mip_3dm_sensor_to_vehicle_dcm_response_codec, response, now);
 }
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_accel_bias_command;
@@ -697,13 +695,12 @@ static inline mip_error mip_send_for_3dm_device_status_basic_response(
  * Adds the command to a packet and waits for its answer: see mip_client_send. Device Status. It is
  * answered by this response.
  */
-static inline mip_error mip_send_for_3dm_device_status_basic_without_state_response(
+static inline mip_error mip_send_for_3dm_device_status_basic_stateless_response(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
     const struct mip_3dm_device_status *command,
-    struct mip_3dm_device_status_basic_without_state_response *response, uint32_t now) {
+    struct mip_3dm_device_status_basic_stateless_response *response, uint32_t now) {
     return mip_client_send(client, request, packet, &mip_3dm_device_status_command, command,
-                           &mip_3dm_device_status_basic_without_state_response_codec, response,
-                           now);
+                           &mip_3dm_device_status_basic_stateless_response_codec, response, now);
 }
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Device Status. It is

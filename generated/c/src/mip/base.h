@@ -610,7 +610,7 @@ static inline mip_error mip_base_continuous_built_in_test_encode(
 struct mip_base_continuous_built_in_test_response {
     /**
      * Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the second
-     * byte. On the 3DM-CV7-GNSS/INS: values of mip_cv7_continuous_built_in_test.
+     * byte. On the 3DM-CV7-GNSS/INS: values of mip_cv7_continuous_bit.
      */
     uint8_t result[16];
 };

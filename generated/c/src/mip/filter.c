@@ -79,45 +79,43 @@ const struct mip_codec mip_filter_vehicle_dynamics_mode_response_codec = {
     0x0D, 0x80, MIP_RESPONSE, sizeof(struct mip_filter_vehicle_dynamics_mode_response),
     program_vehicle_dynamics_mode_response};
 
-static const uint8_t program_sensor_to_vehicle_rotation_euler[] = {
+static const uint8_t program_sensor_to_vehicle_euler[] = {
     MIP_REQUIRED(2, 0, 3),
     MIP_GROUP(1, 1),
-    MIP_32_BITS(1, MIP_AT(struct mip_filter_sensor_to_vehicle_rotation_euler, roll)),
+    MIP_32_BITS(1, MIP_AT(struct mip_filter_sensor_to_vehicle_euler, roll)),
     MIP_GROUP(2, 2),
-    MIP_32_BITS(1, MIP_AT(struct mip_filter_sensor_to_vehicle_rotation_euler, pitch)),
+    MIP_32_BITS(1, MIP_AT(struct mip_filter_sensor_to_vehicle_euler, pitch)),
     MIP_GROUP(3, 3),
-    MIP_32_BITS(1, MIP_AT(struct mip_filter_sensor_to_vehicle_rotation_euler, yaw)),
+    MIP_32_BITS(1, MIP_AT(struct mip_filter_sensor_to_vehicle_euler, yaw)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_sensor_to_vehicle_rotation_euler_codec = {
-    0x0D, 0x11, MIP_COMMAND, sizeof(struct mip_filter_sensor_to_vehicle_rotation_euler),
-    program_sensor_to_vehicle_rotation_euler};
+const struct mip_codec mip_filter_sensor_to_vehicle_euler_codec = {
+    0x0D, 0x11, MIP_COMMAND, sizeof(struct mip_filter_sensor_to_vehicle_euler),
+    program_sensor_to_vehicle_euler};
 
-static bool asked_sensor_to_vehicle_rotation_euler_1(const void *value) {
-    const struct mip_filter_sensor_to_vehicle_rotation_euler *v =
-        (const struct mip_filter_sensor_to_vehicle_rotation_euler *)value;
+static bool asked_sensor_to_vehicle_euler_1(const void *value) {
+    const struct mip_filter_sensor_to_vehicle_euler *v =
+        (const struct mip_filter_sensor_to_vehicle_euler *)value;
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_sensor_to_vehicle_rotation_euler[] = {
-    {&mip_filter_sensor_to_vehicle_rotation_euler_response_codec,
-     asked_sensor_to_vehicle_rotation_euler_1},
+static const struct mip_response responses_sensor_to_vehicle_euler[] = {
+    {&mip_filter_sensor_to_vehicle_euler_response_codec, asked_sensor_to_vehicle_euler_1},
     {NULL, NULL},
 };
 
-const struct mip_command mip_filter_sensor_to_vehicle_rotation_euler_command = {
-    &mip_filter_sensor_to_vehicle_rotation_euler_codec, NULL,
-    responses_sensor_to_vehicle_rotation_euler, 0};
+const struct mip_command mip_filter_sensor_to_vehicle_euler_command = {
+    &mip_filter_sensor_to_vehicle_euler_codec, NULL, responses_sensor_to_vehicle_euler, 0};
 
-static const uint8_t program_sensor_to_vehicle_rotation_euler_response[] = {
-    MIP_32_BITS(3, MIP_AT(struct mip_filter_sensor_to_vehicle_rotation_euler_response, roll)),
+static const uint8_t program_sensor_to_vehicle_euler_response[] = {
+    MIP_32_BITS(3, MIP_AT(struct mip_filter_sensor_to_vehicle_euler_response, roll)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_sensor_to_vehicle_rotation_euler_response_codec = {
-    0x0D, 0x81, MIP_RESPONSE, sizeof(struct mip_filter_sensor_to_vehicle_rotation_euler_response),
-    program_sensor_to_vehicle_rotation_euler_response};
+const struct mip_codec mip_filter_sensor_to_vehicle_euler_response_codec = {
+    0x0D, 0x81, MIP_RESPONSE, sizeof(struct mip_filter_sensor_to_vehicle_euler_response),
+    program_sensor_to_vehicle_euler_response};
 
 static const uint8_t program_sensor_to_vehicle_offset[] = {
     MIP_REQUIRED(2, 0, 1),
@@ -907,168 +905,143 @@ const struct mip_codec mip_filter_magnetic_declination_source_response_codec = {
     0x0D, 0xB2, MIP_RESPONSE, sizeof(struct mip_filter_magnetic_declination_source_response),
     program_magnetic_declination_source_response};
 
-static const uint8_t program_accel_magnitude_error_adaptive_measurement[] = {
+static const uint8_t program_accel_magnitude_adaptive[] = {
     MIP_REQUIRED(2, 0, 1),
     MIP_GROUP(1, 1),
-    MIP_8_BITS(1, MIP_AT(struct mip_filter_accel_magnitude_error_adaptive_measurement,
-                         adaptive_measurement)),
+    MIP_8_BITS(1, MIP_AT(struct mip_filter_accel_magnitude_adaptive, adaptive_measurement)),
     MIP_GROUP(2, 2),
-    MIP_32_BITS(1, MIP_AT(struct mip_filter_accel_magnitude_error_adaptive_measurement, frequency)),
+    MIP_32_BITS(1, MIP_AT(struct mip_filter_accel_magnitude_adaptive, frequency)),
     MIP_GROUP(3, 3),
-    MIP_32_BITS(1, MIP_AT(struct mip_filter_accel_magnitude_error_adaptive_measurement, low_limit)),
+    MIP_32_BITS(1, MIP_AT(struct mip_filter_accel_magnitude_adaptive, low_limit)),
     MIP_GROUP(4, 4),
-    MIP_32_BITS(1,
-                MIP_AT(struct mip_filter_accel_magnitude_error_adaptive_measurement, high_limit)),
+    MIP_32_BITS(1, MIP_AT(struct mip_filter_accel_magnitude_adaptive, high_limit)),
     MIP_GROUP(5, 5),
-    MIP_32_BITS(1, MIP_AT(struct mip_filter_accel_magnitude_error_adaptive_measurement,
-                          low_limit_uncertainty)),
+    MIP_32_BITS(1, MIP_AT(struct mip_filter_accel_magnitude_adaptive, low_limit_uncertainty)),
     MIP_GROUP(6, 6),
-    MIP_32_BITS(1, MIP_AT(struct mip_filter_accel_magnitude_error_adaptive_measurement,
-                          high_limit_uncertainty)),
+    MIP_32_BITS(1, MIP_AT(struct mip_filter_accel_magnitude_adaptive, high_limit_uncertainty)),
     MIP_GROUP(7, 7),
-    MIP_32_BITS(1, MIP_AT(struct mip_filter_accel_magnitude_error_adaptive_measurement,
-                          minimum_uncertainty)),
+    MIP_32_BITS(1, MIP_AT(struct mip_filter_accel_magnitude_adaptive, minimum_uncertainty)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_accel_magnitude_error_adaptive_measurement_codec = {
-    0x0D, 0x44, MIP_COMMAND, sizeof(struct mip_filter_accel_magnitude_error_adaptive_measurement),
-    program_accel_magnitude_error_adaptive_measurement};
+const struct mip_codec mip_filter_accel_magnitude_adaptive_codec = {
+    0x0D, 0x44, MIP_COMMAND, sizeof(struct mip_filter_accel_magnitude_adaptive),
+    program_accel_magnitude_adaptive};
 
-static bool asked_accel_magnitude_error_adaptive_measurement_1(const void *value) {
-    const struct mip_filter_accel_magnitude_error_adaptive_measurement *v =
-        (const struct mip_filter_accel_magnitude_error_adaptive_measurement *)value;
+static bool asked_accel_magnitude_adaptive_1(const void *value) {
+    const struct mip_filter_accel_magnitude_adaptive *v =
+        (const struct mip_filter_accel_magnitude_adaptive *)value;
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_accel_magnitude_error_adaptive_measurement[] = {
-    {&mip_filter_accel_magnitude_error_adaptive_measurement_response_codec,
-     asked_accel_magnitude_error_adaptive_measurement_1},
+static const struct mip_response responses_accel_magnitude_adaptive[] = {
+    {&mip_filter_accel_magnitude_adaptive_response_codec, asked_accel_magnitude_adaptive_1},
     {NULL, NULL},
 };
 
-const struct mip_command mip_filter_accel_magnitude_error_adaptive_measurement_command = {
-    &mip_filter_accel_magnitude_error_adaptive_measurement_codec, NULL,
-    responses_accel_magnitude_error_adaptive_measurement, 0};
+const struct mip_command mip_filter_accel_magnitude_adaptive_command = {
+    &mip_filter_accel_magnitude_adaptive_codec, NULL, responses_accel_magnitude_adaptive, 0};
 
-static const uint8_t program_accel_magnitude_error_adaptive_measurement_response[] = {
-    MIP_8_BITS(1, MIP_AT(struct mip_filter_accel_magnitude_error_adaptive_measurement_response,
-                         adaptive_measurement)),
-    MIP_32_BITS(6, MIP_AT(struct mip_filter_accel_magnitude_error_adaptive_measurement_response,
-                          frequency)),
+static const uint8_t program_accel_magnitude_adaptive_response[] = {
+    MIP_8_BITS(1,
+               MIP_AT(struct mip_filter_accel_magnitude_adaptive_response, adaptive_measurement)),
+    MIP_32_BITS(6, MIP_AT(struct mip_filter_accel_magnitude_adaptive_response, frequency)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_accel_magnitude_error_adaptive_measurement_response_codec = {
-    0x0D, 0xB3, MIP_RESPONSE,
-    sizeof(struct mip_filter_accel_magnitude_error_adaptive_measurement_response),
-    program_accel_magnitude_error_adaptive_measurement_response};
+const struct mip_codec mip_filter_accel_magnitude_adaptive_response_codec = {
+    0x0D, 0xB3, MIP_RESPONSE, sizeof(struct mip_filter_accel_magnitude_adaptive_response),
+    program_accel_magnitude_adaptive_response};
 
-static const uint8_t program_mag_magnitude_error_adaptive_measurement[] = {
+static const uint8_t program_mag_magnitude_adaptive[] = {
     MIP_REQUIRED(2, 0, 7),
     MIP_GROUP(1, 1),
-    MIP_8_BITS(1, MIP_AT(struct mip_filter_mag_magnitude_error_adaptive_measurement,
-                         adaptive_measurement)),
+    MIP_8_BITS(1, MIP_AT(struct mip_filter_mag_magnitude_adaptive, adaptive_measurement)),
     MIP_GROUP(2, 2),
-    MIP_32_BITS(1, MIP_AT(struct mip_filter_mag_magnitude_error_adaptive_measurement, frequency)),
+    MIP_32_BITS(1, MIP_AT(struct mip_filter_mag_magnitude_adaptive, frequency)),
     MIP_GROUP(3, 3),
-    MIP_32_BITS(1, MIP_AT(struct mip_filter_mag_magnitude_error_adaptive_measurement, low_limit)),
+    MIP_32_BITS(1, MIP_AT(struct mip_filter_mag_magnitude_adaptive, low_limit)),
     MIP_GROUP(4, 4),
-    MIP_32_BITS(1, MIP_AT(struct mip_filter_mag_magnitude_error_adaptive_measurement, high_limit)),
+    MIP_32_BITS(1, MIP_AT(struct mip_filter_mag_magnitude_adaptive, high_limit)),
     MIP_GROUP(5, 5),
-    MIP_32_BITS(1, MIP_AT(struct mip_filter_mag_magnitude_error_adaptive_measurement,
-                          low_limit_uncertainty)),
+    MIP_32_BITS(1, MIP_AT(struct mip_filter_mag_magnitude_adaptive, low_limit_uncertainty)),
     MIP_GROUP(6, 6),
-    MIP_32_BITS(1, MIP_AT(struct mip_filter_mag_magnitude_error_adaptive_measurement,
-                          high_limit_uncertainty)),
+    MIP_32_BITS(1, MIP_AT(struct mip_filter_mag_magnitude_adaptive, high_limit_uncertainty)),
     MIP_GROUP(7, 7),
-    MIP_32_BITS(
-        1, MIP_AT(struct mip_filter_mag_magnitude_error_adaptive_measurement, minimum_uncertainty)),
+    MIP_32_BITS(1, MIP_AT(struct mip_filter_mag_magnitude_adaptive, minimum_uncertainty)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_mag_magnitude_error_adaptive_measurement_codec = {
-    0x0D, 0x45, MIP_COMMAND, sizeof(struct mip_filter_mag_magnitude_error_adaptive_measurement),
-    program_mag_magnitude_error_adaptive_measurement};
+const struct mip_codec mip_filter_mag_magnitude_adaptive_codec = {
+    0x0D, 0x45, MIP_COMMAND, sizeof(struct mip_filter_mag_magnitude_adaptive),
+    program_mag_magnitude_adaptive};
 
-static bool asked_mag_magnitude_error_adaptive_measurement_1(const void *value) {
-    const struct mip_filter_mag_magnitude_error_adaptive_measurement *v =
-        (const struct mip_filter_mag_magnitude_error_adaptive_measurement *)value;
+static bool asked_mag_magnitude_adaptive_1(const void *value) {
+    const struct mip_filter_mag_magnitude_adaptive *v =
+        (const struct mip_filter_mag_magnitude_adaptive *)value;
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_mag_magnitude_error_adaptive_measurement[] = {
-    {&mip_filter_mag_magnitude_error_adaptive_measurement_response_codec,
-     asked_mag_magnitude_error_adaptive_measurement_1},
+static const struct mip_response responses_mag_magnitude_adaptive[] = {
+    {&mip_filter_mag_magnitude_adaptive_response_codec, asked_mag_magnitude_adaptive_1},
     {NULL, NULL},
 };
 
-const struct mip_command mip_filter_mag_magnitude_error_adaptive_measurement_command = {
-    &mip_filter_mag_magnitude_error_adaptive_measurement_codec, NULL,
-    responses_mag_magnitude_error_adaptive_measurement, 0};
+const struct mip_command mip_filter_mag_magnitude_adaptive_command = {
+    &mip_filter_mag_magnitude_adaptive_codec, NULL, responses_mag_magnitude_adaptive, 0};
 
-static const uint8_t program_mag_magnitude_error_adaptive_measurement_response[] = {
-    MIP_8_BITS(1, MIP_AT(struct mip_filter_mag_magnitude_error_adaptive_measurement_response,
-                         adaptive_measurement)),
-    MIP_32_BITS(
-        6, MIP_AT(struct mip_filter_mag_magnitude_error_adaptive_measurement_response, frequency)),
+static const uint8_t program_mag_magnitude_adaptive_response[] = {
+    MIP_8_BITS(1, MIP_AT(struct mip_filter_mag_magnitude_adaptive_response, adaptive_measurement)),
+    MIP_32_BITS(6, MIP_AT(struct mip_filter_mag_magnitude_adaptive_response, frequency)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_mag_magnitude_error_adaptive_measurement_response_codec = {
-    0x0D, 0xB4, MIP_RESPONSE,
-    sizeof(struct mip_filter_mag_magnitude_error_adaptive_measurement_response),
-    program_mag_magnitude_error_adaptive_measurement_response};
+const struct mip_codec mip_filter_mag_magnitude_adaptive_response_codec = {
+    0x0D, 0xB4, MIP_RESPONSE, sizeof(struct mip_filter_mag_magnitude_adaptive_response),
+    program_mag_magnitude_adaptive_response};
 
-static const uint8_t program_mag_dip_angle_error_adaptive_measurement[] = {
+static const uint8_t program_mag_dip_angle_adaptive[] = {
     MIP_REQUIRED(2, 0, 5),
     MIP_GROUP(1, 1),
-    MIP_8_BITS(1, MIP_AT(struct mip_filter_mag_dip_angle_error_adaptive_measurement, enable)),
+    MIP_8_BITS(1, MIP_AT(struct mip_filter_mag_dip_angle_adaptive, enable)),
     MIP_GROUP(2, 2),
-    MIP_32_BITS(1, MIP_AT(struct mip_filter_mag_dip_angle_error_adaptive_measurement, frequency)),
+    MIP_32_BITS(1, MIP_AT(struct mip_filter_mag_dip_angle_adaptive, frequency)),
     MIP_GROUP(3, 3),
-    MIP_32_BITS(1, MIP_AT(struct mip_filter_mag_dip_angle_error_adaptive_measurement, high_limit)),
+    MIP_32_BITS(1, MIP_AT(struct mip_filter_mag_dip_angle_adaptive, high_limit)),
     MIP_GROUP(4, 4),
-    MIP_32_BITS(1, MIP_AT(struct mip_filter_mag_dip_angle_error_adaptive_measurement,
-                          high_limit_uncertainty)),
+    MIP_32_BITS(1, MIP_AT(struct mip_filter_mag_dip_angle_adaptive, high_limit_uncertainty)),
     MIP_GROUP(5, 5),
-    MIP_32_BITS(
-        1, MIP_AT(struct mip_filter_mag_dip_angle_error_adaptive_measurement, minimum_uncertainty)),
+    MIP_32_BITS(1, MIP_AT(struct mip_filter_mag_dip_angle_adaptive, minimum_uncertainty)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_mag_dip_angle_error_adaptive_measurement_codec = {
-    0x0D, 0x46, MIP_COMMAND, sizeof(struct mip_filter_mag_dip_angle_error_adaptive_measurement),
-    program_mag_dip_angle_error_adaptive_measurement};
+const struct mip_codec mip_filter_mag_dip_angle_adaptive_codec = {
+    0x0D, 0x46, MIP_COMMAND, sizeof(struct mip_filter_mag_dip_angle_adaptive),
+    program_mag_dip_angle_adaptive};
 
-static bool asked_mag_dip_angle_error_adaptive_measurement_1(const void *value) {
-    const struct mip_filter_mag_dip_angle_error_adaptive_measurement *v =
-        (const struct mip_filter_mag_dip_angle_error_adaptive_measurement *)value;
+static bool asked_mag_dip_angle_adaptive_1(const void *value) {
+    const struct mip_filter_mag_dip_angle_adaptive *v =
+        (const struct mip_filter_mag_dip_angle_adaptive *)value;
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_mag_dip_angle_error_adaptive_measurement[] = {
-    {&mip_filter_mag_dip_angle_error_adaptive_measurement_response_codec,
-     asked_mag_dip_angle_error_adaptive_measurement_1},
+static const struct mip_response responses_mag_dip_angle_adaptive[] = {
+    {&mip_filter_mag_dip_angle_adaptive_response_codec, asked_mag_dip_angle_adaptive_1},
     {NULL, NULL},
 };
 
-const struct mip_command mip_filter_mag_dip_angle_error_adaptive_measurement_command = {
-    &mip_filter_mag_dip_angle_error_adaptive_measurement_codec, NULL,
-    responses_mag_dip_angle_error_adaptive_measurement, 0};
+const struct mip_command mip_filter_mag_dip_angle_adaptive_command = {
+    &mip_filter_mag_dip_angle_adaptive_codec, NULL, responses_mag_dip_angle_adaptive, 0};
 
-static const uint8_t program_mag_dip_angle_error_adaptive_measurement_response[] = {
-    MIP_8_BITS(1,
-               MIP_AT(struct mip_filter_mag_dip_angle_error_adaptive_measurement_response, enable)),
-    MIP_32_BITS(
-        4, MIP_AT(struct mip_filter_mag_dip_angle_error_adaptive_measurement_response, frequency)),
+static const uint8_t program_mag_dip_angle_adaptive_response[] = {
+    MIP_8_BITS(1, MIP_AT(struct mip_filter_mag_dip_angle_adaptive_response, enable)),
+    MIP_32_BITS(4, MIP_AT(struct mip_filter_mag_dip_angle_adaptive_response, frequency)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_mag_dip_angle_error_adaptive_measurement_response_codec = {
-    0x0D, 0xB5, MIP_RESPONSE,
-    sizeof(struct mip_filter_mag_dip_angle_error_adaptive_measurement_response),
-    program_mag_dip_angle_error_adaptive_measurement_response};
+const struct mip_codec mip_filter_mag_dip_angle_adaptive_response_codec = {
+    0x0D, 0xB5, MIP_RESPONSE, sizeof(struct mip_filter_mag_dip_angle_adaptive_response),
+    program_mag_dip_angle_adaptive_response};
 
 static const uint8_t program_altitude_aiding[] = {
     MIP_REQUIRED(2, 0, 1),
@@ -1210,78 +1183,74 @@ const struct mip_codec mip_filter_magnetic_magnitude_source_response_codec = {
     0x0D, 0xBD, MIP_RESPONSE, sizeof(struct mip_filter_magnetic_magnitude_source_response),
     program_magnetic_magnitude_source_response};
 
-static const uint8_t program_sensor_to_vehicle_rotation_dcm[] = {
+static const uint8_t program_sensor_to_vehicle_dcm[] = {
     MIP_REQUIRED(2, 0, 1),
     MIP_GROUP(1, 1),
-    MIP_32_BITS(9, MIP_AT(struct mip_filter_sensor_to_vehicle_rotation_dcm, dcm)),
+    MIP_32_BITS(9, MIP_AT(struct mip_filter_sensor_to_vehicle_dcm, dcm)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_sensor_to_vehicle_rotation_dcm_codec = {
-    0x0D, 0x4E, MIP_COMMAND, sizeof(struct mip_filter_sensor_to_vehicle_rotation_dcm),
-    program_sensor_to_vehicle_rotation_dcm};
+const struct mip_codec mip_filter_sensor_to_vehicle_dcm_codec = {
+    0x0D, 0x4E, MIP_COMMAND, sizeof(struct mip_filter_sensor_to_vehicle_dcm),
+    program_sensor_to_vehicle_dcm};
 
-static bool asked_sensor_to_vehicle_rotation_dcm_1(const void *value) {
-    const struct mip_filter_sensor_to_vehicle_rotation_dcm *v =
-        (const struct mip_filter_sensor_to_vehicle_rotation_dcm *)value;
+static bool asked_sensor_to_vehicle_dcm_1(const void *value) {
+    const struct mip_filter_sensor_to_vehicle_dcm *v =
+        (const struct mip_filter_sensor_to_vehicle_dcm *)value;
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_sensor_to_vehicle_rotation_dcm[] = {
-    {&mip_filter_sensor_to_vehicle_rotation_dcm_response_codec,
-     asked_sensor_to_vehicle_rotation_dcm_1},
+static const struct mip_response responses_sensor_to_vehicle_dcm[] = {
+    {&mip_filter_sensor_to_vehicle_dcm_response_codec, asked_sensor_to_vehicle_dcm_1},
     {NULL, NULL},
 };
 
-const struct mip_command mip_filter_sensor_to_vehicle_rotation_dcm_command = {
-    &mip_filter_sensor_to_vehicle_rotation_dcm_codec, NULL,
-    responses_sensor_to_vehicle_rotation_dcm, 0};
+const struct mip_command mip_filter_sensor_to_vehicle_dcm_command = {
+    &mip_filter_sensor_to_vehicle_dcm_codec, NULL, responses_sensor_to_vehicle_dcm, 0};
 
-static const uint8_t program_sensor_to_vehicle_rotation_dcm_response[] = {
-    MIP_32_BITS(9, MIP_AT(struct mip_filter_sensor_to_vehicle_rotation_dcm_response, dcm)),
+static const uint8_t program_sensor_to_vehicle_dcm_response[] = {
+    MIP_32_BITS(9, MIP_AT(struct mip_filter_sensor_to_vehicle_dcm_response, dcm)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_sensor_to_vehicle_rotation_dcm_response_codec = {
-    0x0D, 0xBE, MIP_RESPONSE, sizeof(struct mip_filter_sensor_to_vehicle_rotation_dcm_response),
-    program_sensor_to_vehicle_rotation_dcm_response};
+const struct mip_codec mip_filter_sensor_to_vehicle_dcm_response_codec = {
+    0x0D, 0xBE, MIP_RESPONSE, sizeof(struct mip_filter_sensor_to_vehicle_dcm_response),
+    program_sensor_to_vehicle_dcm_response};
 
-static const uint8_t program_sensor_to_vehicle_rotation_quaternion[] = {
+static const uint8_t program_sensor_to_vehicle_quaternion[] = {
     MIP_REQUIRED(2, 0, 1),
     MIP_GROUP(1, 1),
-    MIP_32_BITS(4, MIP_AT(struct mip_filter_sensor_to_vehicle_rotation_quaternion, q)),
+    MIP_32_BITS(4, MIP_AT(struct mip_filter_sensor_to_vehicle_quaternion, q)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_sensor_to_vehicle_rotation_quaternion_codec = {
-    0x0D, 0x4F, MIP_COMMAND, sizeof(struct mip_filter_sensor_to_vehicle_rotation_quaternion),
-    program_sensor_to_vehicle_rotation_quaternion};
+const struct mip_codec mip_filter_sensor_to_vehicle_quaternion_codec = {
+    0x0D, 0x4F, MIP_COMMAND, sizeof(struct mip_filter_sensor_to_vehicle_quaternion),
+    program_sensor_to_vehicle_quaternion};
 
-static bool asked_sensor_to_vehicle_rotation_quaternion_1(const void *value) {
-    const struct mip_filter_sensor_to_vehicle_rotation_quaternion *v =
-        (const struct mip_filter_sensor_to_vehicle_rotation_quaternion *)value;
+static bool asked_sensor_to_vehicle_quaternion_1(const void *value) {
+    const struct mip_filter_sensor_to_vehicle_quaternion *v =
+        (const struct mip_filter_sensor_to_vehicle_quaternion *)value;
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_sensor_to_vehicle_rotation_quaternion[] = {
-    {&mip_filter_sensor_to_vehicle_rotation_quaternion_response_codec,
-     asked_sensor_to_vehicle_rotation_quaternion_1},
+static const struct mip_response responses_sensor_to_vehicle_quaternion[] = {
+    {&mip_filter_sensor_to_vehicle_quaternion_response_codec, asked_sensor_to_vehicle_quaternion_1},
     {NULL, NULL},
 };
 
-const struct mip_command mip_filter_sensor_to_vehicle_rotation_quaternion_command = {
-    &mip_filter_sensor_to_vehicle_rotation_quaternion_codec, NULL,
-    responses_sensor_to_vehicle_rotation_quaternion, 0};
+const struct mip_command mip_filter_sensor_to_vehicle_quaternion_command = {
+    &mip_filter_sensor_to_vehicle_quaternion_codec, NULL, responses_sensor_to_vehicle_quaternion,
+    0};
 
-static const uint8_t program_sensor_to_vehicle_rotation_quaternion_response[] = {
-    MIP_32_BITS(4, MIP_AT(struct mip_filter_sensor_to_vehicle_rotation_quaternion_response, q)),
+static const uint8_t program_sensor_to_vehicle_quaternion_response[] = {
+    MIP_32_BITS(4, MIP_AT(struct mip_filter_sensor_to_vehicle_quaternion_response, q)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_sensor_to_vehicle_rotation_quaternion_response_codec = {
-    0x0D, 0xBF, MIP_RESPONSE,
-    sizeof(struct mip_filter_sensor_to_vehicle_rotation_quaternion_response),
-    program_sensor_to_vehicle_rotation_quaternion_response};
+const struct mip_codec mip_filter_sensor_to_vehicle_quaternion_response_codec = {
+    0x0D, 0xBF, MIP_RESPONSE, sizeof(struct mip_filter_sensor_to_vehicle_quaternion_response),
+    program_sensor_to_vehicle_quaternion_response};
 
 static const uint8_t program_aiding_measurement_enable[] = {
     MIP_REQUIRED(6, 0, 2, 1, 1, 1, 1),
@@ -1610,113 +1579,107 @@ const struct mip_codec mip_filter_speed_lever_arm_response_codec = {
     0x0D, 0xE1, MIP_RESPONSE, sizeof(struct mip_filter_speed_lever_arm_response),
     program_speed_lever_arm_response};
 
-static const uint8_t program_vertical_gyro_constraint_control[] = {
+static const uint8_t program_vertical_gyro_constraint[] = {
     MIP_REQUIRED(2, 0, 1),
     MIP_GROUP(1, 1),
-    MIP_8_BITS(1, MIP_AT(struct mip_filter_vertical_gyro_constraint_control, enable)),
+    MIP_8_BITS(1, MIP_AT(struct mip_filter_vertical_gyro_constraint, enable)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_vertical_gyro_constraint_control_codec = {
-    0x0D, 0x62, MIP_COMMAND, sizeof(struct mip_filter_vertical_gyro_constraint_control),
-    program_vertical_gyro_constraint_control};
+const struct mip_codec mip_filter_vertical_gyro_constraint_codec = {
+    0x0D, 0x62, MIP_COMMAND, sizeof(struct mip_filter_vertical_gyro_constraint),
+    program_vertical_gyro_constraint};
 
-static bool asked_vertical_gyro_constraint_control_1(const void *value) {
-    const struct mip_filter_vertical_gyro_constraint_control *v =
-        (const struct mip_filter_vertical_gyro_constraint_control *)value;
+static bool asked_vertical_gyro_constraint_1(const void *value) {
+    const struct mip_filter_vertical_gyro_constraint *v =
+        (const struct mip_filter_vertical_gyro_constraint *)value;
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_vertical_gyro_constraint_control[] = {
-    {&mip_filter_vertical_gyro_constraint_control_response_codec,
-     asked_vertical_gyro_constraint_control_1},
+static const struct mip_response responses_vertical_gyro_constraint[] = {
+    {&mip_filter_vertical_gyro_constraint_response_codec, asked_vertical_gyro_constraint_1},
     {NULL, NULL},
 };
 
-const struct mip_command mip_filter_vertical_gyro_constraint_control_command = {
-    &mip_filter_vertical_gyro_constraint_control_codec, NULL,
-    responses_vertical_gyro_constraint_control, 0};
+const struct mip_command mip_filter_vertical_gyro_constraint_command = {
+    &mip_filter_vertical_gyro_constraint_codec, NULL, responses_vertical_gyro_constraint, 0};
 
-static const uint8_t program_vertical_gyro_constraint_control_response[] = {
-    MIP_8_BITS(1, MIP_AT(struct mip_filter_vertical_gyro_constraint_control_response, enable)),
+static const uint8_t program_vertical_gyro_constraint_response[] = {
+    MIP_8_BITS(1, MIP_AT(struct mip_filter_vertical_gyro_constraint_response, enable)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_vertical_gyro_constraint_control_response_codec = {
-    0x0D, 0xE2, MIP_RESPONSE, sizeof(struct mip_filter_vertical_gyro_constraint_control_response),
-    program_vertical_gyro_constraint_control_response};
+const struct mip_codec mip_filter_vertical_gyro_constraint_response_codec = {
+    0x0D, 0xE2, MIP_RESPONSE, sizeof(struct mip_filter_vertical_gyro_constraint_response),
+    program_vertical_gyro_constraint_response};
 
-static const uint8_t program_wheeled_vehicle_constraint_control[] = {
+static const uint8_t program_wheeled_vehicle_constraint[] = {
     MIP_REQUIRED(2, 0, 1),
     MIP_GROUP(1, 1),
-    MIP_8_BITS(1, MIP_AT(struct mip_filter_wheeled_vehicle_constraint_control, enable)),
+    MIP_8_BITS(1, MIP_AT(struct mip_filter_wheeled_vehicle_constraint, enable)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_wheeled_vehicle_constraint_control_codec = {
-    0x0D, 0x63, MIP_COMMAND, sizeof(struct mip_filter_wheeled_vehicle_constraint_control),
-    program_wheeled_vehicle_constraint_control};
+const struct mip_codec mip_filter_wheeled_vehicle_constraint_codec = {
+    0x0D, 0x63, MIP_COMMAND, sizeof(struct mip_filter_wheeled_vehicle_constraint),
+    program_wheeled_vehicle_constraint};
 
-static bool asked_wheeled_vehicle_constraint_control_1(const void *value) {
-    const struct mip_filter_wheeled_vehicle_constraint_control *v =
-        (const struct mip_filter_wheeled_vehicle_constraint_control *)value;
+static bool asked_wheeled_vehicle_constraint_1(const void *value) {
+    const struct mip_filter_wheeled_vehicle_constraint *v =
+        (const struct mip_filter_wheeled_vehicle_constraint *)value;
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_wheeled_vehicle_constraint_control[] = {
-    {&mip_filter_wheeled_vehicle_constraint_control_response_codec,
-     asked_wheeled_vehicle_constraint_control_1},
+static const struct mip_response responses_wheeled_vehicle_constraint[] = {
+    {&mip_filter_wheeled_vehicle_constraint_response_codec, asked_wheeled_vehicle_constraint_1},
     {NULL, NULL},
 };
 
-const struct mip_command mip_filter_wheeled_vehicle_constraint_control_command = {
-    &mip_filter_wheeled_vehicle_constraint_control_codec, NULL,
-    responses_wheeled_vehicle_constraint_control, 0};
+const struct mip_command mip_filter_wheeled_vehicle_constraint_command = {
+    &mip_filter_wheeled_vehicle_constraint_codec, NULL, responses_wheeled_vehicle_constraint, 0};
 
-static const uint8_t program_wheeled_vehicle_constraint_control_response[] = {
-    MIP_8_BITS(1, MIP_AT(struct mip_filter_wheeled_vehicle_constraint_control_response, enable)),
+static const uint8_t program_wheeled_vehicle_constraint_response[] = {
+    MIP_8_BITS(1, MIP_AT(struct mip_filter_wheeled_vehicle_constraint_response, enable)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_wheeled_vehicle_constraint_control_response_codec = {
-    0x0D, 0xE3, MIP_RESPONSE, sizeof(struct mip_filter_wheeled_vehicle_constraint_control_response),
-    program_wheeled_vehicle_constraint_control_response};
+const struct mip_codec mip_filter_wheeled_vehicle_constraint_response_codec = {
+    0x0D, 0xE3, MIP_RESPONSE, sizeof(struct mip_filter_wheeled_vehicle_constraint_response),
+    program_wheeled_vehicle_constraint_response};
 
-static const uint8_t program_gnss_antenna_calibration_control[] = {
+static const uint8_t program_gnss_antenna_calibration[] = {
     MIP_REQUIRED(2, 0, 2),
     MIP_GROUP(1, 1),
-    MIP_8_BITS(1, MIP_AT(struct mip_filter_gnss_antenna_calibration_control, enable)),
+    MIP_8_BITS(1, MIP_AT(struct mip_filter_gnss_antenna_calibration, enable)),
     MIP_GROUP(2, 2),
-    MIP_32_BITS(1, MIP_AT(struct mip_filter_gnss_antenna_calibration_control, max_offset)),
+    MIP_32_BITS(1, MIP_AT(struct mip_filter_gnss_antenna_calibration, max_offset)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_gnss_antenna_calibration_control_codec = {
-    0x0D, 0x64, MIP_COMMAND, sizeof(struct mip_filter_gnss_antenna_calibration_control),
-    program_gnss_antenna_calibration_control};
+const struct mip_codec mip_filter_gnss_antenna_calibration_codec = {
+    0x0D, 0x64, MIP_COMMAND, sizeof(struct mip_filter_gnss_antenna_calibration),
+    program_gnss_antenna_calibration};
 
-static bool asked_gnss_antenna_calibration_control_1(const void *value) {
-    const struct mip_filter_gnss_antenna_calibration_control *v =
-        (const struct mip_filter_gnss_antenna_calibration_control *)value;
+static bool asked_gnss_antenna_calibration_1(const void *value) {
+    const struct mip_filter_gnss_antenna_calibration *v =
+        (const struct mip_filter_gnss_antenna_calibration *)value;
     return v->function == MIP_FUNCTION_SELECTOR_READ;
 }
 
-static const struct mip_response responses_gnss_antenna_calibration_control[] = {
-    {&mip_filter_gnss_antenna_calibration_control_response_codec,
-     asked_gnss_antenna_calibration_control_1},
+static const struct mip_response responses_gnss_antenna_calibration[] = {
+    {&mip_filter_gnss_antenna_calibration_response_codec, asked_gnss_antenna_calibration_1},
     {NULL, NULL},
 };
 
-const struct mip_command mip_filter_gnss_antenna_calibration_control_command = {
-    &mip_filter_gnss_antenna_calibration_control_codec, NULL,
-    responses_gnss_antenna_calibration_control, 0};
+const struct mip_command mip_filter_gnss_antenna_calibration_command = {
+    &mip_filter_gnss_antenna_calibration_codec, NULL, responses_gnss_antenna_calibration, 0};
 
-static const uint8_t program_gnss_antenna_calibration_control_response[] = {
-    MIP_8_BITS(1, MIP_AT(struct mip_filter_gnss_antenna_calibration_control_response, enable)),
-    MIP_32_BITS(1, MIP_AT(struct mip_filter_gnss_antenna_calibration_control_response, max_offset)),
+static const uint8_t program_gnss_antenna_calibration_response[] = {
+    MIP_8_BITS(1, MIP_AT(struct mip_filter_gnss_antenna_calibration_response, enable)),
+    MIP_32_BITS(1, MIP_AT(struct mip_filter_gnss_antenna_calibration_response, max_offset)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_gnss_antenna_calibration_control_response_codec = {
-    0x0D, 0xE4, MIP_RESPONSE, sizeof(struct mip_filter_gnss_antenna_calibration_control_response),
-    program_gnss_antenna_calibration_control_response};
+const struct mip_codec mip_filter_gnss_antenna_calibration_response_codec = {
+    0x0D, 0xE4, MIP_RESPONSE, sizeof(struct mip_filter_gnss_antenna_calibration_response),
+    program_gnss_antenna_calibration_response};

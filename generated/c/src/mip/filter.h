@@ -246,12 +246,15 @@ enum mip_filter_angular_constraint {
 MIP_API const char *mip_filter_angular_constraint_name(uint8_t value);
 /** Which initial conditions the device finds itself and which the user gives. */
 enum mip_filter_initial_condition_source {
-    /** Position, velocity and attitude are found. */
-    MIP_FILTER_INITIAL_CONDITION_SOURCE_AUTO_POSITION_VELOCITY_ATTITUDE = 0,
-    /** Position, velocity, pitch and roll are found; the heading is given. */
-    MIP_FILTER_INITIAL_CONDITION_SOURCE_AUTO_POSITION_VELOCITY_PITCH_ROLL = 1,
-    /** Position and velocity are found; the attitude is given. */
-    MIP_FILTER_INITIAL_CONDITION_SOURCE_AUTO_POSITION_VELOCITY = 2,
+    /** Position, velocity and attitude are found. In full: auto_position_velocity_attitude. */
+    MIP_FILTER_INITIAL_CONDITION_SOURCE_AUTO_POS_VEL_ATTITUDE = 0,
+    /**
+     * Position, velocity, pitch and roll are found; the heading is given. In full:
+     * auto_position_velocity_pitch_roll.
+     */
+    MIP_FILTER_INITIAL_CONDITION_SOURCE_AUTO_POS_VEL_PITCH_ROLL = 1,
+    /** Position and velocity are found; the attitude is given. In full: auto_position_velocity. */
+    MIP_FILTER_INITIAL_CONDITION_SOURCE_AUTO_POS_VEL = 2,
     /** Position, velocity and attitude are given. */
     MIP_FILTER_INITIAL_CONDITION_SOURCE_MANUAL = 3
 };
@@ -703,18 +706,20 @@ static inline mip_error mip_filter_vehicle_dynamics_mode_response_encode_inline(
  *
  * Euler angles of the rotation from the sensor frame to the vehicle frame (5-series).
  *
+ * In full: filter.sensor_to_vehicle_rotation_euler.
+ *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_sensor_to_vehicle_rotation_euler_response. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+ * mip_filter_sensor_to_vehicle_euler_response. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
  * velocity, and the orientation, compensated and linear acceleration, angular rate and gravity
  * vector of the filter.
  *
- * The 3DM-CV7 takes the inverse instead: mip_3dm_sensor_to_vehicle_transform_euler.
+ * The 3DM-CV7 takes the inverse instead: mip_3dm_sensor_to_vehicle_euler.
  *
  * - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
  */
-struct mip_filter_sensor_to_vehicle_rotation_euler {
+struct mip_filter_sensor_to_vehicle_euler {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -728,33 +733,31 @@ struct mip_filter_sensor_to_vehicle_rotation_euler {
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER 0x0D11
-#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER_DESCRIPTOR 0x11
-#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER_NAME "filter.sensor_to_vehicle_rotation_euler"
+#define MIP_FILTER_SENSOR_TO_VEHICLE_EULER 0x0D11
+#define MIP_FILTER_SENSOR_TO_VEHICLE_EULER_DESCRIPTOR 0x11
+#define MIP_FILTER_SENSOR_TO_VEHICLE_EULER_NAME "filter.sensor_to_vehicle_rotation_euler"
 
 /** Its wire format. */
-extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_rotation_euler_codec;
+extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_euler_codec;
 
 /** Decodes it. On an error the structure is zeroed. */
-static inline mip_error mip_filter_sensor_to_vehicle_rotation_euler_decode(
-    struct mip_filter_sensor_to_vehicle_rotation_euler *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_sensor_to_vehicle_rotation_euler_codec, value, field, NULL);
+static inline mip_error mip_filter_sensor_to_vehicle_euler_decode(
+    struct mip_filter_sensor_to_vehicle_euler *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_sensor_to_vehicle_euler_codec, value, field, NULL);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_sensor_to_vehicle_rotation_euler_encode(
-    const struct mip_filter_sensor_to_vehicle_rotation_euler *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_sensor_to_vehicle_rotation_euler_codec, value, builder);
+static inline mip_error mip_filter_sensor_to_vehicle_euler_encode(
+    const struct mip_filter_sensor_to_vehicle_euler *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_sensor_to_vehicle_euler_codec, value, builder);
 }
 /**
  * Apply the new setting.
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_filter_sensor_to_vehicle_rotation_euler *
-mip_filter_sensor_to_vehicle_rotation_euler_write(
-    struct mip_filter_sensor_to_vehicle_rotation_euler *command, float roll, float pitch,
-    float yaw) {
+static inline struct mip_filter_sensor_to_vehicle_euler *mip_filter_sensor_to_vehicle_euler_write(
+    struct mip_filter_sensor_to_vehicle_euler *command, float roll, float pitch, float yaw) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_WRITE;
     command->roll = roll;
@@ -767,9 +770,8 @@ mip_filter_sensor_to_vehicle_rotation_euler_write(
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_filter_sensor_to_vehicle_rotation_euler *
-mip_filter_sensor_to_vehicle_rotation_euler_read(
-    struct mip_filter_sensor_to_vehicle_rotation_euler *command) {
+static inline struct mip_filter_sensor_to_vehicle_euler *
+mip_filter_sensor_to_vehicle_euler_read(struct mip_filter_sensor_to_vehicle_euler *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
@@ -779,9 +781,8 @@ mip_filter_sensor_to_vehicle_rotation_euler_read(
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_filter_sensor_to_vehicle_rotation_euler *
-mip_filter_sensor_to_vehicle_rotation_euler_save(
-    struct mip_filter_sensor_to_vehicle_rotation_euler *command) {
+static inline struct mip_filter_sensor_to_vehicle_euler *
+mip_filter_sensor_to_vehicle_euler_save(struct mip_filter_sensor_to_vehicle_euler *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
@@ -791,9 +792,8 @@ mip_filter_sensor_to_vehicle_rotation_euler_save(
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_filter_sensor_to_vehicle_rotation_euler *
-mip_filter_sensor_to_vehicle_rotation_euler_load(
-    struct mip_filter_sensor_to_vehicle_rotation_euler *command) {
+static inline struct mip_filter_sensor_to_vehicle_euler *
+mip_filter_sensor_to_vehicle_euler_load(struct mip_filter_sensor_to_vehicle_euler *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
@@ -803,9 +803,8 @@ mip_filter_sensor_to_vehicle_rotation_euler_load(
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_filter_sensor_to_vehicle_rotation_euler *
-mip_filter_sensor_to_vehicle_rotation_euler_default(
-    struct mip_filter_sensor_to_vehicle_rotation_euler *command) {
+static inline struct mip_filter_sensor_to_vehicle_euler *
+mip_filter_sensor_to_vehicle_euler_default(struct mip_filter_sensor_to_vehicle_euler *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
@@ -813,11 +812,13 @@ mip_filter_sensor_to_vehicle_rotation_euler_default(
 /**
  * Sensor to vehicle frame transformation response: response (0x0D,0x81).
  *
- * Answers mip_filter_sensor_to_vehicle_rotation_euler. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+ * In full: filter.sensor_to_vehicle_rotation_euler_response.
+ *
+ * Answers mip_filter_sensor_to_vehicle_euler. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
  */
-struct mip_filter_sensor_to_vehicle_rotation_euler_response {
+struct mip_filter_sensor_to_vehicle_euler_response {
     /** Roll angle. Unit: rad. */
     float roll;
     /** Pitch angle. Unit: rad. */
@@ -827,33 +828,29 @@ struct mip_filter_sensor_to_vehicle_rotation_euler_response {
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER_RESPONSE 0x0D81
-#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER_RESPONSE_DESCRIPTOR 0x81
-#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER_RESPONSE_NAME \
+#define MIP_FILTER_SENSOR_TO_VEHICLE_EULER_RESPONSE 0x0D81
+#define MIP_FILTER_SENSOR_TO_VEHICLE_EULER_RESPONSE_DESCRIPTOR 0x81
+#define MIP_FILTER_SENSOR_TO_VEHICLE_EULER_RESPONSE_NAME \
     "filter.sensor_to_vehicle_rotation_euler_response"
 
 /** Its wire format. */
-extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_rotation_euler_response_codec;
+extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_euler_response_codec;
 
 /** Decodes it. On an error the structure is zeroed. */
-static inline mip_error mip_filter_sensor_to_vehicle_rotation_euler_response_decode(
-    struct mip_filter_sensor_to_vehicle_rotation_euler_response *value,
-    const struct mip_field *field) {
-    return mip_decode(&mip_filter_sensor_to_vehicle_rotation_euler_response_codec, value, field,
-                      NULL);
+static inline mip_error mip_filter_sensor_to_vehicle_euler_response_decode(
+    struct mip_filter_sensor_to_vehicle_euler_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_sensor_to_vehicle_euler_response_codec, value, field, NULL);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_sensor_to_vehicle_rotation_euler_response_encode(
-    const struct mip_filter_sensor_to_vehicle_rotation_euler_response *value,
-    struct mip_builder *builder) {
-    return mip_encode(&mip_filter_sensor_to_vehicle_rotation_euler_response_codec, value, builder);
+static inline mip_error mip_filter_sensor_to_vehicle_euler_response_encode(
+    const struct mip_filter_sensor_to_vehicle_euler_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_sensor_to_vehicle_euler_response_codec, value, builder);
 }
 
 /** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_sensor_to_vehicle_rotation_euler_response_decode_inline(
-    struct mip_filter_sensor_to_vehicle_rotation_euler_response *value,
-    const struct mip_field *field) {
+static inline mip_error mip_filter_sensor_to_vehicle_euler_response_decode_inline(
+    struct mip_filter_sensor_to_vehicle_euler_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x81, 12);
     if (error != MIP_OK) {
         memset(value, 0, sizeof(*value));
@@ -866,9 +863,8 @@ static inline mip_error mip_filter_sensor_to_vehicle_rotation_euler_response_dec
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_sensor_to_vehicle_rotation_euler_response_encode_inline(
-    const struct mip_filter_sensor_to_vehicle_rotation_euler_response *value,
-    struct mip_builder *builder) {
+static inline mip_error mip_filter_sensor_to_vehicle_euler_response_encode_inline(
+    const struct mip_filter_sensor_to_vehicle_euler_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0x81, 12, &data);
     if (error != MIP_OK) {
@@ -4765,10 +4761,12 @@ static inline mip_error mip_filter_magnetic_declination_source_response_encode_i
  *
  * How far the filter trusts gravity measurements whose magnitude is not that of gravity.
  *
+ * In full: filter.accel_magnitude_error_adaptive_measurement.
+ *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_accel_magnitude_error_adaptive_measurement_response. Supported by 3DM-GX5-15 and
- * 3DM-GX5-45. May be supported by 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
- * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * mip_filter_accel_magnitude_adaptive_response. Supported by 3DM-GX5-15 and 3DM-GX5-45. May be
+ * supported by 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and
+ * 3DM-RQ1-45-ST.
  *
  * Also called accelerometer magnitude error adaptive measurement.
  *
@@ -4781,7 +4779,7 @@ static inline mip_error mip_filter_magnetic_declination_source_response_encode_i
  *
  * - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
  */
-struct mip_filter_accel_magnitude_error_adaptive_measurement {
+struct mip_filter_accel_magnitude_adaptive {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -4808,48 +4806,43 @@ struct mip_filter_accel_magnitude_error_adaptive_measurement {
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_FILTER_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT 0x0D44
-#define MIP_FILTER_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_DESCRIPTOR 0x44
-#define MIP_FILTER_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_NAME \
-    "filter.accel_magnitude_error_adaptive_measurement"
+#define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE 0x0D44
+#define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_DESCRIPTOR 0x44
+#define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_NAME "filter.accel_magnitude_error_adaptive_measurement"
 /** The value of `present` if frequency is the last parameter that is there. */
-#define MIP_FILTER_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_WITH_FREQUENCY 2
+#define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_WITH_FREQUENCY 2
 /** The value of `present` if low_limit is the last parameter that is there. */
-#define MIP_FILTER_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_WITH_LOW_LIMIT 3
+#define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_WITH_LOW_LIMIT 3
 /** The value of `present` if high_limit is the last parameter that is there. */
-#define MIP_FILTER_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_WITH_HIGH_LIMIT 4
+#define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_WITH_HIGH_LIMIT 4
 /** The value of `present` if low_limit_uncertainty is the last parameter that is there. */
-#define MIP_FILTER_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_WITH_LOW_LIMIT_UNCERTAINTY 5
+#define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_WITH_LOW_LIMIT_UNCERTAINTY 5
 /** The value of `present` if high_limit_uncertainty is the last parameter that is there. */
-#define MIP_FILTER_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_WITH_HIGH_LIMIT_UNCERTAINTY 6
+#define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_WITH_HIGH_LIMIT_UNCERTAINTY 6
 /** The value of `present` if minimum_uncertainty is the last parameter that is there. */
-#define MIP_FILTER_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_WITH_MINIMUM_UNCERTAINTY 7
+#define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_WITH_MINIMUM_UNCERTAINTY 7
 
 /** Its wire format. */
-extern MIP_API const struct mip_codec mip_filter_accel_magnitude_error_adaptive_measurement_codec;
+extern MIP_API const struct mip_codec mip_filter_accel_magnitude_adaptive_codec;
 
 /** Decodes it. On an error the structure is zeroed. */
-static inline mip_error mip_filter_accel_magnitude_error_adaptive_measurement_decode(
-    struct mip_filter_accel_magnitude_error_adaptive_measurement *value,
-    const struct mip_field *field) {
-    return mip_decode(&mip_filter_accel_magnitude_error_adaptive_measurement_codec, value, field,
-                      NULL);
+static inline mip_error mip_filter_accel_magnitude_adaptive_decode(
+    struct mip_filter_accel_magnitude_adaptive *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_accel_magnitude_adaptive_codec, value, field, NULL);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_accel_magnitude_error_adaptive_measurement_encode(
-    const struct mip_filter_accel_magnitude_error_adaptive_measurement *value,
-    struct mip_builder *builder) {
-    return mip_encode(&mip_filter_accel_magnitude_error_adaptive_measurement_codec, value, builder);
+static inline mip_error mip_filter_accel_magnitude_adaptive_encode(
+    const struct mip_filter_accel_magnitude_adaptive *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_accel_magnitude_adaptive_codec, value, builder);
 }
 /**
  * Apply the new setting.
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_filter_accel_magnitude_error_adaptive_measurement *
-mip_filter_accel_magnitude_error_adaptive_measurement_write(
-    struct mip_filter_accel_magnitude_error_adaptive_measurement *command,
+static inline struct mip_filter_accel_magnitude_adaptive *mip_filter_accel_magnitude_adaptive_write(
+    struct mip_filter_accel_magnitude_adaptive *command,
     enum mip_filter_adaptive_measurement_selector adaptive_measurement) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -4861,9 +4854,8 @@ mip_filter_accel_magnitude_error_adaptive_measurement_write(
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_filter_accel_magnitude_error_adaptive_measurement *
-mip_filter_accel_magnitude_error_adaptive_measurement_read(
-    struct mip_filter_accel_magnitude_error_adaptive_measurement *command) {
+static inline struct mip_filter_accel_magnitude_adaptive *
+mip_filter_accel_magnitude_adaptive_read(struct mip_filter_accel_magnitude_adaptive *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
@@ -4873,9 +4865,8 @@ mip_filter_accel_magnitude_error_adaptive_measurement_read(
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_filter_accel_magnitude_error_adaptive_measurement *
-mip_filter_accel_magnitude_error_adaptive_measurement_save(
-    struct mip_filter_accel_magnitude_error_adaptive_measurement *command) {
+static inline struct mip_filter_accel_magnitude_adaptive *
+mip_filter_accel_magnitude_adaptive_save(struct mip_filter_accel_magnitude_adaptive *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
@@ -4885,9 +4876,8 @@ mip_filter_accel_magnitude_error_adaptive_measurement_save(
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_filter_accel_magnitude_error_adaptive_measurement *
-mip_filter_accel_magnitude_error_adaptive_measurement_load(
-    struct mip_filter_accel_magnitude_error_adaptive_measurement *command) {
+static inline struct mip_filter_accel_magnitude_adaptive *
+mip_filter_accel_magnitude_adaptive_load(struct mip_filter_accel_magnitude_adaptive *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
@@ -4897,9 +4887,8 @@ mip_filter_accel_magnitude_error_adaptive_measurement_load(
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_filter_accel_magnitude_error_adaptive_measurement *
-mip_filter_accel_magnitude_error_adaptive_measurement_default(
-    struct mip_filter_accel_magnitude_error_adaptive_measurement *command) {
+static inline struct mip_filter_accel_magnitude_adaptive *
+mip_filter_accel_magnitude_adaptive_default(struct mip_filter_accel_magnitude_adaptive *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
@@ -4907,13 +4896,15 @@ mip_filter_accel_magnitude_error_adaptive_measurement_default(
 /**
  * Gravity magnitude error adaptive measurement response: response (0x0D,0xB3).
  *
- * Answers mip_filter_accel_magnitude_error_adaptive_measurement. Supported by 3DM-GX5-15 and
- * 3DM-GX5-45. May be supported by 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
- * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * In full: filter.accel_magnitude_error_adaptive_measurement_response.
+ *
+ * Answers mip_filter_accel_magnitude_adaptive. Supported by 3DM-GX5-15 and 3DM-GX5-45. May be
+ * supported by 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and
+ * 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
  */
-struct mip_filter_accel_magnitude_error_adaptive_measurement_response {
+struct mip_filter_accel_magnitude_adaptive_response {
     /** Kind of adaptation. A value of enum mip_filter_adaptive_measurement_selector. */
     uint8_t adaptive_measurement;
     /** Cut-off frequency of the low-pass filter. Unit: Hz. */
@@ -4931,36 +4922,29 @@ struct mip_filter_accel_magnitude_error_adaptive_measurement_response {
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_FILTER_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE 0x0DB3
-#define MIP_FILTER_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_DESCRIPTOR 0xB3
-#define MIP_FILTER_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_NAME \
+#define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_RESPONSE 0x0DB3
+#define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_RESPONSE_DESCRIPTOR 0xB3
+#define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_RESPONSE_NAME \
     "filter.accel_magnitude_error_adaptive_measurement_response"
 
 /** Its wire format. */
-extern MIP_API const struct mip_codec
-    mip_filter_accel_magnitude_error_adaptive_measurement_response_codec;
+extern MIP_API const struct mip_codec mip_filter_accel_magnitude_adaptive_response_codec;
 
 /** Decodes it. On an error the structure is zeroed. */
-static inline mip_error mip_filter_accel_magnitude_error_adaptive_measurement_response_decode(
-    struct mip_filter_accel_magnitude_error_adaptive_measurement_response *value,
-    const struct mip_field *field) {
-    return mip_decode(&mip_filter_accel_magnitude_error_adaptive_measurement_response_codec, value,
-                      field, NULL);
+static inline mip_error mip_filter_accel_magnitude_adaptive_response_decode(
+    struct mip_filter_accel_magnitude_adaptive_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_accel_magnitude_adaptive_response_codec, value, field, NULL);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_accel_magnitude_error_adaptive_measurement_response_encode(
-    const struct mip_filter_accel_magnitude_error_adaptive_measurement_response *value,
-    struct mip_builder *builder) {
-    return mip_encode(&mip_filter_accel_magnitude_error_adaptive_measurement_response_codec, value,
-                      builder);
+static inline mip_error mip_filter_accel_magnitude_adaptive_response_encode(
+    const struct mip_filter_accel_magnitude_adaptive_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_accel_magnitude_adaptive_response_codec, value, builder);
 }
 
 /** The same without the table, for speed: decodes it. */
-static inline mip_error
-mip_filter_accel_magnitude_error_adaptive_measurement_response_decode_inline(
-    struct mip_filter_accel_magnitude_error_adaptive_measurement_response *value,
-    const struct mip_field *field) {
+static inline mip_error mip_filter_accel_magnitude_adaptive_response_decode_inline(
+    struct mip_filter_accel_magnitude_adaptive_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xB3, 25);
     if (error != MIP_OK) {
         memset(value, 0, sizeof(*value));
@@ -4977,10 +4961,8 @@ mip_filter_accel_magnitude_error_adaptive_measurement_response_decode_inline(
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error
-mip_filter_accel_magnitude_error_adaptive_measurement_response_encode_inline(
-    const struct mip_filter_accel_magnitude_error_adaptive_measurement_response *value,
-    struct mip_builder *builder) {
+static inline mip_error mip_filter_accel_magnitude_adaptive_response_encode_inline(
+    const struct mip_filter_accel_magnitude_adaptive_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0xB3, 25, &data);
     if (error != MIP_OK) {
@@ -5000,12 +4982,13 @@ mip_filter_accel_magnitude_error_adaptive_measurement_response_encode_inline(
  *
  * How far the filter trusts a magnetic field whose magnitude is not as expected.
  *
+ * In full: filter.mag_magnitude_error_adaptive_measurement.
+ *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_mag_magnitude_error_adaptive_measurement_response. Supported by 3DM-GX5-45. May be
- * supported by 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and
- * 3DM-RQ1-45-ST. Known from the MicroStrain MIP SDK only. Uncertain: Whether the parameters behind
- * the selector may be left out on write, as those of
- * mip_filter_accel_magnitude_error_adaptive_measurement may.
+ * mip_filter_mag_magnitude_adaptive_response. Supported by 3DM-GX5-45. May be supported by
+ * 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Known from the MicroStrain MIP SDK only. Uncertain: Whether the parameters behind the selector
+ * may be left out on write, as those of mip_filter_accel_magnitude_adaptive may.
  *
  * The limits and the low-pass filter take effect only with `fixed`; with `auto` the device finds
  * limits.
@@ -5015,7 +4998,7 @@ mip_filter_accel_magnitude_error_adaptive_measurement_response_encode_inline(
  *
  * - mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
  */
-struct mip_filter_mag_magnitude_error_adaptive_measurement {
+struct mip_filter_mag_magnitude_adaptive {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -5062,36 +5045,31 @@ struct mip_filter_mag_magnitude_error_adaptive_measurement {
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_FILTER_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT 0x0D45
-#define MIP_FILTER_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_DESCRIPTOR 0x45
-#define MIP_FILTER_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_NAME \
-    "filter.mag_magnitude_error_adaptive_measurement"
+#define MIP_FILTER_MAG_MAGNITUDE_ADAPTIVE 0x0D45
+#define MIP_FILTER_MAG_MAGNITUDE_ADAPTIVE_DESCRIPTOR 0x45
+#define MIP_FILTER_MAG_MAGNITUDE_ADAPTIVE_NAME "filter.mag_magnitude_error_adaptive_measurement"
 
 /** Its wire format. */
-extern MIP_API const struct mip_codec mip_filter_mag_magnitude_error_adaptive_measurement_codec;
+extern MIP_API const struct mip_codec mip_filter_mag_magnitude_adaptive_codec;
 
 /** Decodes it. On an error the structure is zeroed. */
-static inline mip_error mip_filter_mag_magnitude_error_adaptive_measurement_decode(
-    struct mip_filter_mag_magnitude_error_adaptive_measurement *value,
-    const struct mip_field *field) {
-    return mip_decode(&mip_filter_mag_magnitude_error_adaptive_measurement_codec, value, field,
-                      NULL);
+static inline mip_error mip_filter_mag_magnitude_adaptive_decode(
+    struct mip_filter_mag_magnitude_adaptive *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_mag_magnitude_adaptive_codec, value, field, NULL);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_mag_magnitude_error_adaptive_measurement_encode(
-    const struct mip_filter_mag_magnitude_error_adaptive_measurement *value,
-    struct mip_builder *builder) {
-    return mip_encode(&mip_filter_mag_magnitude_error_adaptive_measurement_codec, value, builder);
+static inline mip_error mip_filter_mag_magnitude_adaptive_encode(
+    const struct mip_filter_mag_magnitude_adaptive *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_mag_magnitude_adaptive_codec, value, builder);
 }
 /**
  * Apply the new setting.
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_filter_mag_magnitude_error_adaptive_measurement *
-mip_filter_mag_magnitude_error_adaptive_measurement_write(
-    struct mip_filter_mag_magnitude_error_adaptive_measurement *command,
+static inline struct mip_filter_mag_magnitude_adaptive *mip_filter_mag_magnitude_adaptive_write(
+    struct mip_filter_mag_magnitude_adaptive *command,
     enum mip_filter_adaptive_measurement_selector adaptive_measurement, float frequency,
     float low_limit, float high_limit, float low_limit_uncertainty, float high_limit_uncertainty,
     float minimum_uncertainty) {
@@ -5111,9 +5089,8 @@ mip_filter_mag_magnitude_error_adaptive_measurement_write(
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_filter_mag_magnitude_error_adaptive_measurement *
-mip_filter_mag_magnitude_error_adaptive_measurement_read(
-    struct mip_filter_mag_magnitude_error_adaptive_measurement *command) {
+static inline struct mip_filter_mag_magnitude_adaptive *
+mip_filter_mag_magnitude_adaptive_read(struct mip_filter_mag_magnitude_adaptive *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
@@ -5123,9 +5100,8 @@ mip_filter_mag_magnitude_error_adaptive_measurement_read(
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_filter_mag_magnitude_error_adaptive_measurement *
-mip_filter_mag_magnitude_error_adaptive_measurement_save(
-    struct mip_filter_mag_magnitude_error_adaptive_measurement *command) {
+static inline struct mip_filter_mag_magnitude_adaptive *
+mip_filter_mag_magnitude_adaptive_save(struct mip_filter_mag_magnitude_adaptive *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
@@ -5135,9 +5111,8 @@ mip_filter_mag_magnitude_error_adaptive_measurement_save(
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_filter_mag_magnitude_error_adaptive_measurement *
-mip_filter_mag_magnitude_error_adaptive_measurement_load(
-    struct mip_filter_mag_magnitude_error_adaptive_measurement *command) {
+static inline struct mip_filter_mag_magnitude_adaptive *
+mip_filter_mag_magnitude_adaptive_load(struct mip_filter_mag_magnitude_adaptive *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
@@ -5147,9 +5122,8 @@ mip_filter_mag_magnitude_error_adaptive_measurement_load(
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_filter_mag_magnitude_error_adaptive_measurement *
-mip_filter_mag_magnitude_error_adaptive_measurement_default(
-    struct mip_filter_mag_magnitude_error_adaptive_measurement *command) {
+static inline struct mip_filter_mag_magnitude_adaptive *
+mip_filter_mag_magnitude_adaptive_default(struct mip_filter_mag_magnitude_adaptive *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
@@ -5157,13 +5131,15 @@ mip_filter_mag_magnitude_error_adaptive_measurement_default(
 /**
  * Magnetometer magnitude error adaptive measurement response: response (0x0D,0xB4).
  *
- * Answers mip_filter_mag_magnitude_error_adaptive_measurement. Supported by 3DM-GX5-45. May be
- * supported by 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and
- * 3DM-RQ1-45-ST. Known from the MicroStrain MIP SDK only.
+ * In full: filter.mag_magnitude_error_adaptive_measurement_response.
+ *
+ * Answers mip_filter_mag_magnitude_adaptive. Supported by 3DM-GX5-45. May be supported by
+ * 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
  */
-struct mip_filter_mag_magnitude_error_adaptive_measurement_response {
+struct mip_filter_mag_magnitude_adaptive_response {
     /** Kind of adaptation. A value of enum mip_filter_adaptive_measurement_selector. */
     uint8_t adaptive_measurement;
     /** Cut-off frequency of the low-pass filter. Unit: Hz. */
@@ -5196,35 +5172,29 @@ struct mip_filter_mag_magnitude_error_adaptive_measurement_response {
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_FILTER_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE 0x0DB4
-#define MIP_FILTER_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_DESCRIPTOR 0xB4
-#define MIP_FILTER_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_NAME \
+#define MIP_FILTER_MAG_MAGNITUDE_ADAPTIVE_RESPONSE 0x0DB4
+#define MIP_FILTER_MAG_MAGNITUDE_ADAPTIVE_RESPONSE_DESCRIPTOR 0xB4
+#define MIP_FILTER_MAG_MAGNITUDE_ADAPTIVE_RESPONSE_NAME \
     "filter.mag_magnitude_error_adaptive_measurement_response"
 
 /** Its wire format. */
-extern MIP_API const struct mip_codec
-    mip_filter_mag_magnitude_error_adaptive_measurement_response_codec;
+extern MIP_API const struct mip_codec mip_filter_mag_magnitude_adaptive_response_codec;
 
 /** Decodes it. On an error the structure is zeroed. */
-static inline mip_error mip_filter_mag_magnitude_error_adaptive_measurement_response_decode(
-    struct mip_filter_mag_magnitude_error_adaptive_measurement_response *value,
-    const struct mip_field *field) {
-    return mip_decode(&mip_filter_mag_magnitude_error_adaptive_measurement_response_codec, value,
-                      field, NULL);
+static inline mip_error mip_filter_mag_magnitude_adaptive_response_decode(
+    struct mip_filter_mag_magnitude_adaptive_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_mag_magnitude_adaptive_response_codec, value, field, NULL);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_mag_magnitude_error_adaptive_measurement_response_encode(
-    const struct mip_filter_mag_magnitude_error_adaptive_measurement_response *value,
-    struct mip_builder *builder) {
-    return mip_encode(&mip_filter_mag_magnitude_error_adaptive_measurement_response_codec, value,
-                      builder);
+static inline mip_error mip_filter_mag_magnitude_adaptive_response_encode(
+    const struct mip_filter_mag_magnitude_adaptive_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_mag_magnitude_adaptive_response_codec, value, builder);
 }
 
 /** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_mag_magnitude_error_adaptive_measurement_response_decode_inline(
-    struct mip_filter_mag_magnitude_error_adaptive_measurement_response *value,
-    const struct mip_field *field) {
+static inline mip_error mip_filter_mag_magnitude_adaptive_response_decode_inline(
+    struct mip_filter_mag_magnitude_adaptive_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xB4, 25);
     if (error != MIP_OK) {
         memset(value, 0, sizeof(*value));
@@ -5241,9 +5211,8 @@ static inline mip_error mip_filter_mag_magnitude_error_adaptive_measurement_resp
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_mag_magnitude_error_adaptive_measurement_response_encode_inline(
-    const struct mip_filter_mag_magnitude_error_adaptive_measurement_response *value,
-    struct mip_builder *builder) {
+static inline mip_error mip_filter_mag_magnitude_adaptive_response_encode_inline(
+    const struct mip_filter_mag_magnitude_adaptive_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0xB4, 25, &data);
     if (error != MIP_OK) {
@@ -5263,19 +5232,21 @@ static inline mip_error mip_filter_mag_magnitude_error_adaptive_measurement_resp
  *
  * How far the filter trusts a magnetic field whose dip angle is not as expected.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_filter_mag_dip_angle_error_adaptive_measurement_response. Supported by 3DM-GX5-45. Known from
- * the MicroStrain MIP SDK only.
+ * In full: filter.mag_dip_angle_error_adaptive_measurement.
  *
- * It has no effect while mip_filter_accel_magnitude_error_adaptive_measurement or
- * mip_filter_mag_magnitude_error_adaptive_measurement is set to `auto`.
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_mag_dip_angle_adaptive_response. Supported by 3DM-GX5-45. Known from the MicroStrain
+ * MIP SDK only.
+ *
+ * It has no effect while mip_filter_accel_magnitude_adaptive or mip_filter_mag_magnitude_adaptive
+ * is set to `auto`.
  *
  * High limits suit high dynamics but let disturbances of the field through; low limits can spoil
  * the heading.
  *
  * - mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
  */
-struct mip_filter_mag_dip_angle_error_adaptive_measurement {
+struct mip_filter_mag_dip_angle_adaptive {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -5302,37 +5273,32 @@ struct mip_filter_mag_dip_angle_error_adaptive_measurement {
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_FILTER_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT 0x0D46
-#define MIP_FILTER_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_DESCRIPTOR 0x46
-#define MIP_FILTER_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_NAME \
-    "filter.mag_dip_angle_error_adaptive_measurement"
+#define MIP_FILTER_MAG_DIP_ANGLE_ADAPTIVE 0x0D46
+#define MIP_FILTER_MAG_DIP_ANGLE_ADAPTIVE_DESCRIPTOR 0x46
+#define MIP_FILTER_MAG_DIP_ANGLE_ADAPTIVE_NAME "filter.mag_dip_angle_error_adaptive_measurement"
 
 /** Its wire format. */
-extern MIP_API const struct mip_codec mip_filter_mag_dip_angle_error_adaptive_measurement_codec;
+extern MIP_API const struct mip_codec mip_filter_mag_dip_angle_adaptive_codec;
 
 /** Decodes it. On an error the structure is zeroed. */
-static inline mip_error mip_filter_mag_dip_angle_error_adaptive_measurement_decode(
-    struct mip_filter_mag_dip_angle_error_adaptive_measurement *value,
-    const struct mip_field *field) {
-    return mip_decode(&mip_filter_mag_dip_angle_error_adaptive_measurement_codec, value, field,
-                      NULL);
+static inline mip_error mip_filter_mag_dip_angle_adaptive_decode(
+    struct mip_filter_mag_dip_angle_adaptive *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_mag_dip_angle_adaptive_codec, value, field, NULL);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_mag_dip_angle_error_adaptive_measurement_encode(
-    const struct mip_filter_mag_dip_angle_error_adaptive_measurement *value,
-    struct mip_builder *builder) {
-    return mip_encode(&mip_filter_mag_dip_angle_error_adaptive_measurement_codec, value, builder);
+static inline mip_error mip_filter_mag_dip_angle_adaptive_encode(
+    const struct mip_filter_mag_dip_angle_adaptive *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_mag_dip_angle_adaptive_codec, value, builder);
 }
 /**
  * Apply the new setting.
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_filter_mag_dip_angle_error_adaptive_measurement *
-mip_filter_mag_dip_angle_error_adaptive_measurement_write(
-    struct mip_filter_mag_dip_angle_error_adaptive_measurement *command, mip_bool enable,
-    float frequency, float high_limit, float high_limit_uncertainty, float minimum_uncertainty) {
+static inline struct mip_filter_mag_dip_angle_adaptive *mip_filter_mag_dip_angle_adaptive_write(
+    struct mip_filter_mag_dip_angle_adaptive *command, mip_bool enable, float frequency,
+    float high_limit, float high_limit_uncertainty, float minimum_uncertainty) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_WRITE;
     command->enable = enable;
@@ -5347,9 +5313,8 @@ mip_filter_mag_dip_angle_error_adaptive_measurement_write(
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_filter_mag_dip_angle_error_adaptive_measurement *
-mip_filter_mag_dip_angle_error_adaptive_measurement_read(
-    struct mip_filter_mag_dip_angle_error_adaptive_measurement *command) {
+static inline struct mip_filter_mag_dip_angle_adaptive *
+mip_filter_mag_dip_angle_adaptive_read(struct mip_filter_mag_dip_angle_adaptive *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
@@ -5359,9 +5324,8 @@ mip_filter_mag_dip_angle_error_adaptive_measurement_read(
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_filter_mag_dip_angle_error_adaptive_measurement *
-mip_filter_mag_dip_angle_error_adaptive_measurement_save(
-    struct mip_filter_mag_dip_angle_error_adaptive_measurement *command) {
+static inline struct mip_filter_mag_dip_angle_adaptive *
+mip_filter_mag_dip_angle_adaptive_save(struct mip_filter_mag_dip_angle_adaptive *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
@@ -5371,9 +5335,8 @@ mip_filter_mag_dip_angle_error_adaptive_measurement_save(
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_filter_mag_dip_angle_error_adaptive_measurement *
-mip_filter_mag_dip_angle_error_adaptive_measurement_load(
-    struct mip_filter_mag_dip_angle_error_adaptive_measurement *command) {
+static inline struct mip_filter_mag_dip_angle_adaptive *
+mip_filter_mag_dip_angle_adaptive_load(struct mip_filter_mag_dip_angle_adaptive *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
@@ -5383,9 +5346,8 @@ mip_filter_mag_dip_angle_error_adaptive_measurement_load(
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_filter_mag_dip_angle_error_adaptive_measurement *
-mip_filter_mag_dip_angle_error_adaptive_measurement_default(
-    struct mip_filter_mag_dip_angle_error_adaptive_measurement *command) {
+static inline struct mip_filter_mag_dip_angle_adaptive *
+mip_filter_mag_dip_angle_adaptive_default(struct mip_filter_mag_dip_angle_adaptive *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
@@ -5393,12 +5355,14 @@ mip_filter_mag_dip_angle_error_adaptive_measurement_default(
 /**
  * Magnetometer dip angle error adaptive measurement response: response (0x0D,0xB5).
  *
- * Answers mip_filter_mag_dip_angle_error_adaptive_measurement. Supported by 3DM-GX5-45. Known from
- * the MicroStrain MIP SDK only.
+ * In full: filter.mag_dip_angle_error_adaptive_measurement_response.
+ *
+ * Answers mip_filter_mag_dip_angle_adaptive. Supported by 3DM-GX5-45. Known from the MicroStrain
+ * MIP SDK only.
  *
  * - mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
  */
-struct mip_filter_mag_dip_angle_error_adaptive_measurement_response {
+struct mip_filter_mag_dip_angle_adaptive_response {
     /** Whether the adaptation is on. */
     mip_bool enable;
     /** Cut-off frequency of the low-pass filter. Unit: Hz. */
@@ -5421,35 +5385,29 @@ struct mip_filter_mag_dip_angle_error_adaptive_measurement_response {
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_FILTER_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE 0x0DB5
-#define MIP_FILTER_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_DESCRIPTOR 0xB5
-#define MIP_FILTER_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_NAME \
+#define MIP_FILTER_MAG_DIP_ANGLE_ADAPTIVE_RESPONSE 0x0DB5
+#define MIP_FILTER_MAG_DIP_ANGLE_ADAPTIVE_RESPONSE_DESCRIPTOR 0xB5
+#define MIP_FILTER_MAG_DIP_ANGLE_ADAPTIVE_RESPONSE_NAME \
     "filter.mag_dip_angle_error_adaptive_measurement_response"
 
 /** Its wire format. */
-extern MIP_API const struct mip_codec
-    mip_filter_mag_dip_angle_error_adaptive_measurement_response_codec;
+extern MIP_API const struct mip_codec mip_filter_mag_dip_angle_adaptive_response_codec;
 
 /** Decodes it. On an error the structure is zeroed. */
-static inline mip_error mip_filter_mag_dip_angle_error_adaptive_measurement_response_decode(
-    struct mip_filter_mag_dip_angle_error_adaptive_measurement_response *value,
-    const struct mip_field *field) {
-    return mip_decode(&mip_filter_mag_dip_angle_error_adaptive_measurement_response_codec, value,
-                      field, NULL);
+static inline mip_error mip_filter_mag_dip_angle_adaptive_response_decode(
+    struct mip_filter_mag_dip_angle_adaptive_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_mag_dip_angle_adaptive_response_codec, value, field, NULL);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_mag_dip_angle_error_adaptive_measurement_response_encode(
-    const struct mip_filter_mag_dip_angle_error_adaptive_measurement_response *value,
-    struct mip_builder *builder) {
-    return mip_encode(&mip_filter_mag_dip_angle_error_adaptive_measurement_response_codec, value,
-                      builder);
+static inline mip_error mip_filter_mag_dip_angle_adaptive_response_encode(
+    const struct mip_filter_mag_dip_angle_adaptive_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_mag_dip_angle_adaptive_response_codec, value, builder);
 }
 
 /** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_mag_dip_angle_error_adaptive_measurement_response_decode_inline(
-    struct mip_filter_mag_dip_angle_error_adaptive_measurement_response *value,
-    const struct mip_field *field) {
+static inline mip_error mip_filter_mag_dip_angle_adaptive_response_decode_inline(
+    struct mip_filter_mag_dip_angle_adaptive_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xB5, 17);
     if (error != MIP_OK) {
         memset(value, 0, sizeof(*value));
@@ -5464,9 +5422,8 @@ static inline mip_error mip_filter_mag_dip_angle_error_adaptive_measurement_resp
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_mag_dip_angle_error_adaptive_measurement_response_encode_inline(
-    const struct mip_filter_mag_dip_angle_error_adaptive_measurement_response *value,
-    struct mip_builder *builder) {
+static inline mip_error mip_filter_mag_dip_angle_adaptive_response_encode_inline(
+    const struct mip_filter_mag_dip_angle_adaptive_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0xB5, 17, &data);
     if (error != MIP_OK) {
@@ -5976,7 +5933,7 @@ static inline mip_error mip_filter_magnetic_inclination_source_response_encode_i
  *
  * Without a good magnitude source, keep automatic magnetometer calibration off.
  *
- * mip_filter_mag_magnitude_error_adaptive_measurement relies on it too.
+ * mip_filter_mag_magnitude_adaptive relies on it too.
  *
  * - mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D)
  */
@@ -6145,11 +6102,13 @@ static inline mip_error mip_filter_magnetic_magnitude_source_response_encode_inl
  *
  * Rotation from the sensor frame to the vehicle frame as a direction cosine matrix.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_filter_sensor_to_vehicle_rotation_dcm_response. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * In full: filter.sensor_to_vehicle_rotation_dcm.
  *
- * It is the inverse of the matrix that mip_3dm_sensor_to_vehicle_transform_dcm takes.
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_sensor_to_vehicle_dcm_response. No device profile lists it. Known from the MicroStrain
+ * MIP SDK only.
+ *
+ * It is the inverse of the matrix that mip_3dm_sensor_to_vehicle_dcm takes.
  *
  * It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
  * velocity, and the orientation, linear acceleration, angular rate and gravity vector of the
@@ -6161,7 +6120,7 @@ static inline mip_error mip_filter_magnetic_magnitude_source_response_encode_inl
  *
  * - mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E)
  */
-struct mip_filter_sensor_to_vehicle_rotation_dcm {
+struct mip_filter_sensor_to_vehicle_dcm {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -6174,32 +6133,31 @@ struct mip_filter_sensor_to_vehicle_rotation_dcm {
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM 0x0D4E
-#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_DESCRIPTOR 0x4E
-#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_NAME "filter.sensor_to_vehicle_rotation_dcm"
+#define MIP_FILTER_SENSOR_TO_VEHICLE_DCM 0x0D4E
+#define MIP_FILTER_SENSOR_TO_VEHICLE_DCM_DESCRIPTOR 0x4E
+#define MIP_FILTER_SENSOR_TO_VEHICLE_DCM_NAME "filter.sensor_to_vehicle_rotation_dcm"
 
 /** Its wire format. */
-extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_rotation_dcm_codec;
+extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_dcm_codec;
 
 /** Decodes it. On an error the structure is zeroed. */
-static inline mip_error mip_filter_sensor_to_vehicle_rotation_dcm_decode(
-    struct mip_filter_sensor_to_vehicle_rotation_dcm *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_sensor_to_vehicle_rotation_dcm_codec, value, field, NULL);
+static inline mip_error mip_filter_sensor_to_vehicle_dcm_decode(
+    struct mip_filter_sensor_to_vehicle_dcm *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_sensor_to_vehicle_dcm_codec, value, field, NULL);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_sensor_to_vehicle_rotation_dcm_encode(
-    const struct mip_filter_sensor_to_vehicle_rotation_dcm *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_sensor_to_vehicle_rotation_dcm_codec, value, builder);
+static inline mip_error mip_filter_sensor_to_vehicle_dcm_encode(
+    const struct mip_filter_sensor_to_vehicle_dcm *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_sensor_to_vehicle_dcm_codec, value, builder);
 }
 /**
  * Apply the new setting.
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_filter_sensor_to_vehicle_rotation_dcm *
-mip_filter_sensor_to_vehicle_rotation_dcm_write(
-    struct mip_filter_sensor_to_vehicle_rotation_dcm *command, const float dcm[9]) {
+static inline struct mip_filter_sensor_to_vehicle_dcm *mip_filter_sensor_to_vehicle_dcm_write(
+    struct mip_filter_sensor_to_vehicle_dcm *command, const float dcm[9]) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_WRITE;
     memcpy(command->dcm, dcm, sizeof(command->dcm));
@@ -6210,9 +6168,8 @@ mip_filter_sensor_to_vehicle_rotation_dcm_write(
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_filter_sensor_to_vehicle_rotation_dcm *
-mip_filter_sensor_to_vehicle_rotation_dcm_read(
-    struct mip_filter_sensor_to_vehicle_rotation_dcm *command) {
+static inline struct mip_filter_sensor_to_vehicle_dcm *
+mip_filter_sensor_to_vehicle_dcm_read(struct mip_filter_sensor_to_vehicle_dcm *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
@@ -6222,9 +6179,8 @@ mip_filter_sensor_to_vehicle_rotation_dcm_read(
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_filter_sensor_to_vehicle_rotation_dcm *
-mip_filter_sensor_to_vehicle_rotation_dcm_save(
-    struct mip_filter_sensor_to_vehicle_rotation_dcm *command) {
+static inline struct mip_filter_sensor_to_vehicle_dcm *
+mip_filter_sensor_to_vehicle_dcm_save(struct mip_filter_sensor_to_vehicle_dcm *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
@@ -6234,9 +6190,8 @@ mip_filter_sensor_to_vehicle_rotation_dcm_save(
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_filter_sensor_to_vehicle_rotation_dcm *
-mip_filter_sensor_to_vehicle_rotation_dcm_load(
-    struct mip_filter_sensor_to_vehicle_rotation_dcm *command) {
+static inline struct mip_filter_sensor_to_vehicle_dcm *
+mip_filter_sensor_to_vehicle_dcm_load(struct mip_filter_sensor_to_vehicle_dcm *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
@@ -6246,9 +6201,8 @@ mip_filter_sensor_to_vehicle_rotation_dcm_load(
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_filter_sensor_to_vehicle_rotation_dcm *
-mip_filter_sensor_to_vehicle_rotation_dcm_default(
-    struct mip_filter_sensor_to_vehicle_rotation_dcm *command) {
+static inline struct mip_filter_sensor_to_vehicle_dcm *
+mip_filter_sensor_to_vehicle_dcm_default(struct mip_filter_sensor_to_vehicle_dcm *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
@@ -6256,11 +6210,13 @@ mip_filter_sensor_to_vehicle_rotation_dcm_default(
 /**
  * Sensor to vehicle rotation, matrix response: response (0x0D,0xBE).
  *
- * Answers mip_filter_sensor_to_vehicle_rotation_dcm. Known from the MicroStrain MIP SDK only.
+ * In full: filter.sensor_to_vehicle_rotation_dcm_response.
+ *
+ * Answers mip_filter_sensor_to_vehicle_dcm. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E)
  */
-struct mip_filter_sensor_to_vehicle_rotation_dcm_response {
+struct mip_filter_sensor_to_vehicle_dcm_response {
     /**
      * Rotation matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
      * Unit: 1.
@@ -6269,33 +6225,29 @@ struct mip_filter_sensor_to_vehicle_rotation_dcm_response {
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE 0x0DBE
-#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_DESCRIPTOR 0xBE
-#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_NAME \
+#define MIP_FILTER_SENSOR_TO_VEHICLE_DCM_RESPONSE 0x0DBE
+#define MIP_FILTER_SENSOR_TO_VEHICLE_DCM_RESPONSE_DESCRIPTOR 0xBE
+#define MIP_FILTER_SENSOR_TO_VEHICLE_DCM_RESPONSE_NAME \
     "filter.sensor_to_vehicle_rotation_dcm_response"
 
 /** Its wire format. */
-extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_rotation_dcm_response_codec;
+extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_dcm_response_codec;
 
 /** Decodes it. On an error the structure is zeroed. */
-static inline mip_error mip_filter_sensor_to_vehicle_rotation_dcm_response_decode(
-    struct mip_filter_sensor_to_vehicle_rotation_dcm_response *value,
-    const struct mip_field *field) {
-    return mip_decode(&mip_filter_sensor_to_vehicle_rotation_dcm_response_codec, value, field,
-                      NULL);
+static inline mip_error mip_filter_sensor_to_vehicle_dcm_response_decode(
+    struct mip_filter_sensor_to_vehicle_dcm_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_sensor_to_vehicle_dcm_response_codec, value, field, NULL);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_sensor_to_vehicle_rotation_dcm_response_encode(
-    const struct mip_filter_sensor_to_vehicle_rotation_dcm_response *value,
-    struct mip_builder *builder) {
-    return mip_encode(&mip_filter_sensor_to_vehicle_rotation_dcm_response_codec, value, builder);
+static inline mip_error mip_filter_sensor_to_vehicle_dcm_response_encode(
+    const struct mip_filter_sensor_to_vehicle_dcm_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_sensor_to_vehicle_dcm_response_codec, value, builder);
 }
 
 /** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_sensor_to_vehicle_rotation_dcm_response_decode_inline(
-    struct mip_filter_sensor_to_vehicle_rotation_dcm_response *value,
-    const struct mip_field *field) {
+static inline mip_error mip_filter_sensor_to_vehicle_dcm_response_decode_inline(
+    struct mip_filter_sensor_to_vehicle_dcm_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xBE, 36);
     if (error != MIP_OK) {
         memset(value, 0, sizeof(*value));
@@ -6308,9 +6260,8 @@ static inline mip_error mip_filter_sensor_to_vehicle_rotation_dcm_response_decod
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_sensor_to_vehicle_rotation_dcm_response_encode_inline(
-    const struct mip_filter_sensor_to_vehicle_rotation_dcm_response *value,
-    struct mip_builder *builder) {
+static inline mip_error mip_filter_sensor_to_vehicle_dcm_response_encode_inline(
+    const struct mip_filter_sensor_to_vehicle_dcm_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0xBE, 36, &data);
     if (error != MIP_OK) {
@@ -6326,11 +6277,13 @@ static inline mip_error mip_filter_sensor_to_vehicle_rotation_dcm_response_encod
  *
  * Rotation from the sensor frame to the vehicle frame as a quaternion.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_filter_sensor_to_vehicle_rotation_quaternion_response. No device profile lists it. Known from
- * the MicroStrain MIP SDK only.
+ * In full: filter.sensor_to_vehicle_rotation_quaternion.
  *
- * It is the inverse of the quaternion that mip_3dm_sensor_to_vehicle_transform_quaternion takes.
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_sensor_to_vehicle_quaternion_response. No device profile lists it. Known from the
+ * MicroStrain MIP SDK only.
+ *
+ * It is the inverse of the quaternion that mip_3dm_sensor_to_vehicle_quaternion takes.
  *
  * It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
  * velocity, and the orientation, linear acceleration, angular rate and gravity vector of the
@@ -6340,7 +6293,7 @@ static inline mip_error mip_filter_sensor_to_vehicle_rotation_dcm_response_encod
  *
  * - mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F)
  */
-struct mip_filter_sensor_to_vehicle_rotation_quaternion {
+struct mip_filter_sensor_to_vehicle_quaternion {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -6353,34 +6306,32 @@ struct mip_filter_sensor_to_vehicle_rotation_quaternion {
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_QUATERNION 0x0D4F
-#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_DESCRIPTOR 0x4F
-#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_NAME \
-    "filter.sensor_to_vehicle_rotation_quaternion"
+#define MIP_FILTER_SENSOR_TO_VEHICLE_QUATERNION 0x0D4F
+#define MIP_FILTER_SENSOR_TO_VEHICLE_QUATERNION_DESCRIPTOR 0x4F
+#define MIP_FILTER_SENSOR_TO_VEHICLE_QUATERNION_NAME "filter.sensor_to_vehicle_rotation_quaternion"
 
 /** Its wire format. */
-extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_rotation_quaternion_codec;
+extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_quaternion_codec;
 
 /** Decodes it. On an error the structure is zeroed. */
-static inline mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_decode(
-    struct mip_filter_sensor_to_vehicle_rotation_quaternion *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_sensor_to_vehicle_rotation_quaternion_codec, value, field, NULL);
+static inline mip_error mip_filter_sensor_to_vehicle_quaternion_decode(
+    struct mip_filter_sensor_to_vehicle_quaternion *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_sensor_to_vehicle_quaternion_codec, value, field, NULL);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_encode(
-    const struct mip_filter_sensor_to_vehicle_rotation_quaternion *value,
-    struct mip_builder *builder) {
-    return mip_encode(&mip_filter_sensor_to_vehicle_rotation_quaternion_codec, value, builder);
+static inline mip_error mip_filter_sensor_to_vehicle_quaternion_encode(
+    const struct mip_filter_sensor_to_vehicle_quaternion *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_sensor_to_vehicle_quaternion_codec, value, builder);
 }
 /**
  * Apply the new setting.
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_filter_sensor_to_vehicle_rotation_quaternion *
-mip_filter_sensor_to_vehicle_rotation_quaternion_write(
-    struct mip_filter_sensor_to_vehicle_rotation_quaternion *command, const float q[4]) {
+static inline struct mip_filter_sensor_to_vehicle_quaternion *
+mip_filter_sensor_to_vehicle_quaternion_write(
+    struct mip_filter_sensor_to_vehicle_quaternion *command, const float q[4]) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_WRITE;
     memcpy(command->q, q, sizeof(command->q));
@@ -6391,9 +6342,9 @@ mip_filter_sensor_to_vehicle_rotation_quaternion_write(
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_filter_sensor_to_vehicle_rotation_quaternion *
-mip_filter_sensor_to_vehicle_rotation_quaternion_read(
-    struct mip_filter_sensor_to_vehicle_rotation_quaternion *command) {
+static inline struct mip_filter_sensor_to_vehicle_quaternion *
+mip_filter_sensor_to_vehicle_quaternion_read(
+    struct mip_filter_sensor_to_vehicle_quaternion *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
@@ -6403,9 +6354,9 @@ mip_filter_sensor_to_vehicle_rotation_quaternion_read(
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_filter_sensor_to_vehicle_rotation_quaternion *
-mip_filter_sensor_to_vehicle_rotation_quaternion_save(
-    struct mip_filter_sensor_to_vehicle_rotation_quaternion *command) {
+static inline struct mip_filter_sensor_to_vehicle_quaternion *
+mip_filter_sensor_to_vehicle_quaternion_save(
+    struct mip_filter_sensor_to_vehicle_quaternion *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
@@ -6415,9 +6366,9 @@ mip_filter_sensor_to_vehicle_rotation_quaternion_save(
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_filter_sensor_to_vehicle_rotation_quaternion *
-mip_filter_sensor_to_vehicle_rotation_quaternion_load(
-    struct mip_filter_sensor_to_vehicle_rotation_quaternion *command) {
+static inline struct mip_filter_sensor_to_vehicle_quaternion *
+mip_filter_sensor_to_vehicle_quaternion_load(
+    struct mip_filter_sensor_to_vehicle_quaternion *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
@@ -6427,9 +6378,9 @@ mip_filter_sensor_to_vehicle_rotation_quaternion_load(
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_filter_sensor_to_vehicle_rotation_quaternion *
-mip_filter_sensor_to_vehicle_rotation_quaternion_default(
-    struct mip_filter_sensor_to_vehicle_rotation_quaternion *command) {
+static inline struct mip_filter_sensor_to_vehicle_quaternion *
+mip_filter_sensor_to_vehicle_quaternion_default(
+    struct mip_filter_sensor_to_vehicle_quaternion *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
@@ -6437,12 +6388,13 @@ mip_filter_sensor_to_vehicle_rotation_quaternion_default(
 /**
  * Sensor to vehicle rotation, quaternion response: response (0x0D,0xBF).
  *
- * Answers mip_filter_sensor_to_vehicle_rotation_quaternion. Known from the MicroStrain MIP SDK
- * only.
+ * In full: filter.sensor_to_vehicle_rotation_quaternion_response.
+ *
+ * Answers mip_filter_sensor_to_vehicle_quaternion. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F)
  */
-struct mip_filter_sensor_to_vehicle_rotation_quaternion_response {
+struct mip_filter_sensor_to_vehicle_quaternion_response {
     /**
      * Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Range: magnitude 0.999 to
      * 1.001.
@@ -6451,35 +6403,30 @@ struct mip_filter_sensor_to_vehicle_rotation_quaternion_response {
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE 0x0DBF
-#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE_DESCRIPTOR 0xBF
-#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE_NAME \
+#define MIP_FILTER_SENSOR_TO_VEHICLE_QUATERNION_RESPONSE 0x0DBF
+#define MIP_FILTER_SENSOR_TO_VEHICLE_QUATERNION_RESPONSE_DESCRIPTOR 0xBF
+#define MIP_FILTER_SENSOR_TO_VEHICLE_QUATERNION_RESPONSE_NAME \
     "filter.sensor_to_vehicle_rotation_quaternion_response"
 
 /** Its wire format. */
-extern MIP_API const struct mip_codec
-    mip_filter_sensor_to_vehicle_rotation_quaternion_response_codec;
+extern MIP_API const struct mip_codec mip_filter_sensor_to_vehicle_quaternion_response_codec;
 
 /** Decodes it. On an error the structure is zeroed. */
-static inline mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_response_decode(
-    struct mip_filter_sensor_to_vehicle_rotation_quaternion_response *value,
-    const struct mip_field *field) {
-    return mip_decode(&mip_filter_sensor_to_vehicle_rotation_quaternion_response_codec, value,
-                      field, NULL);
+static inline mip_error mip_filter_sensor_to_vehicle_quaternion_response_decode(
+    struct mip_filter_sensor_to_vehicle_quaternion_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_sensor_to_vehicle_quaternion_response_codec, value, field, NULL);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_response_encode(
-    const struct mip_filter_sensor_to_vehicle_rotation_quaternion_response *value,
+static inline mip_error mip_filter_sensor_to_vehicle_quaternion_response_encode(
+    const struct mip_filter_sensor_to_vehicle_quaternion_response *value,
     struct mip_builder *builder) {
-    return mip_encode(&mip_filter_sensor_to_vehicle_rotation_quaternion_response_codec, value,
-                      builder);
+    return mip_encode(&mip_filter_sensor_to_vehicle_quaternion_response_codec, value, builder);
 }
 
 /** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_response_decode_inline(
-    struct mip_filter_sensor_to_vehicle_rotation_quaternion_response *value,
-    const struct mip_field *field) {
+static inline mip_error mip_filter_sensor_to_vehicle_quaternion_response_decode_inline(
+    struct mip_filter_sensor_to_vehicle_quaternion_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xBF, 16);
     if (error != MIP_OK) {
         memset(value, 0, sizeof(*value));
@@ -6492,8 +6439,8 @@ static inline mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_respons
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_response_encode_inline(
-    const struct mip_filter_sensor_to_vehicle_rotation_quaternion_response *value,
+static inline mip_error mip_filter_sensor_to_vehicle_quaternion_response_encode_inline(
+    const struct mip_filter_sensor_to_vehicle_quaternion_response *value,
     struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0xBF, 16, &data);
@@ -8084,15 +8031,17 @@ static inline mip_error mip_filter_speed_lever_arm_response_encode_inline(
  *
  * Lets the filter hold pitch and roll by the accelerometers while there is no GNSS.
  *
+ * In full: filter.vertical_gyro_constraint_control.
+ *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_vertical_gyro_constraint_control_response. No device profile lists it. Known from the
+ * mip_filter_vertical_gyro_constraint_response. No device profile lists it. Known from the
  * MicroStrain MIP SDK only.
  *
  * It takes the linear acceleration as zero.
  *
  * - mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62)
  */
-struct mip_filter_vertical_gyro_constraint_control {
+struct mip_filter_vertical_gyro_constraint {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -8102,32 +8051,31 @@ struct mip_filter_vertical_gyro_constraint_control {
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL 0x0D62
-#define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_DESCRIPTOR 0x62
-#define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_NAME "filter.vertical_gyro_constraint_control"
+#define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT 0x0D62
+#define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_DESCRIPTOR 0x62
+#define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_NAME "filter.vertical_gyro_constraint_control"
 
 /** Its wire format. */
-extern MIP_API const struct mip_codec mip_filter_vertical_gyro_constraint_control_codec;
+extern MIP_API const struct mip_codec mip_filter_vertical_gyro_constraint_codec;
 
 /** Decodes it. On an error the structure is zeroed. */
-static inline mip_error mip_filter_vertical_gyro_constraint_control_decode(
-    struct mip_filter_vertical_gyro_constraint_control *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_vertical_gyro_constraint_control_codec, value, field, NULL);
+static inline mip_error mip_filter_vertical_gyro_constraint_decode(
+    struct mip_filter_vertical_gyro_constraint *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_vertical_gyro_constraint_codec, value, field, NULL);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_vertical_gyro_constraint_control_encode(
-    const struct mip_filter_vertical_gyro_constraint_control *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_vertical_gyro_constraint_control_codec, value, builder);
+static inline mip_error mip_filter_vertical_gyro_constraint_encode(
+    const struct mip_filter_vertical_gyro_constraint *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_vertical_gyro_constraint_codec, value, builder);
 }
 /**
  * Apply the new setting.
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_filter_vertical_gyro_constraint_control *
-mip_filter_vertical_gyro_constraint_control_write(
-    struct mip_filter_vertical_gyro_constraint_control *command, uint8_t enable) {
+static inline struct mip_filter_vertical_gyro_constraint *mip_filter_vertical_gyro_constraint_write(
+    struct mip_filter_vertical_gyro_constraint *command, uint8_t enable) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_WRITE;
     command->enable = enable;
@@ -8138,9 +8086,8 @@ mip_filter_vertical_gyro_constraint_control_write(
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_filter_vertical_gyro_constraint_control *
-mip_filter_vertical_gyro_constraint_control_read(
-    struct mip_filter_vertical_gyro_constraint_control *command) {
+static inline struct mip_filter_vertical_gyro_constraint *
+mip_filter_vertical_gyro_constraint_read(struct mip_filter_vertical_gyro_constraint *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
@@ -8150,9 +8097,8 @@ mip_filter_vertical_gyro_constraint_control_read(
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_filter_vertical_gyro_constraint_control *
-mip_filter_vertical_gyro_constraint_control_save(
-    struct mip_filter_vertical_gyro_constraint_control *command) {
+static inline struct mip_filter_vertical_gyro_constraint *
+mip_filter_vertical_gyro_constraint_save(struct mip_filter_vertical_gyro_constraint *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
@@ -8162,9 +8108,8 @@ mip_filter_vertical_gyro_constraint_control_save(
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_filter_vertical_gyro_constraint_control *
-mip_filter_vertical_gyro_constraint_control_load(
-    struct mip_filter_vertical_gyro_constraint_control *command) {
+static inline struct mip_filter_vertical_gyro_constraint *
+mip_filter_vertical_gyro_constraint_load(struct mip_filter_vertical_gyro_constraint *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
@@ -8174,9 +8119,8 @@ mip_filter_vertical_gyro_constraint_control_load(
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_filter_vertical_gyro_constraint_control *
-mip_filter_vertical_gyro_constraint_control_default(
-    struct mip_filter_vertical_gyro_constraint_control *command) {
+static inline struct mip_filter_vertical_gyro_constraint *
+mip_filter_vertical_gyro_constraint_default(struct mip_filter_vertical_gyro_constraint *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
@@ -8184,43 +8128,41 @@ mip_filter_vertical_gyro_constraint_control_default(
 /**
  * Vertical gyro constraint response: response (0x0D,0xE2).
  *
- * Answers mip_filter_vertical_gyro_constraint_control. Known from the MicroStrain MIP SDK only.
+ * In full: filter.vertical_gyro_constraint_control_response.
+ *
+ * Answers mip_filter_vertical_gyro_constraint. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62)
  */
-struct mip_filter_vertical_gyro_constraint_control_response {
+struct mip_filter_vertical_gyro_constraint_response {
     /** 0 disables, 1 enables. Range: 0 to 1. */
     uint8_t enable;
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE 0x0DE2
-#define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE_DESCRIPTOR 0xE2
-#define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE_NAME \
+#define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_RESPONSE 0x0DE2
+#define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_RESPONSE_DESCRIPTOR 0xE2
+#define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_RESPONSE_NAME \
     "filter.vertical_gyro_constraint_control_response"
 
 /** Its wire format. */
-extern MIP_API const struct mip_codec mip_filter_vertical_gyro_constraint_control_response_codec;
+extern MIP_API const struct mip_codec mip_filter_vertical_gyro_constraint_response_codec;
 
 /** Decodes it. On an error the structure is zeroed. */
-static inline mip_error mip_filter_vertical_gyro_constraint_control_response_decode(
-    struct mip_filter_vertical_gyro_constraint_control_response *value,
-    const struct mip_field *field) {
-    return mip_decode(&mip_filter_vertical_gyro_constraint_control_response_codec, value, field,
-                      NULL);
+static inline mip_error mip_filter_vertical_gyro_constraint_response_decode(
+    struct mip_filter_vertical_gyro_constraint_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_vertical_gyro_constraint_response_codec, value, field, NULL);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_vertical_gyro_constraint_control_response_encode(
-    const struct mip_filter_vertical_gyro_constraint_control_response *value,
-    struct mip_builder *builder) {
-    return mip_encode(&mip_filter_vertical_gyro_constraint_control_response_codec, value, builder);
+static inline mip_error mip_filter_vertical_gyro_constraint_response_encode(
+    const struct mip_filter_vertical_gyro_constraint_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_vertical_gyro_constraint_response_codec, value, builder);
 }
 
 /** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_vertical_gyro_constraint_control_response_decode_inline(
-    struct mip_filter_vertical_gyro_constraint_control_response *value,
-    const struct mip_field *field) {
+static inline mip_error mip_filter_vertical_gyro_constraint_response_decode_inline(
+    struct mip_filter_vertical_gyro_constraint_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xE2, 1);
     if (error != MIP_OK) {
         memset(value, 0, sizeof(*value));
@@ -8231,9 +8173,8 @@ static inline mip_error mip_filter_vertical_gyro_constraint_control_response_dec
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_vertical_gyro_constraint_control_response_encode_inline(
-    const struct mip_filter_vertical_gyro_constraint_control_response *value,
-    struct mip_builder *builder) {
+static inline mip_error mip_filter_vertical_gyro_constraint_response_encode_inline(
+    const struct mip_filter_vertical_gyro_constraint_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0xE2, 1, &data);
     if (error != MIP_OK) {
@@ -8247,15 +8188,17 @@ static inline mip_error mip_filter_vertical_gyro_constraint_control_response_enc
  *
  * Lets the filter assume that the vehicle moves only along its x axis.
  *
+ * In full: filter.wheeled_vehicle_constraint_control.
+ *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_wheeled_vehicle_constraint_control_response. Supported by 3DM-CV7-GNSS/INS.
+ * mip_filter_wheeled_vehicle_constraint_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * It improves the heading of cars and the like, above all when GNSS comes and goes. It is wrong for
  * vehicles that move sideways, such as aircraft.
  *
  * - 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63)
  */
-struct mip_filter_wheeled_vehicle_constraint_control {
+struct mip_filter_wheeled_vehicle_constraint {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -8265,34 +8208,32 @@ struct mip_filter_wheeled_vehicle_constraint_control {
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL 0x0D63
-#define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_DESCRIPTOR 0x63
-#define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_NAME \
-    "filter.wheeled_vehicle_constraint_control"
+#define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT 0x0D63
+#define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_DESCRIPTOR 0x63
+#define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_NAME "filter.wheeled_vehicle_constraint_control"
 
 /** Its wire format. */
-extern MIP_API const struct mip_codec mip_filter_wheeled_vehicle_constraint_control_codec;
+extern MIP_API const struct mip_codec mip_filter_wheeled_vehicle_constraint_codec;
 
 /** Decodes it. On an error the structure is zeroed. */
-static inline mip_error mip_filter_wheeled_vehicle_constraint_control_decode(
-    struct mip_filter_wheeled_vehicle_constraint_control *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_wheeled_vehicle_constraint_control_codec, value, field, NULL);
+static inline mip_error mip_filter_wheeled_vehicle_constraint_decode(
+    struct mip_filter_wheeled_vehicle_constraint *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_wheeled_vehicle_constraint_codec, value, field, NULL);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_wheeled_vehicle_constraint_control_encode(
-    const struct mip_filter_wheeled_vehicle_constraint_control *value,
-    struct mip_builder *builder) {
-    return mip_encode(&mip_filter_wheeled_vehicle_constraint_control_codec, value, builder);
+static inline mip_error mip_filter_wheeled_vehicle_constraint_encode(
+    const struct mip_filter_wheeled_vehicle_constraint *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_wheeled_vehicle_constraint_codec, value, builder);
 }
 /**
  * Apply the new setting.
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_filter_wheeled_vehicle_constraint_control *
-mip_filter_wheeled_vehicle_constraint_control_write(
-    struct mip_filter_wheeled_vehicle_constraint_control *command, uint8_t enable) {
+static inline struct mip_filter_wheeled_vehicle_constraint *
+mip_filter_wheeled_vehicle_constraint_write(struct mip_filter_wheeled_vehicle_constraint *command,
+                                            uint8_t enable) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_WRITE;
     command->enable = enable;
@@ -8303,9 +8244,8 @@ mip_filter_wheeled_vehicle_constraint_control_write(
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_filter_wheeled_vehicle_constraint_control *
-mip_filter_wheeled_vehicle_constraint_control_read(
-    struct mip_filter_wheeled_vehicle_constraint_control *command) {
+static inline struct mip_filter_wheeled_vehicle_constraint *
+mip_filter_wheeled_vehicle_constraint_read(struct mip_filter_wheeled_vehicle_constraint *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
@@ -8315,9 +8255,8 @@ mip_filter_wheeled_vehicle_constraint_control_read(
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_filter_wheeled_vehicle_constraint_control *
-mip_filter_wheeled_vehicle_constraint_control_save(
-    struct mip_filter_wheeled_vehicle_constraint_control *command) {
+static inline struct mip_filter_wheeled_vehicle_constraint *
+mip_filter_wheeled_vehicle_constraint_save(struct mip_filter_wheeled_vehicle_constraint *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
@@ -8327,9 +8266,8 @@ mip_filter_wheeled_vehicle_constraint_control_save(
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_filter_wheeled_vehicle_constraint_control *
-mip_filter_wheeled_vehicle_constraint_control_load(
-    struct mip_filter_wheeled_vehicle_constraint_control *command) {
+static inline struct mip_filter_wheeled_vehicle_constraint *
+mip_filter_wheeled_vehicle_constraint_load(struct mip_filter_wheeled_vehicle_constraint *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
@@ -8339,9 +8277,9 @@ mip_filter_wheeled_vehicle_constraint_control_load(
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_filter_wheeled_vehicle_constraint_control *
-mip_filter_wheeled_vehicle_constraint_control_default(
-    struct mip_filter_wheeled_vehicle_constraint_control *command) {
+static inline struct mip_filter_wheeled_vehicle_constraint *
+mip_filter_wheeled_vehicle_constraint_default(
+    struct mip_filter_wheeled_vehicle_constraint *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
@@ -8349,44 +8287,42 @@ mip_filter_wheeled_vehicle_constraint_control_default(
 /**
  * Wheeled vehicle constraint response: response (0x0D,0xE3).
  *
- * Answers mip_filter_wheeled_vehicle_constraint_control. Supported by 3DM-CV7-GNSS/INS.
+ * In full: filter.wheeled_vehicle_constraint_control_response.
+ *
+ * Answers mip_filter_wheeled_vehicle_constraint. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63)
  */
-struct mip_filter_wheeled_vehicle_constraint_control_response {
+struct mip_filter_wheeled_vehicle_constraint_response {
     /** 0 disables, 1 enables. Range: 0 to 1. */
     uint8_t enable;
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_RESPONSE 0x0DE3
-#define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_RESPONSE_DESCRIPTOR 0xE3
-#define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_RESPONSE_NAME \
+#define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_RESPONSE 0x0DE3
+#define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_RESPONSE_DESCRIPTOR 0xE3
+#define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_RESPONSE_NAME \
     "filter.wheeled_vehicle_constraint_control_response"
 
 /** Its wire format. */
-extern MIP_API const struct mip_codec mip_filter_wheeled_vehicle_constraint_control_response_codec;
+extern MIP_API const struct mip_codec mip_filter_wheeled_vehicle_constraint_response_codec;
 
 /** Decodes it. On an error the structure is zeroed. */
-static inline mip_error mip_filter_wheeled_vehicle_constraint_control_response_decode(
-    struct mip_filter_wheeled_vehicle_constraint_control_response *value,
-    const struct mip_field *field) {
-    return mip_decode(&mip_filter_wheeled_vehicle_constraint_control_response_codec, value, field,
-                      NULL);
+static inline mip_error mip_filter_wheeled_vehicle_constraint_response_decode(
+    struct mip_filter_wheeled_vehicle_constraint_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_wheeled_vehicle_constraint_response_codec, value, field, NULL);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_wheeled_vehicle_constraint_control_response_encode(
-    const struct mip_filter_wheeled_vehicle_constraint_control_response *value,
+static inline mip_error mip_filter_wheeled_vehicle_constraint_response_encode(
+    const struct mip_filter_wheeled_vehicle_constraint_response *value,
     struct mip_builder *builder) {
-    return mip_encode(&mip_filter_wheeled_vehicle_constraint_control_response_codec, value,
-                      builder);
+    return mip_encode(&mip_filter_wheeled_vehicle_constraint_response_codec, value, builder);
 }
 
 /** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_wheeled_vehicle_constraint_control_response_decode_inline(
-    struct mip_filter_wheeled_vehicle_constraint_control_response *value,
-    const struct mip_field *field) {
+static inline mip_error mip_filter_wheeled_vehicle_constraint_response_decode_inline(
+    struct mip_filter_wheeled_vehicle_constraint_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xE3, 1);
     if (error != MIP_OK) {
         memset(value, 0, sizeof(*value));
@@ -8397,8 +8333,8 @@ static inline mip_error mip_filter_wheeled_vehicle_constraint_control_response_d
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_wheeled_vehicle_constraint_control_response_encode_inline(
-    const struct mip_filter_wheeled_vehicle_constraint_control_response *value,
+static inline mip_error mip_filter_wheeled_vehicle_constraint_response_encode_inline(
+    const struct mip_filter_wheeled_vehicle_constraint_response *value,
     struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0xE3, 1, &data);
@@ -8413,14 +8349,16 @@ static inline mip_error mip_filter_wheeled_vehicle_constraint_control_response_e
  *
  * Lets the filter track the error of the antenna offset.
  *
+ * In full: filter.gnss_antenna_calibration_control.
+ *
  * Also called `gnss_antenna_cal_control`. Functions: write, read, save, load and default. Answered
- * by mip_filter_gnss_antenna_calibration_control_response. Supported by 3DM-CV7-GNSS/INS and
+ * by mip_filter_gnss_antenna_calibration_response. Supported by 3DM-CV7-GNSS/INS and
  * 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64)
  * - 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration
  */
-struct mip_filter_gnss_antenna_calibration_control {
+struct mip_filter_gnss_antenna_calibration {
     /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -8435,32 +8373,31 @@ struct mip_filter_gnss_antenna_calibration_control {
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL 0x0D64
-#define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL_DESCRIPTOR 0x64
-#define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL_NAME "filter.gnss_antenna_calibration_control"
+#define MIP_FILTER_GNSS_ANTENNA_CALIBRATION 0x0D64
+#define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_DESCRIPTOR 0x64
+#define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_NAME "filter.gnss_antenna_calibration_control"
 
 /** Its wire format. */
-extern MIP_API const struct mip_codec mip_filter_gnss_antenna_calibration_control_codec;
+extern MIP_API const struct mip_codec mip_filter_gnss_antenna_calibration_codec;
 
 /** Decodes it. On an error the structure is zeroed. */
-static inline mip_error mip_filter_gnss_antenna_calibration_control_decode(
-    struct mip_filter_gnss_antenna_calibration_control *value, const struct mip_field *field) {
-    return mip_decode(&mip_filter_gnss_antenna_calibration_control_codec, value, field, NULL);
+static inline mip_error mip_filter_gnss_antenna_calibration_decode(
+    struct mip_filter_gnss_antenna_calibration *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_gnss_antenna_calibration_codec, value, field, NULL);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_gnss_antenna_calibration_control_encode(
-    const struct mip_filter_gnss_antenna_calibration_control *value, struct mip_builder *builder) {
-    return mip_encode(&mip_filter_gnss_antenna_calibration_control_codec, value, builder);
+static inline mip_error mip_filter_gnss_antenna_calibration_encode(
+    const struct mip_filter_gnss_antenna_calibration *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_gnss_antenna_calibration_codec, value, builder);
 }
 /**
  * Apply the new setting.
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_filter_gnss_antenna_calibration_control *
-mip_filter_gnss_antenna_calibration_control_write(
-    struct mip_filter_gnss_antenna_calibration_control *command, uint8_t enable, float max_offset) {
+static inline struct mip_filter_gnss_antenna_calibration *mip_filter_gnss_antenna_calibration_write(
+    struct mip_filter_gnss_antenna_calibration *command, uint8_t enable, float max_offset) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_WRITE;
     command->enable = enable;
@@ -8472,9 +8409,8 @@ mip_filter_gnss_antenna_calibration_control_write(
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_filter_gnss_antenna_calibration_control *
-mip_filter_gnss_antenna_calibration_control_read(
-    struct mip_filter_gnss_antenna_calibration_control *command) {
+static inline struct mip_filter_gnss_antenna_calibration *
+mip_filter_gnss_antenna_calibration_read(struct mip_filter_gnss_antenna_calibration *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
@@ -8484,9 +8420,8 @@ mip_filter_gnss_antenna_calibration_control_read(
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_filter_gnss_antenna_calibration_control *
-mip_filter_gnss_antenna_calibration_control_save(
-    struct mip_filter_gnss_antenna_calibration_control *command) {
+static inline struct mip_filter_gnss_antenna_calibration *
+mip_filter_gnss_antenna_calibration_save(struct mip_filter_gnss_antenna_calibration *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
@@ -8496,9 +8431,8 @@ mip_filter_gnss_antenna_calibration_control_save(
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_filter_gnss_antenna_calibration_control *
-mip_filter_gnss_antenna_calibration_control_load(
-    struct mip_filter_gnss_antenna_calibration_control *command) {
+static inline struct mip_filter_gnss_antenna_calibration *
+mip_filter_gnss_antenna_calibration_load(struct mip_filter_gnss_antenna_calibration *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
@@ -8508,9 +8442,8 @@ mip_filter_gnss_antenna_calibration_control_load(
  *
  * Fills the structure and returns its address.
  */
-static inline struct mip_filter_gnss_antenna_calibration_control *
-mip_filter_gnss_antenna_calibration_control_default(
-    struct mip_filter_gnss_antenna_calibration_control *command) {
+static inline struct mip_filter_gnss_antenna_calibration *
+mip_filter_gnss_antenna_calibration_default(struct mip_filter_gnss_antenna_calibration *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
@@ -8518,13 +8451,15 @@ mip_filter_gnss_antenna_calibration_control_default(
 /**
  * GNSS antenna offset calibration response: response (0x0D,0xE4).
  *
- * Also called `gnss_antenna_cal_control_response`. Answers
- * mip_filter_gnss_antenna_calibration_control. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+ * In full: filter.gnss_antenna_calibration_control_response.
+ *
+ * Also called `gnss_antenna_cal_control_response`. Answers mip_filter_gnss_antenna_calibration.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64)
  * - 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration
  */
-struct mip_filter_gnss_antenna_calibration_control_response {
+struct mip_filter_gnss_antenna_calibration_response {
     /** 0 disables, 1 enables. Range: 0 to 1. */
     uint8_t enable;
     /**
@@ -8535,33 +8470,29 @@ struct mip_filter_gnss_antenna_calibration_control_response {
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL_RESPONSE 0x0DE4
-#define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL_RESPONSE_DESCRIPTOR 0xE4
-#define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL_RESPONSE_NAME \
+#define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_RESPONSE 0x0DE4
+#define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_RESPONSE_DESCRIPTOR 0xE4
+#define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_RESPONSE_NAME \
     "filter.gnss_antenna_calibration_control_response"
 
 /** Its wire format. */
-extern MIP_API const struct mip_codec mip_filter_gnss_antenna_calibration_control_response_codec;
+extern MIP_API const struct mip_codec mip_filter_gnss_antenna_calibration_response_codec;
 
 /** Decodes it. On an error the structure is zeroed. */
-static inline mip_error mip_filter_gnss_antenna_calibration_control_response_decode(
-    struct mip_filter_gnss_antenna_calibration_control_response *value,
-    const struct mip_field *field) {
-    return mip_decode(&mip_filter_gnss_antenna_calibration_control_response_codec, value, field,
-                      NULL);
+static inline mip_error mip_filter_gnss_antenna_calibration_response_decode(
+    struct mip_filter_gnss_antenna_calibration_response *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_gnss_antenna_calibration_response_codec, value, field, NULL);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_gnss_antenna_calibration_control_response_encode(
-    const struct mip_filter_gnss_antenna_calibration_control_response *value,
-    struct mip_builder *builder) {
-    return mip_encode(&mip_filter_gnss_antenna_calibration_control_response_codec, value, builder);
+static inline mip_error mip_filter_gnss_antenna_calibration_response_encode(
+    const struct mip_filter_gnss_antenna_calibration_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_gnss_antenna_calibration_response_codec, value, builder);
 }
 
 /** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_gnss_antenna_calibration_control_response_decode_inline(
-    struct mip_filter_gnss_antenna_calibration_control_response *value,
-    const struct mip_field *field) {
+static inline mip_error mip_filter_gnss_antenna_calibration_response_decode_inline(
+    struct mip_filter_gnss_antenna_calibration_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xE4, 5);
     if (error != MIP_OK) {
         memset(value, 0, sizeof(*value));
@@ -8573,9 +8504,8 @@ static inline mip_error mip_filter_gnss_antenna_calibration_control_response_dec
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_gnss_antenna_calibration_control_response_encode_inline(
-    const struct mip_filter_gnss_antenna_calibration_control_response *value,
-    struct mip_builder *builder) {
+static inline mip_error mip_filter_gnss_antenna_calibration_response_encode_inline(
+    const struct mip_filter_gnss_antenna_calibration_response *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x0D, 0xE4, 5, &data);
     if (error != MIP_OK) {

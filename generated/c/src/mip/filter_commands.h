@@ -80,20 +80,20 @@ static inline mip_error mip_send_filter_vehicle_dynamics_mode(
                            now);
 }
 /** What the client knows of the command. */
-extern MIP_API const struct mip_command mip_filter_sensor_to_vehicle_rotation_euler_command;
+extern MIP_API const struct mip_command mip_filter_sensor_to_vehicle_euler_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Sensor to vehicle
  * frame transformation. The response goes to `response`, which may be NULL, if the command asks for
  * it.
  */
-static inline mip_error mip_send_filter_sensor_to_vehicle_rotation_euler(
+static inline mip_error mip_send_filter_sensor_to_vehicle_euler(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_sensor_to_vehicle_rotation_euler *command,
-    struct mip_filter_sensor_to_vehicle_rotation_euler_response *response, uint32_t now) {
-    return mip_client_send(
-        client, request, packet, &mip_filter_sensor_to_vehicle_rotation_euler_command, command,
-        &mip_filter_sensor_to_vehicle_rotation_euler_response_codec, response, now);
+    const struct mip_filter_sensor_to_vehicle_euler *command,
+    struct mip_filter_sensor_to_vehicle_euler_response *response, uint32_t now) {
+    return mip_client_send(client, request, packet, &mip_filter_sensor_to_vehicle_euler_command,
+                           command, &mip_filter_sensor_to_vehicle_euler_response_codec, response,
+                           now);
 }
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_sensor_to_vehicle_offset_command;
@@ -482,56 +482,52 @@ static inline mip_error mip_send_filter_magnetic_declination_source(
                            response, now);
 }
 /** What the client knows of the command. */
-extern MIP_API const struct mip_command
-    mip_filter_accel_magnitude_error_adaptive_measurement_command;
+extern MIP_API const struct mip_command mip_filter_accel_magnitude_adaptive_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Gravity magnitude
  * error adaptive measurement. The response goes to `response`, which may be NULL, if the command
  * asks for it.
  */
-static inline mip_error mip_send_filter_accel_magnitude_error_adaptive_measurement(
+static inline mip_error mip_send_filter_accel_magnitude_adaptive(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_accel_magnitude_error_adaptive_measurement *command,
-    struct mip_filter_accel_magnitude_error_adaptive_measurement_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet,
-                           &mip_filter_accel_magnitude_error_adaptive_measurement_command, command,
-                           &mip_filter_accel_magnitude_error_adaptive_measurement_response_codec,
-                           response, now);
+    const struct mip_filter_accel_magnitude_adaptive *command,
+    struct mip_filter_accel_magnitude_adaptive_response *response, uint32_t now) {
+    return mip_client_send(client, request, packet, &mip_filter_accel_magnitude_adaptive_command,
+                           command, &mip_filter_accel_magnitude_adaptive_response_codec, response,
+                           now);
 }
 /** What the client knows of the command. */
-extern MIP_API const struct mip_command mip_filter_mag_magnitude_error_adaptive_measurement_command;
+extern MIP_API const struct mip_command mip_filter_mag_magnitude_adaptive_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Magnetometer
  * magnitude error adaptive measurement. The response goes to `response`, which may be NULL, if the
  * command asks for it.
  */
-static inline mip_error mip_send_filter_mag_magnitude_error_adaptive_measurement(
+static inline mip_error mip_send_filter_mag_magnitude_adaptive(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_mag_magnitude_error_adaptive_measurement *command,
-    struct mip_filter_mag_magnitude_error_adaptive_measurement_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet,
-                           &mip_filter_mag_magnitude_error_adaptive_measurement_command, command,
-                           &mip_filter_mag_magnitude_error_adaptive_measurement_response_codec,
-                           response, now);
+    const struct mip_filter_mag_magnitude_adaptive *command,
+    struct mip_filter_mag_magnitude_adaptive_response *response, uint32_t now) {
+    return mip_client_send(client, request, packet, &mip_filter_mag_magnitude_adaptive_command,
+                           command, &mip_filter_mag_magnitude_adaptive_response_codec, response,
+                           now);
 }
 /** What the client knows of the command. */
-extern MIP_API const struct mip_command mip_filter_mag_dip_angle_error_adaptive_measurement_command;
+extern MIP_API const struct mip_command mip_filter_mag_dip_angle_adaptive_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Magnetometer dip
  * angle error adaptive measurement. The response goes to `response`, which may be NULL, if the
  * command asks for it.
  */
-static inline mip_error mip_send_filter_mag_dip_angle_error_adaptive_measurement(
+static inline mip_error mip_send_filter_mag_dip_angle_adaptive(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_mag_dip_angle_error_adaptive_measurement *command,
-    struct mip_filter_mag_dip_angle_error_adaptive_measurement_response *response, uint32_t now) {
-    return mip_client_send(client, request, packet,
-                           &mip_filter_mag_dip_angle_error_adaptive_measurement_command, command,
-                           &mip_filter_mag_dip_angle_error_adaptive_measurement_response_codec,
-                           response, now);
+    const struct mip_filter_mag_dip_angle_adaptive *command,
+    struct mip_filter_mag_dip_angle_adaptive_response *response, uint32_t now) {
+    return mip_client_send(client, request, packet, &mip_filter_mag_dip_angle_adaptive_command,
+                           command, &mip_filter_mag_dip_angle_adaptive_response_codec, response,
+                           now);
 }
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_altitude_aiding_command;
@@ -592,35 +588,35 @@ static inline mip_error mip_send_filter_magnetic_magnitude_source(
                            now);
 }
 /** What the client knows of the command. */
-extern MIP_API const struct mip_command mip_filter_sensor_to_vehicle_rotation_dcm_command;
+extern MIP_API const struct mip_command mip_filter_sensor_to_vehicle_dcm_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Sensor to vehicle
  * rotation, matrix. The response goes to `response`, which may be NULL, if the command asks for it.
  */
-static inline mip_error mip_send_filter_sensor_to_vehicle_rotation_dcm(
+static inline mip_error mip_send_filter_sensor_to_vehicle_dcm(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_sensor_to_vehicle_rotation_dcm *command,
-    struct mip_filter_sensor_to_vehicle_rotation_dcm_response *response, uint32_t now) {
-    return mip_client_send(
-        client, request, packet, &mip_filter_sensor_to_vehicle_rotation_dcm_command, command,
-        &mip_filter_sensor_to_vehicle_rotation_dcm_response_codec, response, now);
+    const struct mip_filter_sensor_to_vehicle_dcm *command,
+    struct mip_filter_sensor_to_vehicle_dcm_response *response, uint32_t now) {
+    return mip_client_send(client, request, packet, &mip_filter_sensor_to_vehicle_dcm_command,
+                           command, &mip_filter_sensor_to_vehicle_dcm_response_codec, response,
+                           now);
 }
 /** What the client knows of the command. */
-extern MIP_API const struct mip_command mip_filter_sensor_to_vehicle_rotation_quaternion_command;
+extern MIP_API const struct mip_command mip_filter_sensor_to_vehicle_quaternion_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Sensor to vehicle
  * rotation, quaternion. The response goes to `response`, which may be NULL, if the command asks for
  * it.
  */
-static inline mip_error mip_send_filter_sensor_to_vehicle_rotation_quaternion(
+static inline mip_error mip_send_filter_sensor_to_vehicle_quaternion(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_sensor_to_vehicle_rotation_quaternion *command,
-    struct mip_filter_sensor_to_vehicle_rotation_quaternion_response *response, uint32_t now) {
-    return mip_client_send(
-        client, request, packet, &mip_filter_sensor_to_vehicle_rotation_quaternion_command, command,
-        &mip_filter_sensor_to_vehicle_rotation_quaternion_response_codec, response, now);
+    const struct mip_filter_sensor_to_vehicle_quaternion *command,
+    struct mip_filter_sensor_to_vehicle_quaternion_response *response, uint32_t now) {
+    return mip_client_send(client, request, packet,
+                           &mip_filter_sensor_to_vehicle_quaternion_command, command,
+                           &mip_filter_sensor_to_vehicle_quaternion_response_codec, response, now);
 }
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_aiding_measurement_enable_command;
@@ -752,49 +748,49 @@ static inline mip_error mip_send_filter_speed_lever_arm(
                            &mip_filter_speed_lever_arm_response_codec, response, now);
 }
 /** What the client knows of the command. */
-extern MIP_API const struct mip_command mip_filter_vertical_gyro_constraint_control_command;
+extern MIP_API const struct mip_command mip_filter_vertical_gyro_constraint_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Vertical gyro
  * constraint. The response goes to `response`, which may be NULL, if the command asks for it.
  */
-static inline mip_error mip_send_filter_vertical_gyro_constraint_control(
+static inline mip_error mip_send_filter_vertical_gyro_constraint(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_vertical_gyro_constraint_control *command,
-    struct mip_filter_vertical_gyro_constraint_control_response *response, uint32_t now) {
-    return mip_client_send(
-        client, request, packet, &mip_filter_vertical_gyro_constraint_control_command, command,
-        &mip_filter_vertical_gyro_constraint_control_response_codec, response, now);
+    const struct mip_filter_vertical_gyro_constraint *command,
+    struct mip_filter_vertical_gyro_constraint_response *response, uint32_t now) {
+    return mip_client_send(client, request, packet, &mip_filter_vertical_gyro_constraint_command,
+                           command, &mip_filter_vertical_gyro_constraint_response_codec, response,
+                           now);
 }
 /** What the client knows of the command. */
-extern MIP_API const struct mip_command mip_filter_wheeled_vehicle_constraint_control_command;
+extern MIP_API const struct mip_command mip_filter_wheeled_vehicle_constraint_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Wheeled vehicle
  * constraint. The response goes to `response`, which may be NULL, if the command asks for it.
  */
-static inline mip_error mip_send_filter_wheeled_vehicle_constraint_control(
+static inline mip_error mip_send_filter_wheeled_vehicle_constraint(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_wheeled_vehicle_constraint_control *command,
-    struct mip_filter_wheeled_vehicle_constraint_control_response *response, uint32_t now) {
-    return mip_client_send(
-        client, request, packet, &mip_filter_wheeled_vehicle_constraint_control_command, command,
-        &mip_filter_wheeled_vehicle_constraint_control_response_codec, response, now);
+    const struct mip_filter_wheeled_vehicle_constraint *command,
+    struct mip_filter_wheeled_vehicle_constraint_response *response, uint32_t now) {
+    return mip_client_send(client, request, packet, &mip_filter_wheeled_vehicle_constraint_command,
+                           command, &mip_filter_wheeled_vehicle_constraint_response_codec, response,
+                           now);
 }
 /** What the client knows of the command. */
-extern MIP_API const struct mip_command mip_filter_gnss_antenna_calibration_control_command;
+extern MIP_API const struct mip_command mip_filter_gnss_antenna_calibration_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. GNSS antenna offset
  * calibration. The response goes to `response`, which may be NULL, if the command asks for it.
  */
-static inline mip_error mip_send_filter_gnss_antenna_calibration_control(
+static inline mip_error mip_send_filter_gnss_antenna_calibration(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_filter_gnss_antenna_calibration_control *command,
-    struct mip_filter_gnss_antenna_calibration_control_response *response, uint32_t now) {
-    return mip_client_send(
-        client, request, packet, &mip_filter_gnss_antenna_calibration_control_command, command,
-        &mip_filter_gnss_antenna_calibration_control_response_codec, response, now);
+    const struct mip_filter_gnss_antenna_calibration *command,
+    struct mip_filter_gnss_antenna_calibration_response *response, uint32_t now) {
+    return mip_client_send(client, request, packet, &mip_filter_gnss_antenna_calibration_command,
+                           command, &mip_filter_gnss_antenna_calibration_response_codec, response,
+                           now);
 }
 
 #ifdef __cplusplus

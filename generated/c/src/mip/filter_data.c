@@ -368,17 +368,15 @@ const struct mip_codec mip_filter_data_antenna_offset_correction_codec = {
     0x82, 0x30, MIP_DATA, sizeof(struct mip_filter_data_antenna_offset_correction),
     program_antenna_offset_correction};
 
-static const uint8_t program_antenna_offset_correction_uncertainty[] = {
-    MIP_32_BITS(3, MIP_AT(struct mip_filter_data_antenna_offset_correction_uncertainty,
-                          offset_uncertainty)),
-    MIP_16_BITS(1,
-                MIP_AT(struct mip_filter_data_antenna_offset_correction_uncertainty, valid_flags)),
+static const uint8_t program_antenna_offset_uncertainty[] = {
+    MIP_32_BITS(3, MIP_AT(struct mip_filter_data_antenna_offset_uncertainty, offset_uncertainty)),
+    MIP_16_BITS(1, MIP_AT(struct mip_filter_data_antenna_offset_uncertainty, valid_flags)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_data_antenna_offset_correction_uncertainty_codec = {
-    0x82, 0x31, MIP_DATA, sizeof(struct mip_filter_data_antenna_offset_correction_uncertainty),
-    program_antenna_offset_correction_uncertainty};
+const struct mip_codec mip_filter_data_antenna_offset_uncertainty_codec = {
+    0x82, 0x31, MIP_DATA, sizeof(struct mip_filter_data_antenna_offset_uncertainty),
+    program_antenna_offset_uncertainty};
 
 static const uint8_t program_clock_correction[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_filter_data_clock_correction, receiver_id)),
@@ -413,20 +411,17 @@ const struct mip_codec mip_filter_data_multi_antenna_offset_correction_codec = {
     0x82, 0x34, MIP_DATA, sizeof(struct mip_filter_data_multi_antenna_offset_correction),
     program_multi_antenna_offset_correction};
 
-static const uint8_t program_multi_antenna_offset_correction_uncertainty[] = {
-    MIP_8_BITS(
-        1, MIP_AT(struct mip_filter_data_multi_antenna_offset_correction_uncertainty, receiver_id)),
-    MIP_32_BITS(3, MIP_AT(struct mip_filter_data_multi_antenna_offset_correction_uncertainty,
-                          offset_uncertainty)),
-    MIP_16_BITS(
-        1, MIP_AT(struct mip_filter_data_multi_antenna_offset_correction_uncertainty, valid_flags)),
+static const uint8_t program_multi_antenna_offset_uncertainty[] = {
+    MIP_8_BITS(1, MIP_AT(struct mip_filter_data_multi_antenna_offset_uncertainty, receiver_id)),
+    MIP_32_BITS(
+        3, MIP_AT(struct mip_filter_data_multi_antenna_offset_uncertainty, offset_uncertainty)),
+    MIP_16_BITS(1, MIP_AT(struct mip_filter_data_multi_antenna_offset_uncertainty, valid_flags)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_data_multi_antenna_offset_correction_uncertainty_codec = {
-    0x82, 0x35, MIP_DATA,
-    sizeof(struct mip_filter_data_multi_antenna_offset_correction_uncertainty),
-    program_multi_antenna_offset_correction_uncertainty};
+const struct mip_codec mip_filter_data_multi_antenna_offset_uncertainty_codec = {
+    0x82, 0x35, MIP_DATA, sizeof(struct mip_filter_data_multi_antenna_offset_uncertainty),
+    program_multi_antenna_offset_uncertainty};
 
 static const uint8_t program_ecef_position_uncertainty[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_data_ecef_position_uncertainty, position_uncertainty)),
@@ -530,17 +525,16 @@ const struct mip_codec mip_filter_data_odometer_scale_factor_error_codec = {
     0x82, 0x47, MIP_DATA, sizeof(struct mip_filter_data_odometer_scale_factor_error),
     program_odometer_scale_factor_error};
 
-static const uint8_t program_odometer_scale_factor_error_uncertainty[] = {
-    MIP_32_BITS(1, MIP_AT(struct mip_filter_data_odometer_scale_factor_error_uncertainty,
+static const uint8_t program_odometer_scale_factor_uncertainty[] = {
+    MIP_32_BITS(1, MIP_AT(struct mip_filter_data_odometer_scale_factor_uncertainty,
                           scale_factor_error_uncertainty)),
-    MIP_16_BITS(
-        1, MIP_AT(struct mip_filter_data_odometer_scale_factor_error_uncertainty, valid_flags)),
+    MIP_16_BITS(1, MIP_AT(struct mip_filter_data_odometer_scale_factor_uncertainty, valid_flags)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_data_odometer_scale_factor_error_uncertainty_codec = {
-    0x82, 0x48, MIP_DATA, sizeof(struct mip_filter_data_odometer_scale_factor_error_uncertainty),
-    program_odometer_scale_factor_error_uncertainty};
+const struct mip_codec mip_filter_data_odometer_scale_factor_uncertainty_codec = {
+    0x82, 0x48, MIP_DATA, sizeof(struct mip_filter_data_odometer_scale_factor_uncertainty),
+    program_odometer_scale_factor_uncertainty};
 
 static const uint8_t program_gnss_dual_antenna_status[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_data_gnss_dual_antenna_status, tow)),
@@ -563,13 +557,13 @@ const struct mip_codec mip_filter_data_aiding_frame_config_error_codec = {
     0x82, 0x50, MIP_DATA, sizeof(struct mip_filter_data_aiding_frame_config_error),
     program_aiding_frame_config_error};
 
-static const uint8_t program_aiding_frame_config_error_uncertainty[] = {
-    MIP_8_BITS(1, MIP_AT(struct mip_filter_data_aiding_frame_config_error_uncertainty, frame_id)),
-    MIP_32_BITS(6, MIP_AT(struct mip_filter_data_aiding_frame_config_error_uncertainty,
-                          translation_uncertainty)),
+static const uint8_t program_aiding_frame_error_uncertainty[] = {
+    MIP_8_BITS(1, MIP_AT(struct mip_filter_data_aiding_frame_error_uncertainty, frame_id)),
+    MIP_32_BITS(
+        6, MIP_AT(struct mip_filter_data_aiding_frame_error_uncertainty, translation_uncertainty)),
     MIP_END,
 };
 
-const struct mip_codec mip_filter_data_aiding_frame_config_error_uncertainty_codec = {
-    0x82, 0x51, MIP_DATA, sizeof(struct mip_filter_data_aiding_frame_config_error_uncertainty),
-    program_aiding_frame_config_error_uncertainty};
+const struct mip_codec mip_filter_data_aiding_frame_error_uncertainty_codec = {
+    0x82, 0x51, MIP_DATA, sizeof(struct mip_filter_data_aiding_frame_error_uncertainty),
+    program_aiding_frame_error_uncertainty};

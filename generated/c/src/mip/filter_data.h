@@ -86,57 +86,57 @@ enum mip_filter_data_heading_aiding_type {
 MIP_API const char *mip_filter_data_heading_aiding_type_name(uint8_t value);
 /**
  * Kind of an aiding measurement. Values from 0x20 are the descriptors of the commands of set
- * `aiding` that give the measurement.
+ * `aiding` that give the measurement. In full: aiding_measurement_type.
  */
-enum mip_filter_data_aiding_measurement_type {
+enum mip_filter_data_aiding_type {
     /** GNSS position and velocity. */
-    MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_GNSS = 1,
+    MIP_FILTER_DATA_AIDING_TYPE_GNSS = 1,
     /** GNSS heading of two antennas. */
-    MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_DUAL_ANTENNA = 2,
+    MIP_FILTER_DATA_AIDING_TYPE_DUAL_ANTENNA = 2,
     /** Heading. */
-    MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_HEADING = 3,
+    MIP_FILTER_DATA_AIDING_TYPE_HEADING = 3,
     /** Pressure altitude. */
-    MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_PRESSURE = 4,
+    MIP_FILTER_DATA_AIDING_TYPE_PRESSURE = 4,
     /** Magnetometer. */
-    MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_MAG = 5,
+    MIP_FILTER_DATA_AIDING_TYPE_MAG = 5,
     /** Speed or odometer. */
-    MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_SPEED = 6,
+    MIP_FILTER_DATA_AIDING_TYPE_SPEED = 6,
     /** ECEF position by command. */
-    MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_ECEF_POSITION = 33,
+    MIP_FILTER_DATA_AIDING_TYPE_AIDING_ECEF_POSITION = 33,
     /** Latitude, longitude and height by command. */
-    MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_LLH_POSITION = 34,
+    MIP_FILTER_DATA_AIDING_TYPE_AIDING_LLH_POSITION = 34,
     /** Height above the ellipsoid by command. */
-    MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_HEIGHT_ABOVE_ELLIPSOID = 35,
+    MIP_FILTER_DATA_AIDING_TYPE_AIDING_HEIGHT_ABOVE_ELLIPSOID = 35,
     /** ECEF velocity by command. */
-    MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_ECEF_VELOCITY = 40,
+    MIP_FILTER_DATA_AIDING_TYPE_AIDING_ECEF_VELOCITY = 40,
     /** NED velocity by command. */
-    MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_NED_VELOCITY = 41,
+    MIP_FILTER_DATA_AIDING_TYPE_AIDING_NED_VELOCITY = 41,
     /** Body frame velocity by command. */
-    MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_BODY_FRAME_VELOCITY = 42,
+    MIP_FILTER_DATA_AIDING_TYPE_AIDING_BODY_FRAME_VELOCITY = 42,
     /** True heading by command. */
-    MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_TRUE_HEADING = 49,
+    MIP_FILTER_DATA_AIDING_TYPE_AIDING_TRUE_HEADING = 49,
     /** Magnetic field by command. */
-    MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_MAGNETIC_FIELD = 50,
+    MIP_FILTER_DATA_AIDING_TYPE_AIDING_MAGNETIC_FIELD = 50,
     /** Pressure by command. */
-    MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_PRESSURE = 51
+    MIP_FILTER_DATA_AIDING_TYPE_AIDING_PRESSURE = 51
 };
 
 /** The name of a value in the specification; NULL if it has none. */
-MIP_API const char *mip_filter_data_aiding_measurement_type_name(uint8_t value);
-/** What the filter did with an aiding measurement. */
-typedef uint8_t mip_filter_data_aiding_measurement_indicator;
+MIP_API const char *mip_filter_data_aiding_type_name(uint8_t value);
+/** What the filter did with an aiding measurement. In full: aiding_measurement_indicator. */
+typedef uint8_t mip_filter_data_aiding_indicator;
 /** Bit 0. The measurement is enabled. */
-#define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_ENABLED 0x01U
+#define MIP_FILTER_DATA_AIDING_INDICATOR_ENABLED 0x01U
 /** Bit 1. The filter used it. */
-#define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_USED 0x02U
+#define MIP_FILTER_DATA_AIDING_INDICATOR_USED 0x02U
 /** Bit 2. It disagrees with the estimate. */
-#define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_RESIDUAL_HIGH_WARNING 0x04U
+#define MIP_FILTER_DATA_AIDING_INDICATOR_RESIDUAL_HIGH_WARNING 0x04U
 /** Bit 3. Its time is doubtful. */
-#define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_SAMPLE_TIME_WARNING 0x08U
+#define MIP_FILTER_DATA_AIDING_INDICATOR_SAMPLE_TIME_WARNING 0x08U
 /** Bit 4. Its configuration is wrong. */
-#define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_CONFIG_ERROR 0x10U
+#define MIP_FILTER_DATA_AIDING_INDICATOR_CONFIG_ERROR 0x10U
 /** Bit 5. There are more measurements than the filter can take. */
-#define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_MAX_MEASUREMENTS_EXCEEDED 0x20U
+#define MIP_FILTER_DATA_AIDING_INDICATOR_MAX_MEASUREMENTS_EXCEEDED 0x20U
 /** Kind of the heading solution of two antennas. */
 enum mip_filter_data_dual_antenna_fix_type {
     /** No solution. */
@@ -229,30 +229,48 @@ typedef uint16_t mip_filter_data_gx5_status_flags;
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_GPS_UNAVAILABLE 0x0002U
 /** Bit 3. A matrix of the computation is singular. */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MATRIX_SINGULARITY 0x0008U
-/** Bit 4. A position covariance is above its normal limit. */
-#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_POSITION_COVARIANCE_WARNING 0x0010U
-/** Bit 5. A velocity covariance is above its normal limit. */
-#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_VELOCITY_COVARIANCE_WARNING 0x0020U
-/** Bit 6. An attitude covariance is above its normal limit. */
-#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ATTITUDE_COVARIANCE_WARNING 0x0040U
-/** Bit 7. The solution holds values that are not numbers. */
-#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_NAN_IN_SOLUTION_WARNING 0x0080U
-/** Bit 8. The estimated gyroscope bias is high. */
-#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_GYRO_BIAS_EST_HIGH_WARNING 0x0100U
-/** Bit 9. The estimated accelerometer bias is high. */
-#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ACCEL_BIAS_EST_HIGH_WARNING 0x0200U
-/** Bit 10. The estimated gyroscope scale factor is high. */
-#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_GYRO_SCALE_FACTOR_EST_HIGH_WARNING 0x0400U
-/** Bit 11. The estimated accelerometer scale factor is high. */
-#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ACCEL_SCALE_FACTOR_EST_HIGH_WARNING 0x0800U
-/** Bit 12. The estimated magnetometer bias is high. */
-#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MAG_BIAS_EST_HIGH_WARNING 0x1000U
-/** Bit 13. The estimated correction of the antenna offset is high; on models with GNSS. */
-#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ANTENNA_OFFSET_CORRECTION_EST_HIGH_WARNING 0x2000U
-/** Bit 14. The estimated hard-iron offset is high. */
-#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MAG_HARD_IRON_EST_HIGH_WARNING 0x4000U
-/** Bit 15. The estimated soft-iron correction is high. */
-#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MAG_SOFT_IRON_EST_HIGH_WARNING 0x8000U
+/**
+ * Bit 4. A position covariance is above its normal limit. In full: run_position_covariance_warning.
+ */
+#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_POSITION_COVARIANCE 0x0010U
+/**
+ * Bit 5. A velocity covariance is above its normal limit. In full: run_velocity_covariance_warning.
+ */
+#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_VELOCITY_COVARIANCE 0x0020U
+/**
+ * Bit 6. An attitude covariance is above its normal limit. In full:
+ * run_attitude_covariance_warning.
+ */
+#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ATTITUDE_COVARIANCE 0x0040U
+/** Bit 7. The solution holds values that are not numbers. In full: run_nan_in_solution_warning. */
+#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_NAN_IN_SOLUTION 0x0080U
+/** Bit 8. The estimated gyroscope bias is high. In full: run_gyro_bias_est_high_warning. */
+#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_GYRO_BIAS_HIGH 0x0100U
+/** Bit 9. The estimated accelerometer bias is high. In full: run_accel_bias_est_high_warning. */
+#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ACCEL_BIAS_HIGH 0x0200U
+/**
+ * Bit 10. The estimated gyroscope scale factor is high. In full:
+ * run_gyro_scale_factor_est_high_warning.
+ */
+#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_GYRO_SCALE_FACTOR_HIGH 0x0400U
+/**
+ * Bit 11. The estimated accelerometer scale factor is high. In full:
+ * run_accel_scale_factor_est_high_warning.
+ */
+#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ACCEL_SCALE_FACTOR_HIGH 0x0800U
+/** Bit 12. The estimated magnetometer bias is high. In full: run_mag_bias_est_high_warning. */
+#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MAG_BIAS_HIGH 0x1000U
+/**
+ * Bit 13. The estimated correction of the antenna offset is high; on models with GNSS. In full:
+ * run_antenna_offset_correction_est_high_warning.
+ */
+#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ANTENNA_OFFSET_HIGH 0x2000U
+/** Bit 14. The estimated hard-iron offset is high. In full: run_mag_hard_iron_est_high_warning. */
+#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MAG_HARD_IRON_HIGH 0x4000U
+/**
+ * Bit 15. The estimated soft-iron correction is high. In full: run_mag_soft_iron_est_high_warning.
+ */
+#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MAG_SOFT_IRON_HIGH 0x8000U
 /** Bit 12. The attitude is not initialized. Overlaps other bits. */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_INIT_NO_ATTITUDE 0x1000U
 /** Bit 13. Position and velocity are not initialized. Overlaps other bits. */
@@ -3087,11 +3105,13 @@ static inline mip_error mip_filter_data_antenna_offset_correction_encode_inline(
  *
  * Standard deviation of the estimated error of the offset of the GNSS antenna.
  *
+ * In full: filter_data.antenna_offset_correction_uncertainty.
+ *
  * No device profile lists it. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Antenna Offset Correction Uncertainty (0x82,0x31)
  */
-struct mip_filter_data_antenna_offset_correction_uncertainty {
+struct mip_filter_data_antenna_offset_uncertainty {
     /**
      * Standard deviation per axis. Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
      * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
@@ -3102,33 +3122,29 @@ struct mip_filter_data_antenna_offset_correction_uncertainty {
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY 0x8231
-#define MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_DESCRIPTOR 0x31
-#define MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_NAME \
+#define MIP_FILTER_DATA_ANTENNA_OFFSET_UNCERTAINTY 0x8231
+#define MIP_FILTER_DATA_ANTENNA_OFFSET_UNCERTAINTY_DESCRIPTOR 0x31
+#define MIP_FILTER_DATA_ANTENNA_OFFSET_UNCERTAINTY_NAME \
     "filter_data.antenna_offset_correction_uncertainty"
 
 /** Its wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_antenna_offset_correction_uncertainty_codec;
+extern MIP_API const struct mip_codec mip_filter_data_antenna_offset_uncertainty_codec;
 
 /** Decodes it. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_antenna_offset_correction_uncertainty_decode(
-    struct mip_filter_data_antenna_offset_correction_uncertainty *value,
-    const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_antenna_offset_correction_uncertainty_codec, value, field,
-                      NULL);
+static inline mip_error mip_filter_data_antenna_offset_uncertainty_decode(
+    struct mip_filter_data_antenna_offset_uncertainty *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_antenna_offset_uncertainty_codec, value, field, NULL);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_antenna_offset_correction_uncertainty_encode(
-    const struct mip_filter_data_antenna_offset_correction_uncertainty *value,
-    struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_antenna_offset_correction_uncertainty_codec, value, builder);
+static inline mip_error mip_filter_data_antenna_offset_uncertainty_encode(
+    const struct mip_filter_data_antenna_offset_uncertainty *value, struct mip_builder *builder) {
+    return mip_encode(&mip_filter_data_antenna_offset_uncertainty_codec, value, builder);
 }
 
 /** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_data_antenna_offset_correction_uncertainty_decode_inline(
-    struct mip_filter_data_antenna_offset_correction_uncertainty *value,
-    const struct mip_field *field) {
+static inline mip_error mip_filter_data_antenna_offset_uncertainty_decode_inline(
+    struct mip_filter_data_antenna_offset_uncertainty *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x31, 14);
     if (error != MIP_OK) {
         memset(value, 0, sizeof(*value));
@@ -3142,9 +3158,8 @@ static inline mip_error mip_filter_data_antenna_offset_correction_uncertainty_de
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_antenna_offset_correction_uncertainty_encode_inline(
-    const struct mip_filter_data_antenna_offset_correction_uncertainty *value,
-    struct mip_builder *builder) {
+static inline mip_error mip_filter_data_antenna_offset_uncertainty_encode_inline(
+    const struct mip_filter_data_antenna_offset_uncertainty *value, struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x31, 14, &data);
     if (error != MIP_OK) {
@@ -3387,11 +3402,13 @@ static inline mip_error mip_filter_data_multi_antenna_offset_correction_encode_i
  *
  * Standard deviation of the estimated error of the offset of one GNSS antenna.
  *
+ * In full: filter_data.multi_antenna_offset_correction_uncertainty.
+ *
  * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Multi Antenna Offset Correction Uncertainty (0x82,0x35)
  */
-struct mip_filter_data_multi_antenna_offset_correction_uncertainty {
+struct mip_filter_data_multi_antenna_offset_uncertainty {
     /** Receiver that the antenna belongs to. */
     uint8_t receiver_id;
     /**
@@ -3404,35 +3421,30 @@ struct mip_filter_data_multi_antenna_offset_correction_uncertainty {
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_FILTER_DATA_MULTI_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY 0x8235
-#define MIP_FILTER_DATA_MULTI_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_DESCRIPTOR 0x35
-#define MIP_FILTER_DATA_MULTI_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_NAME \
+#define MIP_FILTER_DATA_MULTI_ANTENNA_OFFSET_UNCERTAINTY 0x8235
+#define MIP_FILTER_DATA_MULTI_ANTENNA_OFFSET_UNCERTAINTY_DESCRIPTOR 0x35
+#define MIP_FILTER_DATA_MULTI_ANTENNA_OFFSET_UNCERTAINTY_NAME \
     "filter_data.multi_antenna_offset_correction_uncertainty"
 
 /** Its wire format. */
-extern MIP_API const struct mip_codec
-    mip_filter_data_multi_antenna_offset_correction_uncertainty_codec;
+extern MIP_API const struct mip_codec mip_filter_data_multi_antenna_offset_uncertainty_codec;
 
 /** Decodes it. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_multi_antenna_offset_correction_uncertainty_decode(
-    struct mip_filter_data_multi_antenna_offset_correction_uncertainty *value,
-    const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_multi_antenna_offset_correction_uncertainty_codec, value,
-                      field, NULL);
+static inline mip_error mip_filter_data_multi_antenna_offset_uncertainty_decode(
+    struct mip_filter_data_multi_antenna_offset_uncertainty *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_multi_antenna_offset_uncertainty_codec, value, field, NULL);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_multi_antenna_offset_correction_uncertainty_encode(
-    const struct mip_filter_data_multi_antenna_offset_correction_uncertainty *value,
+static inline mip_error mip_filter_data_multi_antenna_offset_uncertainty_encode(
+    const struct mip_filter_data_multi_antenna_offset_uncertainty *value,
     struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_multi_antenna_offset_correction_uncertainty_codec, value,
-                      builder);
+    return mip_encode(&mip_filter_data_multi_antenna_offset_uncertainty_codec, value, builder);
 }
 
 /** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_data_multi_antenna_offset_correction_uncertainty_decode_inline(
-    struct mip_filter_data_multi_antenna_offset_correction_uncertainty *value,
-    const struct mip_field *field) {
+static inline mip_error mip_filter_data_multi_antenna_offset_uncertainty_decode_inline(
+    struct mip_filter_data_multi_antenna_offset_uncertainty *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x35, 15);
     if (error != MIP_OK) {
         memset(value, 0, sizeof(*value));
@@ -3447,8 +3459,8 @@ static inline mip_error mip_filter_data_multi_antenna_offset_correction_uncertai
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_multi_antenna_offset_correction_uncertainty_encode_inline(
-    const struct mip_filter_data_multi_antenna_offset_correction_uncertainty *value,
+static inline mip_error mip_filter_data_multi_antenna_offset_uncertainty_encode_inline(
+    const struct mip_filter_data_multi_antenna_offset_uncertainty *value,
     struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x35, 15, &data);
@@ -4035,10 +4047,10 @@ struct mip_filter_data_aiding_measurement_summary {
     float tow;
     /** Number of the source of the measurement. */
     uint8_t source;
-    /** Kind of measurement. A value of enum mip_filter_data_aiding_measurement_type. */
+    /** Kind of measurement. A value of enum mip_filter_data_aiding_type. */
     uint8_t type;
     /** What the filter did with it. */
-    mip_filter_data_aiding_measurement_indicator indicator;
+    mip_filter_data_aiding_indicator indicator;
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
@@ -4160,11 +4172,13 @@ static inline mip_error mip_filter_data_odometer_scale_factor_error_encode_inlin
  *
  * Uncertainty of the estimated error of the odometer scale factor.
  *
+ * In full: filter_data.odometer_scale_factor_error_uncertainty.
+ *
  * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Odometer Scale Factor Error Uncertainty (0x82,0x48)
  */
-struct mip_filter_data_odometer_scale_factor_error_uncertainty {
+struct mip_filter_data_odometer_scale_factor_uncertainty {
     /**
      * Uncertainty of the relative error. Unit: 1. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
      * valid_flags is set.
@@ -4175,33 +4189,31 @@ struct mip_filter_data_odometer_scale_factor_error_uncertainty {
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_ERROR_UNCERTAINTY 0x8248
-#define MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_ERROR_UNCERTAINTY_DESCRIPTOR 0x48
-#define MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_ERROR_UNCERTAINTY_NAME \
+#define MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_UNCERTAINTY 0x8248
+#define MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_UNCERTAINTY_DESCRIPTOR 0x48
+#define MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_UNCERTAINTY_NAME \
     "filter_data.odometer_scale_factor_error_uncertainty"
 
 /** Its wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_odometer_scale_factor_error_uncertainty_codec;
+extern MIP_API const struct mip_codec mip_filter_data_odometer_scale_factor_uncertainty_codec;
 
 /** Decodes it. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_odometer_scale_factor_error_uncertainty_decode(
-    struct mip_filter_data_odometer_scale_factor_error_uncertainty *value,
+static inline mip_error mip_filter_data_odometer_scale_factor_uncertainty_decode(
+    struct mip_filter_data_odometer_scale_factor_uncertainty *value,
     const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_odometer_scale_factor_error_uncertainty_codec, value, field,
-                      NULL);
+    return mip_decode(&mip_filter_data_odometer_scale_factor_uncertainty_codec, value, field, NULL);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_odometer_scale_factor_error_uncertainty_encode(
-    const struct mip_filter_data_odometer_scale_factor_error_uncertainty *value,
+static inline mip_error mip_filter_data_odometer_scale_factor_uncertainty_encode(
+    const struct mip_filter_data_odometer_scale_factor_uncertainty *value,
     struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_odometer_scale_factor_error_uncertainty_codec, value,
-                      builder);
+    return mip_encode(&mip_filter_data_odometer_scale_factor_uncertainty_codec, value, builder);
 }
 
 /** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_data_odometer_scale_factor_error_uncertainty_decode_inline(
-    struct mip_filter_data_odometer_scale_factor_error_uncertainty *value,
+static inline mip_error mip_filter_data_odometer_scale_factor_uncertainty_decode_inline(
+    struct mip_filter_data_odometer_scale_factor_uncertainty *value,
     const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x48, 6);
     if (error != MIP_OK) {
@@ -4214,8 +4226,8 @@ static inline mip_error mip_filter_data_odometer_scale_factor_error_uncertainty_
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_odometer_scale_factor_error_uncertainty_encode_inline(
-    const struct mip_filter_data_odometer_scale_factor_error_uncertainty *value,
+static inline mip_error mip_filter_data_odometer_scale_factor_uncertainty_encode_inline(
+    const struct mip_filter_data_odometer_scale_factor_uncertainty *value,
     struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x48, 6, &data);
@@ -4389,11 +4401,13 @@ static inline mip_error mip_filter_data_aiding_frame_config_error_encode_inline(
  *
  * Uncertainty of the estimated error of a frame that mip_aiding_frame_config defines.
  *
+ * In full: filter_data.aiding_frame_config_error_uncertainty.
+ *
  * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Aiding Frame Configuration Error Uncertainty (0x82,0x51)
  */
-struct mip_filter_data_aiding_frame_config_error_uncertainty {
+struct mip_filter_data_aiding_frame_error_uncertainty {
     /** Number of the frame. */
     uint8_t frame_id;
     /** Uncertainty of the translation. Elements: x, y, z. Unit: m. */
@@ -4403,33 +4417,30 @@ struct mip_filter_data_aiding_frame_config_error_uncertainty {
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR_UNCERTAINTY 0x8251
-#define MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR_UNCERTAINTY_DESCRIPTOR 0x51
-#define MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR_UNCERTAINTY_NAME \
+#define MIP_FILTER_DATA_AIDING_FRAME_ERROR_UNCERTAINTY 0x8251
+#define MIP_FILTER_DATA_AIDING_FRAME_ERROR_UNCERTAINTY_DESCRIPTOR 0x51
+#define MIP_FILTER_DATA_AIDING_FRAME_ERROR_UNCERTAINTY_NAME \
     "filter_data.aiding_frame_config_error_uncertainty"
 
 /** Its wire format. */
-extern MIP_API const struct mip_codec mip_filter_data_aiding_frame_config_error_uncertainty_codec;
+extern MIP_API const struct mip_codec mip_filter_data_aiding_frame_error_uncertainty_codec;
 
 /** Decodes it. On an error the structure is zeroed. */
-static inline mip_error mip_filter_data_aiding_frame_config_error_uncertainty_decode(
-    struct mip_filter_data_aiding_frame_config_error_uncertainty *value,
-    const struct mip_field *field) {
-    return mip_decode(&mip_filter_data_aiding_frame_config_error_uncertainty_codec, value, field,
-                      NULL);
+static inline mip_error mip_filter_data_aiding_frame_error_uncertainty_decode(
+    struct mip_filter_data_aiding_frame_error_uncertainty *value, const struct mip_field *field) {
+    return mip_decode(&mip_filter_data_aiding_frame_error_uncertainty_codec, value, field, NULL);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_filter_data_aiding_frame_config_error_uncertainty_encode(
-    const struct mip_filter_data_aiding_frame_config_error_uncertainty *value,
+static inline mip_error mip_filter_data_aiding_frame_error_uncertainty_encode(
+    const struct mip_filter_data_aiding_frame_error_uncertainty *value,
     struct mip_builder *builder) {
-    return mip_encode(&mip_filter_data_aiding_frame_config_error_uncertainty_codec, value, builder);
+    return mip_encode(&mip_filter_data_aiding_frame_error_uncertainty_codec, value, builder);
 }
 
 /** The same without the table, for speed: decodes it. */
-static inline mip_error mip_filter_data_aiding_frame_config_error_uncertainty_decode_inline(
-    struct mip_filter_data_aiding_frame_config_error_uncertainty *value,
-    const struct mip_field *field) {
+static inline mip_error mip_filter_data_aiding_frame_error_uncertainty_decode_inline(
+    struct mip_filter_data_aiding_frame_error_uncertainty *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x51, 25);
     if (error != MIP_OK) {
         memset(value, 0, sizeof(*value));
@@ -4446,8 +4457,8 @@ static inline mip_error mip_filter_data_aiding_frame_config_error_uncertainty_de
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_filter_data_aiding_frame_config_error_uncertainty_encode_inline(
-    const struct mip_filter_data_aiding_frame_config_error_uncertainty *value,
+static inline mip_error mip_filter_data_aiding_frame_error_uncertainty_encode_inline(
+    const struct mip_filter_data_aiding_frame_error_uncertainty *value,
     struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x82, 0x51, 25, &data);

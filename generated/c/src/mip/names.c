@@ -56,7 +56,7 @@ const struct mip_names mip_names_cv7_built_in_test = {
     "cv7_built_in_test", NULL, NULL, bits_cv7_built_in_test, 12, 4,
 };
 
-static const struct mip_named_bits bits_cv7_continuous_built_in_test[] = {
+static const struct mip_named_bits bits_cv7_continuous_bit[] = {
     {"system_clock_failure", 0, 1, NULL},
     {"power_fault", 1, 1, NULL},
     {"firmware_fault", 4, 1, NULL},
@@ -100,8 +100,8 @@ static const struct mip_named_bits bits_cv7_continuous_built_in_test[] = {
     {"receiver_2_fault", 110, 1, NULL},
     {"receiver_2_no_solution", 113, 1, NULL},
 };
-const struct mip_names mip_names_cv7_continuous_built_in_test = {
-    "cv7_continuous_built_in_test", NULL, NULL, bits_cv7_continuous_built_in_test, 42, 16,
+const struct mip_names mip_names_cv7_continuous_bit = {
+    "cv7_continuous_built_in_test", NULL, NULL, bits_cv7_continuous_bit, 42, 16,
 };
 
 static const char *const labels_event_trigger_type[] = {"none", "gpio", "threshold", "combination"};
@@ -1048,37 +1048,36 @@ const char *mip_filter_data_heading_aiding_type_name(uint8_t value) {
     return mip_value_name(&mip_names_filter_data_heading_aiding_type, value);
 }
 
-static const char *const labels_filter_data_aiding_measurement_type[] = {
-    "gnss",
-    "dual_antenna",
-    "heading",
-    "pressure",
-    "mag",
-    "speed",
-    "aiding_ecef_position",
-    "aiding_llh_position",
-    "aiding_height_above_ellipsoid",
-    "aiding_ecef_velocity",
-    "aiding_ned_velocity",
-    "aiding_body_frame_velocity",
-    "aiding_true_heading",
-    "aiding_magnetic_field",
-    "aiding_pressure"};
-static const uint8_t numbers_filter_data_aiding_measurement_type[] = {
-    1, 2, 3, 4, 5, 6, 33, 34, 35, 40, 41, 42, 49, 50, 51};
-const struct mip_names mip_names_filter_data_aiding_measurement_type = {
+static const char *const labels_filter_data_aiding_type[] = {"gnss",
+                                                             "dual_antenna",
+                                                             "heading",
+                                                             "pressure",
+                                                             "mag",
+                                                             "speed",
+                                                             "aiding_ecef_position",
+                                                             "aiding_llh_position",
+                                                             "aiding_height_above_ellipsoid",
+                                                             "aiding_ecef_velocity",
+                                                             "aiding_ned_velocity",
+                                                             "aiding_body_frame_velocity",
+                                                             "aiding_true_heading",
+                                                             "aiding_magnetic_field",
+                                                             "aiding_pressure"};
+static const uint8_t numbers_filter_data_aiding_type[] = {1,  2,  3,  4,  5,  6,  33, 34,
+                                                          35, 40, 41, 42, 49, 50, 51};
+const struct mip_names mip_names_filter_data_aiding_type = {
     "filter_data.aiding_measurement_type",
-    labels_filter_data_aiding_measurement_type,
-    numbers_filter_data_aiding_measurement_type,
+    labels_filter_data_aiding_type,
+    numbers_filter_data_aiding_type,
     NULL,
     15,
     1,
 };
-const char *mip_filter_data_aiding_measurement_type_name(uint8_t value) {
-    return mip_value_name(&mip_names_filter_data_aiding_measurement_type, value);
+const char *mip_filter_data_aiding_type_name(uint8_t value) {
+    return mip_value_name(&mip_names_filter_data_aiding_type, value);
 }
 
-static const struct mip_named_bits bits_filter_data_aiding_measurement_indicator[] = {
+static const struct mip_named_bits bits_filter_data_aiding_indicator[] = {
     {"enabled", 0, 1, NULL},
     {"used", 1, 1, NULL},
     {"residual_high_warning", 2, 1, NULL},
@@ -1086,9 +1085,8 @@ static const struct mip_named_bits bits_filter_data_aiding_measurement_indicator
     {"config_error", 4, 1, NULL},
     {"max_measurements_exceeded", 5, 1, NULL},
 };
-const struct mip_names mip_names_filter_data_aiding_measurement_indicator = {
-    "filter_data.aiding_measurement_indicator",    NULL, NULL,
-    bits_filter_data_aiding_measurement_indicator, 6,    1,
+const struct mip_names mip_names_filter_data_aiding_indicator = {
+    "filter_data.aiding_measurement_indicator", NULL, NULL, bits_filter_data_aiding_indicator, 6, 1,
 };
 
 static const char *const labels_filter_data_dual_antenna_fix_type[] = {"fix_none", "fix_da_float",
@@ -1695,7 +1693,7 @@ const struct mip_names *const mip_all_names[] = {
     &mip_names_function_selector,
     &mip_names_gx5_built_in_test,
     &mip_names_cv7_built_in_test,
-    &mip_names_cv7_continuous_built_in_test,
+    &mip_names_cv7_continuous_bit,
     &mip_names_event_trigger_type,
     &mip_names_event_action_type,
     &mip_names_event_trigger_mode,
@@ -1777,8 +1775,8 @@ const struct mip_names *const mip_all_names[] = {
     &mip_names_filter_data_heading_source_flags,
     &mip_names_filter_data_gnss_aiding_status,
     &mip_names_filter_data_heading_aiding_type,
-    &mip_names_filter_data_aiding_measurement_type,
-    &mip_names_filter_data_aiding_measurement_indicator,
+    &mip_names_filter_data_aiding_type,
+    &mip_names_filter_data_aiding_indicator,
     &mip_names_filter_data_dual_antenna_fix_type,
     &mip_names_filter_data_dual_antenna_status_flags,
     &mip_names_filter_data_gx5_filter_state,

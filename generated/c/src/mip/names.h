@@ -23,7 +23,7 @@ extern MIP_API const struct mip_names mip_names_gx5_built_in_test;
 /** cv7_built_in_test */
 extern MIP_API const struct mip_names mip_names_cv7_built_in_test;
 /** cv7_continuous_built_in_test */
-extern MIP_API const struct mip_names mip_names_cv7_continuous_built_in_test;
+extern MIP_API const struct mip_names mip_names_cv7_continuous_bit;
 /** event_trigger_type */
 extern MIP_API const struct mip_names mip_names_event_trigger_type;
 /** event_action_type */
@@ -187,9 +187,9 @@ extern MIP_API const struct mip_names mip_names_filter_data_gnss_aiding_status;
 /** filter_data.heading_aiding_type */
 extern MIP_API const struct mip_names mip_names_filter_data_heading_aiding_type;
 /** filter_data.aiding_measurement_type */
-extern MIP_API const struct mip_names mip_names_filter_data_aiding_measurement_type;
+extern MIP_API const struct mip_names mip_names_filter_data_aiding_type;
 /** filter_data.aiding_measurement_indicator */
-extern MIP_API const struct mip_names mip_names_filter_data_aiding_measurement_indicator;
+extern MIP_API const struct mip_names mip_names_filter_data_aiding_indicator;
 /** filter_data.dual_antenna_fix_type */
 extern MIP_API const struct mip_names mip_names_filter_data_dual_antenna_fix_type;
 /** filter_data.dual_antenna_status_flags */

@@ -399,7 +399,7 @@ extern MIP_API const struct mip_profile mip_profile_gx5_35;
  * filter data four fields are listed, and the manual has 27 or more. Uncertain: The base rates are
  * those that the manuals of the 3DM-GX5-35 and the 3DM-GX5-45 give for all 3DM-GX5. Uncertain: An
  * example in the manual has a base rate of 100 Hz for the sensor data. Uncertain: The manual prints
- * the length of mip_3dm_device_status_basic_without_state_response, and offsets of
+ * the length of mip_3dm_device_status_basic_stateless_response, and offsets of
  * mip_3dm_device_status_diagnostic_gx4_response, against MSCL.
  *
  * - mip-sdk-4: Device models

@@ -473,7 +473,7 @@ static const struct mip_record record_base_get_extended_descriptors_response = {
 };
 
 static const struct mip_reading readings_base_continuous_built_in_test_response_result[] = {
-    {"3dm-cv7-gnss-ins", 0, 0, &mip_names_cv7_continuous_built_in_test},
+    {"3dm-cv7-gnss-ins", 0, 0, &mip_names_cv7_continuous_bit},
 };
 static const struct mip_parameter parameters_base_continuous_built_in_test_response[] = {
     {"result", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 16, 1, 0, 0, 0,
@@ -976,51 +976,51 @@ static const struct mip_record record_3dm_device_settings = {
 };
 static const uint8_t required_3dm_device_settings[] = {0, 0, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_3dm_sensor_to_vehicle_transform_euler[] = {
+static const struct mip_parameter parameters_3dm_sensor_to_vehicle_euler[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_transform_euler, function), 0,
-     &mip_names_function_selector, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_sensor_to_vehicle_euler, function), 0, &mip_names_function_selector, NULL,
+     NULL, NULL, 0},
     {"roll", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_transform_euler, roll), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_sensor_to_vehicle_euler, roll), 0, NULL, NULL, NULL, NULL, 0},
     {"pitch", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_transform_euler, pitch), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_sensor_to_vehicle_euler, pitch), 0, NULL, NULL, NULL, NULL, 0},
     {"yaw", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_transform_euler, yaw), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_3dm_sensor_to_vehicle_euler, yaw), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_3dm_sensor_to_vehicle_transform_euler = {
-    parameters_3dm_sensor_to_vehicle_transform_euler,
+static const struct mip_record record_3dm_sensor_to_vehicle_euler = {
+    parameters_3dm_sensor_to_vehicle_euler,
     4,
-    sizeof(struct mip_3dm_sensor_to_vehicle_transform_euler),
+    sizeof(struct mip_3dm_sensor_to_vehicle_euler),
 };
-static const uint8_t required_3dm_sensor_to_vehicle_transform_euler[] = {0, 3, 0, 0, 0, 0};
+static const uint8_t required_3dm_sensor_to_vehicle_euler[] = {0, 3, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_3dm_sensor_to_vehicle_transform_quaternion[] = {
+static const struct mip_parameter parameters_3dm_sensor_to_vehicle_quaternion[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_transform_quaternion, function), 0,
-     &mip_names_function_selector, NULL, NULL, NULL, 0},
-    {"q", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 1, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_transform_quaternion, q), 0, NULL, NULL, NULL, NULL, 0},
-};
-static const struct mip_record record_3dm_sensor_to_vehicle_transform_quaternion = {
-    parameters_3dm_sensor_to_vehicle_transform_quaternion,
-    2,
-    sizeof(struct mip_3dm_sensor_to_vehicle_transform_quaternion),
-};
-static const uint8_t required_3dm_sensor_to_vehicle_transform_quaternion[] = {0, 1, 0, 0, 0, 0};
-
-static const struct mip_parameter parameters_3dm_sensor_to_vehicle_transform_dcm[] = {
-    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_transform_dcm, function), 0, &mip_names_function_selector,
+     ONE(struct mip_3dm_sensor_to_vehicle_quaternion, function), 0, &mip_names_function_selector,
      NULL, NULL, NULL, 0},
-    {"dcm", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 1, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_transform_dcm, dcm), 0, NULL, NULL, NULL, NULL, 0},
+    {"q", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 1, 0,
+     ONE(struct mip_3dm_sensor_to_vehicle_quaternion, q), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_3dm_sensor_to_vehicle_transform_dcm = {
-    parameters_3dm_sensor_to_vehicle_transform_dcm,
+static const struct mip_record record_3dm_sensor_to_vehicle_quaternion = {
+    parameters_3dm_sensor_to_vehicle_quaternion,
     2,
-    sizeof(struct mip_3dm_sensor_to_vehicle_transform_dcm),
+    sizeof(struct mip_3dm_sensor_to_vehicle_quaternion),
 };
-static const uint8_t required_3dm_sensor_to_vehicle_transform_dcm[] = {0, 1, 0, 0, 0, 0};
+static const uint8_t required_3dm_sensor_to_vehicle_quaternion[] = {0, 1, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_3dm_sensor_to_vehicle_dcm[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_sensor_to_vehicle_dcm, function), 0, &mip_names_function_selector, NULL,
+     NULL, NULL, 0},
+    {"dcm", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 1, 0,
+     ONE(struct mip_3dm_sensor_to_vehicle_dcm, dcm), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_3dm_sensor_to_vehicle_dcm = {
+    parameters_3dm_sensor_to_vehicle_dcm,
+    2,
+    sizeof(struct mip_3dm_sensor_to_vehicle_dcm),
+};
+static const uint8_t required_3dm_sensor_to_vehicle_dcm[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_3dm_accel_bias[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1486,23 +1486,23 @@ static const struct mip_record record_3dm_device_status_basic_response = {
     sizeof(struct mip_3dm_device_status_basic_response),
 };
 
-static const struct mip_parameter parameters_3dm_device_status_basic_without_state_response[] = {
+static const struct mip_parameter parameters_3dm_device_status_basic_stateless_response[] = {
     {"model_number", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_device_status_basic_without_state_response, model_number), 0, NULL, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_3dm_device_status_basic_stateless_response, model_number), 0, NULL, NULL, NULL,
+     NULL, 0},
     {"status_selector", "", MIP_KIND_CONSTANT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 1, 0, 0,
      0, NULL, NULL, NULL, NULL, 0},
     {"status_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_device_status_basic_without_state_response, status_flags), 0, NULL, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_3dm_device_status_basic_stateless_response, status_flags), 0, NULL, NULL, NULL,
+     NULL, 0},
     {"system_timer", "ms", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_device_status_basic_without_state_response, system_timer), 0, NULL, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_3dm_device_status_basic_stateless_response, system_timer), 0, NULL, NULL, NULL,
+     NULL, 0},
 };
-static const struct mip_record record_3dm_device_status_basic_without_state_response = {
-    parameters_3dm_device_status_basic_without_state_response,
+static const struct mip_record record_3dm_device_status_basic_stateless_response = {
+    parameters_3dm_device_status_basic_stateless_response,
     4,
-    sizeof(struct mip_3dm_device_status_basic_without_state_response),
+    sizeof(struct mip_3dm_device_status_basic_stateless_response),
 };
 
 static const struct mip_parameter parameters_3dm_device_status_diagnostic_response[] = {
@@ -2101,44 +2101,38 @@ static const struct mip_record record_3dm_pps_source_control_response = {
     sizeof(struct mip_3dm_pps_source_control_response),
 };
 
-static const struct mip_parameter parameters_3dm_sensor_to_vehicle_transform_euler_response[] = {
+static const struct mip_parameter parameters_3dm_sensor_to_vehicle_euler_response[] = {
     {"roll", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_transform_euler_response, roll), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_3dm_sensor_to_vehicle_euler_response, roll), 0, NULL, NULL, NULL, NULL, 0},
     {"pitch", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_transform_euler_response, pitch), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_3dm_sensor_to_vehicle_euler_response, pitch), 0, NULL, NULL, NULL, NULL, 0},
     {"yaw", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_transform_euler_response, yaw), 0, NULL, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_3dm_sensor_to_vehicle_euler_response, yaw), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_3dm_sensor_to_vehicle_transform_euler_response = {
-    parameters_3dm_sensor_to_vehicle_transform_euler_response,
+static const struct mip_record record_3dm_sensor_to_vehicle_euler_response = {
+    parameters_3dm_sensor_to_vehicle_euler_response,
     3,
-    sizeof(struct mip_3dm_sensor_to_vehicle_transform_euler_response),
+    sizeof(struct mip_3dm_sensor_to_vehicle_euler_response),
 };
 
-static const struct mip_parameter parameters_3dm_sensor_to_vehicle_transform_quaternion_response[] =
-    {
-        {"q", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 0, 0,
-         ONE(struct mip_3dm_sensor_to_vehicle_transform_quaternion_response, q), 0, NULL, NULL,
-         NULL, NULL, 0},
+static const struct mip_parameter parameters_3dm_sensor_to_vehicle_quaternion_response[] = {
+    {"q", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 0, 0,
+     ONE(struct mip_3dm_sensor_to_vehicle_quaternion_response, q), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_3dm_sensor_to_vehicle_transform_quaternion_response = {
-    parameters_3dm_sensor_to_vehicle_transform_quaternion_response,
+static const struct mip_record record_3dm_sensor_to_vehicle_quaternion_response = {
+    parameters_3dm_sensor_to_vehicle_quaternion_response,
     1,
-    sizeof(struct mip_3dm_sensor_to_vehicle_transform_quaternion_response),
+    sizeof(struct mip_3dm_sensor_to_vehicle_quaternion_response),
 };
 
-static const struct mip_parameter parameters_3dm_sensor_to_vehicle_transform_dcm_response[] = {
+static const struct mip_parameter parameters_3dm_sensor_to_vehicle_dcm_response[] = {
     {"dcm", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 0, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_transform_dcm_response, dcm), 0, NULL, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_3dm_sensor_to_vehicle_dcm_response, dcm), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_3dm_sensor_to_vehicle_transform_dcm_response = {
-    parameters_3dm_sensor_to_vehicle_transform_dcm_response,
+static const struct mip_record record_3dm_sensor_to_vehicle_dcm_response = {
+    parameters_3dm_sensor_to_vehicle_dcm_response,
     1,
-    sizeof(struct mip_3dm_sensor_to_vehicle_transform_dcm_response),
+    sizeof(struct mip_3dm_sensor_to_vehicle_dcm_response),
 };
 
 static const struct mip_parameter parameters_3dm_get_event_support_response[] = {
@@ -2415,23 +2409,23 @@ static const struct mip_record record_filter_vehicle_dynamics_mode = {
 };
 static const uint8_t required_filter_vehicle_dynamics_mode[] = {0, 1, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_filter_sensor_to_vehicle_rotation_euler[] = {
+static const struct mip_parameter parameters_filter_sensor_to_vehicle_euler[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_sensor_to_vehicle_rotation_euler, function), 0,
-     &mip_names_function_selector, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_sensor_to_vehicle_euler, function), 0, &mip_names_function_selector,
+     NULL, NULL, NULL, 0},
     {"roll", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_sensor_to_vehicle_rotation_euler, roll), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_sensor_to_vehicle_euler, roll), 0, NULL, NULL, NULL, NULL, 0},
     {"pitch", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_filter_sensor_to_vehicle_rotation_euler, pitch), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_sensor_to_vehicle_euler, pitch), 0, NULL, NULL, NULL, NULL, 0},
     {"yaw", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
-     ONE(struct mip_filter_sensor_to_vehicle_rotation_euler, yaw), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_sensor_to_vehicle_euler, yaw), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_sensor_to_vehicle_rotation_euler = {
-    parameters_filter_sensor_to_vehicle_rotation_euler,
+static const struct mip_record record_filter_sensor_to_vehicle_euler = {
+    parameters_filter_sensor_to_vehicle_euler,
     4,
-    sizeof(struct mip_filter_sensor_to_vehicle_rotation_euler),
+    sizeof(struct mip_filter_sensor_to_vehicle_euler),
 };
-static const uint8_t required_filter_sensor_to_vehicle_rotation_euler[] = {0, 3, 0, 0, 0, 0};
+static const uint8_t required_filter_sensor_to_vehicle_euler[] = {0, 3, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_sensor_to_vehicle_offset[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2837,102 +2831,89 @@ static const struct mip_record record_filter_magnetic_declination_source = {
 };
 static const uint8_t required_filter_magnetic_declination_source[] = {0, 2, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_filter_accel_magnitude_error_adaptive_measurement[] = {
+static const struct mip_parameter parameters_filter_accel_magnitude_adaptive[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement, function), 0,
-     &mip_names_function_selector, NULL, NULL, NULL, 0},
-    {"adaptive_measurement", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement, adaptive_measurement), 0,
-     &mip_names_filter_adaptive_measurement_selector, NULL, NULL, NULL, 0},
-    {"frequency", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement, frequency), 0, NULL, NULL,
-     NULL, NULL, 0},
-    {"low_limit", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
-     ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement, low_limit), 0, NULL, NULL,
-     NULL, NULL, 0},
-    {"high_limit", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 4, 0,
-     ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement, high_limit), 0, NULL, NULL,
-     NULL, NULL, 0},
-    {"low_limit_uncertainty", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
-     5, 0, ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement, low_limit_uncertainty),
-     0, NULL, NULL, NULL, NULL, 0},
-    {"high_limit_uncertainty", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
-     6, 0,
-     ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement, high_limit_uncertainty), 0,
-     NULL, NULL, NULL, NULL, 0},
-    {"minimum_uncertainty", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 7,
-     0, ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement, minimum_uncertainty), 0,
-     NULL, NULL, NULL, NULL, 0},
-};
-static const struct mip_record record_filter_accel_magnitude_error_adaptive_measurement = {
-    parameters_filter_accel_magnitude_error_adaptive_measurement,
-    8,
-    sizeof(struct mip_filter_accel_magnitude_error_adaptive_measurement),
-};
-static const uint8_t required_filter_accel_magnitude_error_adaptive_measurement[] = {0, 1, 0,
-                                                                                     0, 0, 0};
-
-static const struct mip_parameter parameters_filter_mag_magnitude_error_adaptive_measurement[] = {
-    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement, function), 0,
-     &mip_names_function_selector, NULL, NULL, NULL, 0},
-    {"adaptive_measurement", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement, adaptive_measurement), 0,
-     &mip_names_filter_adaptive_measurement_selector, NULL, NULL, NULL, 0},
-    {"frequency", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement, frequency), 0, NULL, NULL,
-     NULL, NULL, 0},
-    {"low_limit", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
-     ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement, low_limit), 0, NULL, NULL,
-     NULL, NULL, 0},
-    {"high_limit", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 4, 0,
-     ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement, high_limit), 0, NULL, NULL,
-     NULL, NULL, 0},
-    {"low_limit_uncertainty", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
-     5, 0, ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement, low_limit_uncertainty),
-     0, NULL, NULL, NULL, NULL, 0},
-    {"high_limit_uncertainty", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
-     6, 0, ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement, high_limit_uncertainty),
-     0, NULL, NULL, NULL, NULL, 0},
-    {"minimum_uncertainty", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 7,
-     0, ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement, minimum_uncertainty), 0,
-     NULL, NULL, NULL, NULL, 0},
-};
-static const struct mip_record record_filter_mag_magnitude_error_adaptive_measurement = {
-    parameters_filter_mag_magnitude_error_adaptive_measurement,
-    8,
-    sizeof(struct mip_filter_mag_magnitude_error_adaptive_measurement),
-};
-static const uint8_t required_filter_mag_magnitude_error_adaptive_measurement[] = {0, 7, 0,
-                                                                                   0, 0, 0};
-
-static const struct mip_parameter parameters_filter_mag_dip_angle_error_adaptive_measurement[] = {
-    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_mag_dip_angle_error_adaptive_measurement, function), 0,
-     &mip_names_function_selector, NULL, NULL, NULL, 0},
-    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_mag_dip_angle_error_adaptive_measurement, enable), 0, NULL, NULL, NULL,
-     NULL, 0},
-    {"frequency", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_filter_mag_dip_angle_error_adaptive_measurement, frequency), 0, NULL, NULL,
-     NULL, NULL, 0},
-    {"high_limit", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
-     ONE(struct mip_filter_mag_dip_angle_error_adaptive_measurement, high_limit), 0, NULL, NULL,
-     NULL, NULL, 0},
-    {"high_limit_uncertainty", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 4,
-     0, ONE(struct mip_filter_mag_dip_angle_error_adaptive_measurement, high_limit_uncertainty), 0,
-     NULL, NULL, NULL, NULL, 0},
-    {"minimum_uncertainty", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 5, 0,
-     ONE(struct mip_filter_mag_dip_angle_error_adaptive_measurement, minimum_uncertainty), 0, NULL,
+     ONE(struct mip_filter_accel_magnitude_adaptive, function), 0, &mip_names_function_selector,
      NULL, NULL, NULL, 0},
+    {"adaptive_measurement", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_filter_accel_magnitude_adaptive, adaptive_measurement), 0,
+     &mip_names_filter_adaptive_measurement_selector, NULL, NULL, NULL, 0},
+    {"frequency", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
+     ONE(struct mip_filter_accel_magnitude_adaptive, frequency), 0, NULL, NULL, NULL, NULL, 0},
+    {"low_limit", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
+     ONE(struct mip_filter_accel_magnitude_adaptive, low_limit), 0, NULL, NULL, NULL, NULL, 0},
+    {"high_limit", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 4, 0,
+     ONE(struct mip_filter_accel_magnitude_adaptive, high_limit), 0, NULL, NULL, NULL, NULL, 0},
+    {"low_limit_uncertainty", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
+     5, 0, ONE(struct mip_filter_accel_magnitude_adaptive, low_limit_uncertainty), 0, NULL, NULL,
+     NULL, NULL, 0},
+    {"high_limit_uncertainty", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
+     6, 0, ONE(struct mip_filter_accel_magnitude_adaptive, high_limit_uncertainty), 0, NULL, NULL,
+     NULL, NULL, 0},
+    {"minimum_uncertainty", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 7,
+     0, ONE(struct mip_filter_accel_magnitude_adaptive, minimum_uncertainty), 0, NULL, NULL, NULL,
+     NULL, 0},
 };
-static const struct mip_record record_filter_mag_dip_angle_error_adaptive_measurement = {
-    parameters_filter_mag_dip_angle_error_adaptive_measurement,
+static const struct mip_record record_filter_accel_magnitude_adaptive = {
+    parameters_filter_accel_magnitude_adaptive,
+    8,
+    sizeof(struct mip_filter_accel_magnitude_adaptive),
+};
+static const uint8_t required_filter_accel_magnitude_adaptive[] = {0, 1, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_filter_mag_magnitude_adaptive[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_mag_magnitude_adaptive, function), 0, &mip_names_function_selector, NULL,
+     NULL, NULL, 0},
+    {"adaptive_measurement", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_filter_mag_magnitude_adaptive, adaptive_measurement), 0,
+     &mip_names_filter_adaptive_measurement_selector, NULL, NULL, NULL, 0},
+    {"frequency", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
+     ONE(struct mip_filter_mag_magnitude_adaptive, frequency), 0, NULL, NULL, NULL, NULL, 0},
+    {"low_limit", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
+     ONE(struct mip_filter_mag_magnitude_adaptive, low_limit), 0, NULL, NULL, NULL, NULL, 0},
+    {"high_limit", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 4, 0,
+     ONE(struct mip_filter_mag_magnitude_adaptive, high_limit), 0, NULL, NULL, NULL, NULL, 0},
+    {"low_limit_uncertainty", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
+     5, 0, ONE(struct mip_filter_mag_magnitude_adaptive, low_limit_uncertainty), 0, NULL, NULL,
+     NULL, NULL, 0},
+    {"high_limit_uncertainty", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
+     6, 0, ONE(struct mip_filter_mag_magnitude_adaptive, high_limit_uncertainty), 0, NULL, NULL,
+     NULL, NULL, 0},
+    {"minimum_uncertainty", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 7,
+     0, ONE(struct mip_filter_mag_magnitude_adaptive, minimum_uncertainty), 0, NULL, NULL, NULL,
+     NULL, 0},
+};
+static const struct mip_record record_filter_mag_magnitude_adaptive = {
+    parameters_filter_mag_magnitude_adaptive,
+    8,
+    sizeof(struct mip_filter_mag_magnitude_adaptive),
+};
+static const uint8_t required_filter_mag_magnitude_adaptive[] = {0, 7, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_filter_mag_dip_angle_adaptive[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_mag_dip_angle_adaptive, function), 0, &mip_names_function_selector, NULL,
+     NULL, NULL, 0},
+    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_filter_mag_dip_angle_adaptive, enable), 0, NULL, NULL, NULL, NULL, 0},
+    {"frequency", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
+     ONE(struct mip_filter_mag_dip_angle_adaptive, frequency), 0, NULL, NULL, NULL, NULL, 0},
+    {"high_limit", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
+     ONE(struct mip_filter_mag_dip_angle_adaptive, high_limit), 0, NULL, NULL, NULL, NULL, 0},
+    {"high_limit_uncertainty", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 4,
+     0, ONE(struct mip_filter_mag_dip_angle_adaptive, high_limit_uncertainty), 0, NULL, NULL, NULL,
+     NULL, 0},
+    {"minimum_uncertainty", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 5, 0,
+     ONE(struct mip_filter_mag_dip_angle_adaptive, minimum_uncertainty), 0, NULL, NULL, NULL, NULL,
+     0},
+};
+static const struct mip_record record_filter_mag_dip_angle_adaptive = {
+    parameters_filter_mag_dip_angle_adaptive,
     6,
-    sizeof(struct mip_filter_mag_dip_angle_error_adaptive_measurement),
+    sizeof(struct mip_filter_mag_dip_angle_adaptive),
 };
-static const uint8_t required_filter_mag_dip_angle_error_adaptive_measurement[] = {0, 5, 0,
-                                                                                   0, 0, 0};
+static const uint8_t required_filter_mag_dip_angle_adaptive[] = {0, 5, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_altitude_aiding[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2998,33 +2979,33 @@ static const struct mip_record record_filter_magnetic_magnitude_source = {
 };
 static const uint8_t required_filter_magnetic_magnitude_source[] = {0, 2, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_filter_sensor_to_vehicle_rotation_dcm[] = {
+static const struct mip_parameter parameters_filter_sensor_to_vehicle_dcm[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_sensor_to_vehicle_rotation_dcm, function), 0,
-     &mip_names_function_selector, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_sensor_to_vehicle_dcm, function), 0, &mip_names_function_selector, NULL,
+     NULL, NULL, 0},
     {"dcm", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 1, 0,
-     ONE(struct mip_filter_sensor_to_vehicle_rotation_dcm, dcm), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_sensor_to_vehicle_dcm, dcm), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_sensor_to_vehicle_rotation_dcm = {
-    parameters_filter_sensor_to_vehicle_rotation_dcm,
+static const struct mip_record record_filter_sensor_to_vehicle_dcm = {
+    parameters_filter_sensor_to_vehicle_dcm,
     2,
-    sizeof(struct mip_filter_sensor_to_vehicle_rotation_dcm),
+    sizeof(struct mip_filter_sensor_to_vehicle_dcm),
 };
-static const uint8_t required_filter_sensor_to_vehicle_rotation_dcm[] = {0, 1, 0, 0, 0, 0};
+static const uint8_t required_filter_sensor_to_vehicle_dcm[] = {0, 1, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_filter_sensor_to_vehicle_rotation_quaternion[] = {
+static const struct mip_parameter parameters_filter_sensor_to_vehicle_quaternion[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_sensor_to_vehicle_rotation_quaternion, function), 0,
-     &mip_names_function_selector, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_sensor_to_vehicle_quaternion, function), 0, &mip_names_function_selector,
+     NULL, NULL, NULL, 0},
     {"q", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 1, 0,
-     ONE(struct mip_filter_sensor_to_vehicle_rotation_quaternion, q), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_sensor_to_vehicle_quaternion, q), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_sensor_to_vehicle_rotation_quaternion = {
-    parameters_filter_sensor_to_vehicle_rotation_quaternion,
+static const struct mip_record record_filter_sensor_to_vehicle_quaternion = {
+    parameters_filter_sensor_to_vehicle_quaternion,
     2,
-    sizeof(struct mip_filter_sensor_to_vehicle_rotation_quaternion),
+    sizeof(struct mip_filter_sensor_to_vehicle_quaternion),
 };
-static const uint8_t required_filter_sensor_to_vehicle_rotation_quaternion[] = {0, 1, 0, 0, 0, 0};
+static const uint8_t required_filter_sensor_to_vehicle_quaternion[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_aiding_measurement_enable[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3202,51 +3183,49 @@ static const struct mip_record record_filter_speed_lever_arm = {
 };
 static const uint8_t required_filter_speed_lever_arm[] = {0, 2, 1, 1, 1, 1};
 
-static const struct mip_parameter parameters_filter_vertical_gyro_constraint_control[] = {
+static const struct mip_parameter parameters_filter_vertical_gyro_constraint[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_vertical_gyro_constraint_control, function), 0,
-     &mip_names_function_selector, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_vertical_gyro_constraint, function), 0, &mip_names_function_selector,
+     NULL, NULL, NULL, 0},
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_vertical_gyro_constraint_control, enable), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_vertical_gyro_constraint, enable), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_vertical_gyro_constraint_control = {
-    parameters_filter_vertical_gyro_constraint_control,
+static const struct mip_record record_filter_vertical_gyro_constraint = {
+    parameters_filter_vertical_gyro_constraint,
     2,
-    sizeof(struct mip_filter_vertical_gyro_constraint_control),
+    sizeof(struct mip_filter_vertical_gyro_constraint),
 };
-static const uint8_t required_filter_vertical_gyro_constraint_control[] = {0, 1, 0, 0, 0, 0};
+static const uint8_t required_filter_vertical_gyro_constraint[] = {0, 1, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_filter_wheeled_vehicle_constraint_control[] = {
+static const struct mip_parameter parameters_filter_wheeled_vehicle_constraint[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_wheeled_vehicle_constraint_control, function), 0,
-     &mip_names_function_selector, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_wheeled_vehicle_constraint, function), 0, &mip_names_function_selector,
+     NULL, NULL, NULL, 0},
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_wheeled_vehicle_constraint_control, enable), 0, NULL, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_filter_wheeled_vehicle_constraint, enable), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_wheeled_vehicle_constraint_control = {
-    parameters_filter_wheeled_vehicle_constraint_control,
+static const struct mip_record record_filter_wheeled_vehicle_constraint = {
+    parameters_filter_wheeled_vehicle_constraint,
     2,
-    sizeof(struct mip_filter_wheeled_vehicle_constraint_control),
+    sizeof(struct mip_filter_wheeled_vehicle_constraint),
 };
-static const uint8_t required_filter_wheeled_vehicle_constraint_control[] = {0, 1, 0, 0, 0, 0};
+static const uint8_t required_filter_wheeled_vehicle_constraint[] = {0, 1, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_filter_gnss_antenna_calibration_control[] = {
+static const struct mip_parameter parameters_filter_gnss_antenna_calibration[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_gnss_antenna_calibration_control, function), 0,
-     &mip_names_function_selector, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_gnss_antenna_calibration, function), 0, &mip_names_function_selector,
+     NULL, NULL, NULL, 0},
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_gnss_antenna_calibration_control, enable), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_gnss_antenna_calibration, enable), 0, NULL, NULL, NULL, NULL, 0},
     {"max_offset", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_filter_gnss_antenna_calibration_control, max_offset), 0, NULL, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_filter_gnss_antenna_calibration, max_offset), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_gnss_antenna_calibration_control = {
-    parameters_filter_gnss_antenna_calibration_control,
+static const struct mip_record record_filter_gnss_antenna_calibration = {
+    parameters_filter_gnss_antenna_calibration,
     3,
-    sizeof(struct mip_filter_gnss_antenna_calibration_control),
+    sizeof(struct mip_filter_gnss_antenna_calibration),
 };
-static const uint8_t required_filter_gnss_antenna_calibration_control[] = {0, 2, 0, 0, 0, 0};
+static const uint8_t required_filter_gnss_antenna_calibration[] = {0, 2, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_vehicle_dynamics_mode_response[] = {
     {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3259,21 +3238,18 @@ static const struct mip_record record_filter_vehicle_dynamics_mode_response = {
     sizeof(struct mip_filter_vehicle_dynamics_mode_response),
 };
 
-static const struct mip_parameter parameters_filter_sensor_to_vehicle_rotation_euler_response[] = {
+static const struct mip_parameter parameters_filter_sensor_to_vehicle_euler_response[] = {
     {"roll", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_sensor_to_vehicle_rotation_euler_response, roll), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_filter_sensor_to_vehicle_euler_response, roll), 0, NULL, NULL, NULL, NULL, 0},
     {"pitch", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_sensor_to_vehicle_rotation_euler_response, pitch), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_filter_sensor_to_vehicle_euler_response, pitch), 0, NULL, NULL, NULL, NULL, 0},
     {"yaw", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_sensor_to_vehicle_rotation_euler_response, yaw), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_filter_sensor_to_vehicle_euler_response, yaw), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_sensor_to_vehicle_rotation_euler_response = {
-    parameters_filter_sensor_to_vehicle_rotation_euler_response,
+static const struct mip_record record_filter_sensor_to_vehicle_euler_response = {
+    parameters_filter_sensor_to_vehicle_euler_response,
     3,
-    sizeof(struct mip_filter_sensor_to_vehicle_rotation_euler_response),
+    sizeof(struct mip_filter_sensor_to_vehicle_euler_response),
 };
 
 static const struct mip_parameter parameters_filter_sensor_to_vehicle_offset_response[] = {
@@ -3511,106 +3487,84 @@ static const struct mip_record record_filter_magnetic_declination_source_respons
     sizeof(struct mip_filter_magnetic_declination_source_response),
 };
 
-static const struct mip_parameter
-    parameters_filter_accel_magnitude_error_adaptive_measurement_response[] = {
-        {"adaptive_measurement", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-         ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement_response,
-             adaptive_measurement),
-         0, &mip_names_filter_adaptive_measurement_selector, NULL, NULL, NULL, 0},
-        {"frequency", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-         ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement_response, frequency), 0,
-         NULL, NULL, NULL, NULL, 0},
-        {"low_limit", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-         ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement_response, low_limit), 0,
-         NULL, NULL, NULL, NULL, 0},
-        {"high_limit", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-         ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement_response, high_limit), 0,
-         NULL, NULL, NULL, NULL, 0},
-        {"low_limit_uncertainty", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1,
-         0, 0, 0,
-         ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement_response,
-             low_limit_uncertainty),
-         0, NULL, NULL, NULL, NULL, 0},
-        {"high_limit_uncertainty", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1,
-         0, 0, 0,
-         ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement_response,
-             high_limit_uncertainty),
-         0, NULL, NULL, NULL, NULL, 0},
-        {"minimum_uncertainty", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
-         0, 0,
-         ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement_response,
-             minimum_uncertainty),
-         0, NULL, NULL, NULL, NULL, 0},
+static const struct mip_parameter parameters_filter_accel_magnitude_adaptive_response[] = {
+    {"adaptive_measurement", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_accel_magnitude_adaptive_response, adaptive_measurement), 0,
+     &mip_names_filter_adaptive_measurement_selector, NULL, NULL, NULL, 0},
+    {"frequency", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_accel_magnitude_adaptive_response, frequency), 0, NULL, NULL, NULL, NULL,
+     0},
+    {"low_limit", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_accel_magnitude_adaptive_response, low_limit), 0, NULL, NULL, NULL, NULL,
+     0},
+    {"high_limit", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_accel_magnitude_adaptive_response, high_limit), 0, NULL, NULL, NULL,
+     NULL, 0},
+    {"low_limit_uncertainty", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
+     0, 0, ONE(struct mip_filter_accel_magnitude_adaptive_response, low_limit_uncertainty), 0, NULL,
+     NULL, NULL, NULL, 0},
+    {"high_limit_uncertainty", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
+     0, 0, ONE(struct mip_filter_accel_magnitude_adaptive_response, high_limit_uncertainty), 0,
+     NULL, NULL, NULL, NULL, 0},
+    {"minimum_uncertainty", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0,
+     0, ONE(struct mip_filter_accel_magnitude_adaptive_response, minimum_uncertainty), 0, NULL,
+     NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_accel_magnitude_error_adaptive_measurement_response = {
-    parameters_filter_accel_magnitude_error_adaptive_measurement_response,
+static const struct mip_record record_filter_accel_magnitude_adaptive_response = {
+    parameters_filter_accel_magnitude_adaptive_response,
     7,
-    sizeof(struct mip_filter_accel_magnitude_error_adaptive_measurement_response),
+    sizeof(struct mip_filter_accel_magnitude_adaptive_response),
 };
 
-static const struct mip_parameter
-    parameters_filter_mag_magnitude_error_adaptive_measurement_response[] = {
-        {"adaptive_measurement", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-         ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement_response,
-             adaptive_measurement),
-         0, &mip_names_filter_adaptive_measurement_selector, NULL, NULL, NULL, 0},
-        {"frequency", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-         ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement_response, frequency), 0,
-         NULL, NULL, NULL, NULL, 0},
-        {"low_limit", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-         ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement_response, low_limit), 0,
-         NULL, NULL, NULL, NULL, 0},
-        {"high_limit", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-         ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement_response, high_limit), 0,
-         NULL, NULL, NULL, NULL, 0},
-        {"low_limit_uncertainty", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1,
-         0, 0, 0,
-         ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement_response,
-             low_limit_uncertainty),
-         0, NULL, NULL, NULL, NULL, 0},
-        {"high_limit_uncertainty", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1,
-         0, 0, 0,
-         ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement_response,
-             high_limit_uncertainty),
-         0, NULL, NULL, NULL, NULL, 0},
-        {"minimum_uncertainty", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
-         0, 0,
-         ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement_response,
-             minimum_uncertainty),
-         0, NULL, NULL, NULL, NULL, 0},
+static const struct mip_parameter parameters_filter_mag_magnitude_adaptive_response[] = {
+    {"adaptive_measurement", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_mag_magnitude_adaptive_response, adaptive_measurement), 0,
+     &mip_names_filter_adaptive_measurement_selector, NULL, NULL, NULL, 0},
+    {"frequency", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_mag_magnitude_adaptive_response, frequency), 0, NULL, NULL, NULL, NULL,
+     0},
+    {"low_limit", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_mag_magnitude_adaptive_response, low_limit), 0, NULL, NULL, NULL, NULL,
+     0},
+    {"high_limit", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_mag_magnitude_adaptive_response, high_limit), 0, NULL, NULL, NULL, NULL,
+     0},
+    {"low_limit_uncertainty", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
+     0, 0, ONE(struct mip_filter_mag_magnitude_adaptive_response, low_limit_uncertainty), 0, NULL,
+     NULL, NULL, NULL, 0},
+    {"high_limit_uncertainty", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
+     0, 0, ONE(struct mip_filter_mag_magnitude_adaptive_response, high_limit_uncertainty), 0, NULL,
+     NULL, NULL, NULL, 0},
+    {"minimum_uncertainty", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0,
+     0, ONE(struct mip_filter_mag_magnitude_adaptive_response, minimum_uncertainty), 0, NULL, NULL,
+     NULL, NULL, 0},
 };
-static const struct mip_record record_filter_mag_magnitude_error_adaptive_measurement_response = {
-    parameters_filter_mag_magnitude_error_adaptive_measurement_response,
+static const struct mip_record record_filter_mag_magnitude_adaptive_response = {
+    parameters_filter_mag_magnitude_adaptive_response,
     7,
-    sizeof(struct mip_filter_mag_magnitude_error_adaptive_measurement_response),
+    sizeof(struct mip_filter_mag_magnitude_adaptive_response),
 };
 
-static const struct mip_parameter
-    parameters_filter_mag_dip_angle_error_adaptive_measurement_response[] = {
-        {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-         ONE(struct mip_filter_mag_dip_angle_error_adaptive_measurement_response, enable), 0, NULL,
-         NULL, NULL, NULL, 0},
-        {"frequency", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-         ONE(struct mip_filter_mag_dip_angle_error_adaptive_measurement_response, frequency), 0,
-         NULL, NULL, NULL, NULL, 0},
-        {"high_limit", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-         ONE(struct mip_filter_mag_dip_angle_error_adaptive_measurement_response, high_limit), 0,
-         NULL, NULL, NULL, NULL, 0},
-        {"high_limit_uncertainty", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1,
-         0, 0, 0,
-         ONE(struct mip_filter_mag_dip_angle_error_adaptive_measurement_response,
-             high_limit_uncertainty),
-         0, NULL, NULL, NULL, NULL, 0},
-        {"minimum_uncertainty", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
-         0, 0,
-         ONE(struct mip_filter_mag_dip_angle_error_adaptive_measurement_response,
-             minimum_uncertainty),
-         0, NULL, NULL, NULL, NULL, 0},
+static const struct mip_parameter parameters_filter_mag_dip_angle_adaptive_response[] = {
+    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_mag_dip_angle_adaptive_response, enable), 0, NULL, NULL, NULL, NULL, 0},
+    {"frequency", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_mag_dip_angle_adaptive_response, frequency), 0, NULL, NULL, NULL, NULL,
+     0},
+    {"high_limit", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_mag_dip_angle_adaptive_response, high_limit), 0, NULL, NULL, NULL, NULL,
+     0},
+    {"high_limit_uncertainty", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0,
+     0, ONE(struct mip_filter_mag_dip_angle_adaptive_response, high_limit_uncertainty), 0, NULL,
+     NULL, NULL, NULL, 0},
+    {"minimum_uncertainty", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_mag_dip_angle_adaptive_response, minimum_uncertainty), 0, NULL, NULL,
+     NULL, NULL, 0},
 };
-static const struct mip_record record_filter_mag_dip_angle_error_adaptive_measurement_response = {
-    parameters_filter_mag_dip_angle_error_adaptive_measurement_response,
+static const struct mip_record record_filter_mag_dip_angle_adaptive_response = {
+    parameters_filter_mag_dip_angle_adaptive_response,
     5,
-    sizeof(struct mip_filter_mag_dip_angle_error_adaptive_measurement_response),
+    sizeof(struct mip_filter_mag_dip_angle_adaptive_response),
 };
 
 static const struct mip_parameter parameters_filter_altitude_aiding_response[] = {
@@ -3663,27 +3617,24 @@ static const struct mip_record record_filter_magnetic_magnitude_source_response 
     sizeof(struct mip_filter_magnetic_magnitude_source_response),
 };
 
-static const struct mip_parameter parameters_filter_sensor_to_vehicle_rotation_dcm_response[] = {
+static const struct mip_parameter parameters_filter_sensor_to_vehicle_dcm_response[] = {
     {"dcm", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 0, 0,
-     ONE(struct mip_filter_sensor_to_vehicle_rotation_dcm_response, dcm), 0, NULL, NULL, NULL, NULL,
-     0},
+     ONE(struct mip_filter_sensor_to_vehicle_dcm_response, dcm), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_sensor_to_vehicle_rotation_dcm_response = {
-    parameters_filter_sensor_to_vehicle_rotation_dcm_response,
+static const struct mip_record record_filter_sensor_to_vehicle_dcm_response = {
+    parameters_filter_sensor_to_vehicle_dcm_response,
     1,
-    sizeof(struct mip_filter_sensor_to_vehicle_rotation_dcm_response),
+    sizeof(struct mip_filter_sensor_to_vehicle_dcm_response),
 };
 
-static const struct mip_parameter
-    parameters_filter_sensor_to_vehicle_rotation_quaternion_response[] = {
-        {"q", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 0, 0,
-         ONE(struct mip_filter_sensor_to_vehicle_rotation_quaternion_response, q), 0, NULL, NULL,
-         NULL, NULL, 0},
+static const struct mip_parameter parameters_filter_sensor_to_vehicle_quaternion_response[] = {
+    {"q", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 0, 0,
+     ONE(struct mip_filter_sensor_to_vehicle_quaternion_response, q), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_sensor_to_vehicle_rotation_quaternion_response = {
-    parameters_filter_sensor_to_vehicle_rotation_quaternion_response,
+static const struct mip_record record_filter_sensor_to_vehicle_quaternion_response = {
+    parameters_filter_sensor_to_vehicle_quaternion_response,
     1,
-    sizeof(struct mip_filter_sensor_to_vehicle_rotation_quaternion_response),
+    sizeof(struct mip_filter_sensor_to_vehicle_quaternion_response),
 };
 
 static const struct mip_parameter parameters_filter_aiding_measurement_enable_response[] = {
@@ -3824,41 +3775,40 @@ static const struct mip_record record_filter_speed_lever_arm_response = {
     sizeof(struct mip_filter_speed_lever_arm_response),
 };
 
-static const struct mip_parameter parameters_filter_vertical_gyro_constraint_control_response[] = {
+static const struct mip_parameter parameters_filter_vertical_gyro_constraint_response[] = {
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_vertical_gyro_constraint_control_response, enable), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_filter_vertical_gyro_constraint_response, enable), 0, NULL, NULL, NULL, NULL,
+     0},
 };
-static const struct mip_record record_filter_vertical_gyro_constraint_control_response = {
-    parameters_filter_vertical_gyro_constraint_control_response,
+static const struct mip_record record_filter_vertical_gyro_constraint_response = {
+    parameters_filter_vertical_gyro_constraint_response,
     1,
-    sizeof(struct mip_filter_vertical_gyro_constraint_control_response),
+    sizeof(struct mip_filter_vertical_gyro_constraint_response),
 };
 
-static const struct mip_parameter parameters_filter_wheeled_vehicle_constraint_control_response[] =
-    {
-        {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-         ONE(struct mip_filter_wheeled_vehicle_constraint_control_response, enable), 0, NULL, NULL,
-         NULL, NULL, 0},
+static const struct mip_parameter parameters_filter_wheeled_vehicle_constraint_response[] = {
+    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_wheeled_vehicle_constraint_response, enable), 0, NULL, NULL, NULL, NULL,
+     0},
 };
-static const struct mip_record record_filter_wheeled_vehicle_constraint_control_response = {
-    parameters_filter_wheeled_vehicle_constraint_control_response,
+static const struct mip_record record_filter_wheeled_vehicle_constraint_response = {
+    parameters_filter_wheeled_vehicle_constraint_response,
     1,
-    sizeof(struct mip_filter_wheeled_vehicle_constraint_control_response),
+    sizeof(struct mip_filter_wheeled_vehicle_constraint_response),
 };
 
-static const struct mip_parameter parameters_filter_gnss_antenna_calibration_control_response[] = {
+static const struct mip_parameter parameters_filter_gnss_antenna_calibration_response[] = {
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_gnss_antenna_calibration_control_response, enable), 0, NULL, NULL, NULL,
-     NULL, 0},
+     ONE(struct mip_filter_gnss_antenna_calibration_response, enable), 0, NULL, NULL, NULL, NULL,
+     0},
     {"max_offset", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_gnss_antenna_calibration_control_response, max_offset), 0, NULL, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_filter_gnss_antenna_calibration_response, max_offset), 0, NULL, NULL, NULL,
+     NULL, 0},
 };
-static const struct mip_record record_filter_gnss_antenna_calibration_control_response = {
-    parameters_filter_gnss_antenna_calibration_control_response,
+static const struct mip_record record_filter_gnss_antenna_calibration_response = {
+    parameters_filter_gnss_antenna_calibration_response,
     2,
-    sizeof(struct mip_filter_gnss_antenna_calibration_control_response),
+    sizeof(struct mip_filter_gnss_antenna_calibration_response),
 };
 
 static const struct mip_record record_gnss_receiver_info = {
@@ -5381,18 +5331,18 @@ static const struct mip_record record_filter_data_antenna_offset_correction = {
     sizeof(struct mip_filter_data_antenna_offset_correction),
 };
 
-static const struct mip_parameter parameters_filter_data_antenna_offset_correction_uncertainty[] = {
+static const struct mip_parameter parameters_filter_data_antenna_offset_uncertainty[] = {
     {"offset_uncertainty", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_filter_data_antenna_offset_correction_uncertainty, offset_uncertainty), 0, NULL,
-     NULL, NULL, NULL, 0},
+     ONE(struct mip_filter_data_antenna_offset_uncertainty, offset_uncertainty), 0, NULL, NULL,
+     NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_antenna_offset_correction_uncertainty, valid_flags), 0,
+     ONE(struct mip_filter_data_antenna_offset_uncertainty, valid_flags), 0,
      &mip_names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_data_antenna_offset_correction_uncertainty = {
-    parameters_filter_data_antenna_offset_correction_uncertainty,
+static const struct mip_record record_filter_data_antenna_offset_uncertainty = {
+    parameters_filter_data_antenna_offset_uncertainty,
     2,
-    sizeof(struct mip_filter_data_antenna_offset_correction_uncertainty),
+    sizeof(struct mip_filter_data_antenna_offset_uncertainty),
 };
 
 static const struct mip_parameter parameters_filter_data_clock_correction[] = {
@@ -5449,24 +5399,21 @@ static const struct mip_record record_filter_data_multi_antenna_offset_correctio
     sizeof(struct mip_filter_data_multi_antenna_offset_correction),
 };
 
-static const struct mip_parameter
-    parameters_filter_data_multi_antenna_offset_correction_uncertainty[] = {
-        {"receiver_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-         ONE(struct mip_filter_data_multi_antenna_offset_correction_uncertainty, receiver_id), 0,
-         NULL, NULL, NULL, NULL, 0},
-        {"offset_uncertainty", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0,
-         0,
-         ONE(struct mip_filter_data_multi_antenna_offset_correction_uncertainty,
-             offset_uncertainty),
-         0, NULL, NULL, NULL, NULL, 0},
-        {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-         ONE(struct mip_filter_data_multi_antenna_offset_correction_uncertainty, valid_flags), 0,
-         &mip_names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+static const struct mip_parameter parameters_filter_data_multi_antenna_offset_uncertainty[] = {
+    {"receiver_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_multi_antenna_offset_uncertainty, receiver_id), 0, NULL, NULL, NULL,
+     NULL, 0},
+    {"offset_uncertainty", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_filter_data_multi_antenna_offset_uncertainty, offset_uncertainty), 0, NULL,
+     NULL, NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_multi_antenna_offset_uncertainty, valid_flags), 0,
+     &mip_names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_data_multi_antenna_offset_correction_uncertainty = {
-    parameters_filter_data_multi_antenna_offset_correction_uncertainty,
+static const struct mip_record record_filter_data_multi_antenna_offset_uncertainty = {
+    parameters_filter_data_multi_antenna_offset_uncertainty,
     3,
-    sizeof(struct mip_filter_data_multi_antenna_offset_correction_uncertainty),
+    sizeof(struct mip_filter_data_multi_antenna_offset_uncertainty),
 };
 
 static const struct mip_parameter parameters_filter_data_ecef_position_uncertainty[] = {
@@ -5594,10 +5541,10 @@ static const struct mip_parameter parameters_filter_data_aiding_measurement_summ
      ONE(struct mip_filter_data_aiding_measurement_summary, source), 0, NULL, NULL, NULL, NULL, 0},
     {"type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_aiding_measurement_summary, type), 0,
-     &mip_names_filter_data_aiding_measurement_type, NULL, NULL, NULL, 0},
+     &mip_names_filter_data_aiding_type, NULL, NULL, NULL, 0},
     {"indicator", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_aiding_measurement_summary, indicator), 0,
-     &mip_names_filter_data_aiding_measurement_indicator, NULL, NULL, NULL, 0},
+     &mip_names_filter_data_aiding_indicator, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_aiding_measurement_summary = {
     parameters_filter_data_aiding_measurement_summary,
@@ -5619,21 +5566,19 @@ static const struct mip_record record_filter_data_odometer_scale_factor_error = 
     sizeof(struct mip_filter_data_odometer_scale_factor_error),
 };
 
-static const struct mip_parameter parameters_filter_data_odometer_scale_factor_error_uncertainty[] =
-    {
-        {"scale_factor_error_uncertainty", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE,
-         1, 1, 0, 0, 0,
-         ONE(struct mip_filter_data_odometer_scale_factor_error_uncertainty,
-             scale_factor_error_uncertainty),
-         0, NULL, NULL, NULL, NULL, 0},
-        {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-         ONE(struct mip_filter_data_odometer_scale_factor_error_uncertainty, valid_flags), 0,
-         &mip_names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+static const struct mip_parameter parameters_filter_data_odometer_scale_factor_uncertainty[] = {
+    {"scale_factor_error_uncertainty", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1,
+     0, 0, 0,
+     ONE(struct mip_filter_data_odometer_scale_factor_uncertainty, scale_factor_error_uncertainty),
+     0, NULL, NULL, NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_odometer_scale_factor_uncertainty, valid_flags), 0,
+     &mip_names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_data_odometer_scale_factor_error_uncertainty = {
-    parameters_filter_data_odometer_scale_factor_error_uncertainty,
+static const struct mip_record record_filter_data_odometer_scale_factor_uncertainty = {
+    parameters_filter_data_odometer_scale_factor_uncertainty,
     2,
-    sizeof(struct mip_filter_data_odometer_scale_factor_error_uncertainty),
+    sizeof(struct mip_filter_data_odometer_scale_factor_uncertainty),
 };
 
 static const struct mip_parameter parameters_filter_data_gnss_dual_antenna_status[] = {
@@ -5675,21 +5620,21 @@ static const struct mip_record record_filter_data_aiding_frame_config_error = {
     sizeof(struct mip_filter_data_aiding_frame_config_error),
 };
 
-static const struct mip_parameter parameters_filter_data_aiding_frame_config_error_uncertainty[] = {
+static const struct mip_parameter parameters_filter_data_aiding_frame_error_uncertainty[] = {
     {"frame_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_aiding_frame_config_error_uncertainty, frame_id), 0, NULL, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_filter_data_aiding_frame_error_uncertainty, frame_id), 0, NULL, NULL, NULL,
+     NULL, 0},
     {"translation_uncertainty", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0,
-     0, ONE(struct mip_filter_data_aiding_frame_config_error_uncertainty, translation_uncertainty),
-     0, NULL, NULL, NULL, NULL, 0},
-    {"attitude_uncertainty", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0,
-     0, ONE(struct mip_filter_data_aiding_frame_config_error_uncertainty, attitude_uncertainty), 0,
+     0, ONE(struct mip_filter_data_aiding_frame_error_uncertainty, translation_uncertainty), 0,
      NULL, NULL, NULL, NULL, 0},
+    {"attitude_uncertainty", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0,
+     0, ONE(struct mip_filter_data_aiding_frame_error_uncertainty, attitude_uncertainty), 0, NULL,
+     NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_filter_data_aiding_frame_config_error_uncertainty = {
-    parameters_filter_data_aiding_frame_config_error_uncertainty,
+static const struct mip_record record_filter_data_aiding_frame_error_uncertainty = {
+    parameters_filter_data_aiding_frame_error_uncertainty,
     3,
-    sizeof(struct mip_filter_data_aiding_frame_config_error_uncertainty),
+    sizeof(struct mip_filter_data_aiding_frame_error_uncertainty),
 };
 
 static const struct mip_parameter parameters_gnss_1_llh_position[] = {
@@ -6551,7 +6496,7 @@ static const struct mip_record record_gnss_1_beidou_iono_correction = {
 };
 
 static const struct mip_reading readings_system_data_built_in_test_result[] = {
-    {"3dm-cv7-gnss-ins", 0, 0, &mip_names_cv7_continuous_built_in_test},
+    {"3dm-cv7-gnss-ins", 0, 0, &mip_names_cv7_continuous_bit},
 };
 static const struct mip_parameter parameters_system_data_built_in_test[] = {
     {"result", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 16, 1, 0, 0, 0,
@@ -6797,20 +6742,16 @@ const struct mip_reflection mip_reflections[] = {
      offsetof(struct mip_3dm_event_action_config, present)},
     {&mip_3dm_device_settings_codec, &record_3dm_device_settings, true, false,
      required_3dm_device_settings, sizeof(required_3dm_device_settings), 0},
-    {&mip_3dm_sensor_to_vehicle_transform_euler_codec,
-     &record_3dm_sensor_to_vehicle_transform_euler, true, true,
-     required_3dm_sensor_to_vehicle_transform_euler,
-     sizeof(required_3dm_sensor_to_vehicle_transform_euler),
-     offsetof(struct mip_3dm_sensor_to_vehicle_transform_euler, present)},
-    {&mip_3dm_sensor_to_vehicle_transform_quaternion_codec,
-     &record_3dm_sensor_to_vehicle_transform_quaternion, true, true,
-     required_3dm_sensor_to_vehicle_transform_quaternion,
-     sizeof(required_3dm_sensor_to_vehicle_transform_quaternion),
-     offsetof(struct mip_3dm_sensor_to_vehicle_transform_quaternion, present)},
-    {&mip_3dm_sensor_to_vehicle_transform_dcm_codec, &record_3dm_sensor_to_vehicle_transform_dcm,
-     true, true, required_3dm_sensor_to_vehicle_transform_dcm,
-     sizeof(required_3dm_sensor_to_vehicle_transform_dcm),
-     offsetof(struct mip_3dm_sensor_to_vehicle_transform_dcm, present)},
+    {&mip_3dm_sensor_to_vehicle_euler_codec, &record_3dm_sensor_to_vehicle_euler, true, true,
+     required_3dm_sensor_to_vehicle_euler, sizeof(required_3dm_sensor_to_vehicle_euler),
+     offsetof(struct mip_3dm_sensor_to_vehicle_euler, present)},
+    {&mip_3dm_sensor_to_vehicle_quaternion_codec, &record_3dm_sensor_to_vehicle_quaternion, true,
+     true, required_3dm_sensor_to_vehicle_quaternion,
+     sizeof(required_3dm_sensor_to_vehicle_quaternion),
+     offsetof(struct mip_3dm_sensor_to_vehicle_quaternion, present)},
+    {&mip_3dm_sensor_to_vehicle_dcm_codec, &record_3dm_sensor_to_vehicle_dcm, true, true,
+     required_3dm_sensor_to_vehicle_dcm, sizeof(required_3dm_sensor_to_vehicle_dcm),
+     offsetof(struct mip_3dm_sensor_to_vehicle_dcm, present)},
     {&mip_3dm_accel_bias_codec, &record_3dm_accel_bias, true, true, required_3dm_accel_bias,
      sizeof(required_3dm_accel_bias), offsetof(struct mip_3dm_accel_bias, present)},
     {&mip_3dm_gyro_bias_codec, &record_3dm_gyro_bias, true, true, required_3dm_gyro_bias,
@@ -6875,8 +6816,8 @@ const struct mip_reflection mip_reflections[] = {
      NULL, 0, 0},
     {&mip_3dm_device_status_basic_response_codec, &record_3dm_device_status_basic_response, false,
      false, NULL, 0, 0},
-    {&mip_3dm_device_status_basic_without_state_response_codec,
-     &record_3dm_device_status_basic_without_state_response, false, false, NULL, 0, 0},
+    {&mip_3dm_device_status_basic_stateless_response_codec,
+     &record_3dm_device_status_basic_stateless_response, false, false, NULL, 0, 0},
     {&mip_3dm_device_status_diagnostic_response_codec,
      &record_3dm_device_status_diagnostic_response, false, false, NULL, 0, 0},
     {&mip_3dm_device_status_diagnostic_gnss_response_codec,
@@ -6909,12 +6850,12 @@ const struct mip_reflection mip_reflections[] = {
      false, NULL, 0, 0},
     {&mip_3dm_pps_source_control_response_codec, &record_3dm_pps_source_control_response, false,
      false, NULL, 0, 0},
-    {&mip_3dm_sensor_to_vehicle_transform_euler_response_codec,
-     &record_3dm_sensor_to_vehicle_transform_euler_response, false, false, NULL, 0, 0},
-    {&mip_3dm_sensor_to_vehicle_transform_quaternion_response_codec,
-     &record_3dm_sensor_to_vehicle_transform_quaternion_response, false, false, NULL, 0, 0},
-    {&mip_3dm_sensor_to_vehicle_transform_dcm_response_codec,
-     &record_3dm_sensor_to_vehicle_transform_dcm_response, false, false, NULL, 0, 0},
+    {&mip_3dm_sensor_to_vehicle_euler_response_codec, &record_3dm_sensor_to_vehicle_euler_response,
+     false, false, NULL, 0, 0},
+    {&mip_3dm_sensor_to_vehicle_quaternion_response_codec,
+     &record_3dm_sensor_to_vehicle_quaternion_response, false, false, NULL, 0, 0},
+    {&mip_3dm_sensor_to_vehicle_dcm_response_codec, &record_3dm_sensor_to_vehicle_dcm_response,
+     false, false, NULL, 0, 0},
     {&mip_3dm_get_event_support_response_codec, &record_3dm_get_event_support_response, false,
      false, NULL, 0, 0},
     {&mip_3dm_event_control_response_codec, &record_3dm_event_control_response, false, false, NULL,
@@ -6947,11 +6888,9 @@ const struct mip_reflection mip_reflections[] = {
     {&mip_filter_vehicle_dynamics_mode_codec, &record_filter_vehicle_dynamics_mode, true, true,
      required_filter_vehicle_dynamics_mode, sizeof(required_filter_vehicle_dynamics_mode),
      offsetof(struct mip_filter_vehicle_dynamics_mode, present)},
-    {&mip_filter_sensor_to_vehicle_rotation_euler_codec,
-     &record_filter_sensor_to_vehicle_rotation_euler, true, true,
-     required_filter_sensor_to_vehicle_rotation_euler,
-     sizeof(required_filter_sensor_to_vehicle_rotation_euler),
-     offsetof(struct mip_filter_sensor_to_vehicle_rotation_euler, present)},
+    {&mip_filter_sensor_to_vehicle_euler_codec, &record_filter_sensor_to_vehicle_euler, true, true,
+     required_filter_sensor_to_vehicle_euler, sizeof(required_filter_sensor_to_vehicle_euler),
+     offsetof(struct mip_filter_sensor_to_vehicle_euler, present)},
     {&mip_filter_sensor_to_vehicle_offset_codec, &record_filter_sensor_to_vehicle_offset, true,
      true, required_filter_sensor_to_vehicle_offset,
      sizeof(required_filter_sensor_to_vehicle_offset),
@@ -7028,21 +6967,16 @@ const struct mip_reflection mip_reflections[] = {
      true, true, required_filter_magnetic_declination_source,
      sizeof(required_filter_magnetic_declination_source),
      offsetof(struct mip_filter_magnetic_declination_source, present)},
-    {&mip_filter_accel_magnitude_error_adaptive_measurement_codec,
-     &record_filter_accel_magnitude_error_adaptive_measurement, true, true,
-     required_filter_accel_magnitude_error_adaptive_measurement,
-     sizeof(required_filter_accel_magnitude_error_adaptive_measurement),
-     offsetof(struct mip_filter_accel_magnitude_error_adaptive_measurement, present)},
-    {&mip_filter_mag_magnitude_error_adaptive_measurement_codec,
-     &record_filter_mag_magnitude_error_adaptive_measurement, true, true,
-     required_filter_mag_magnitude_error_adaptive_measurement,
-     sizeof(required_filter_mag_magnitude_error_adaptive_measurement),
-     offsetof(struct mip_filter_mag_magnitude_error_adaptive_measurement, present)},
-    {&mip_filter_mag_dip_angle_error_adaptive_measurement_codec,
-     &record_filter_mag_dip_angle_error_adaptive_measurement, true, true,
-     required_filter_mag_dip_angle_error_adaptive_measurement,
-     sizeof(required_filter_mag_dip_angle_error_adaptive_measurement),
-     offsetof(struct mip_filter_mag_dip_angle_error_adaptive_measurement, present)},
+    {&mip_filter_accel_magnitude_adaptive_codec, &record_filter_accel_magnitude_adaptive, true,
+     true, required_filter_accel_magnitude_adaptive,
+     sizeof(required_filter_accel_magnitude_adaptive),
+     offsetof(struct mip_filter_accel_magnitude_adaptive, present)},
+    {&mip_filter_mag_magnitude_adaptive_codec, &record_filter_mag_magnitude_adaptive, true, true,
+     required_filter_mag_magnitude_adaptive, sizeof(required_filter_mag_magnitude_adaptive),
+     offsetof(struct mip_filter_mag_magnitude_adaptive, present)},
+    {&mip_filter_mag_dip_angle_adaptive_codec, &record_filter_mag_dip_angle_adaptive, true, true,
+     required_filter_mag_dip_angle_adaptive, sizeof(required_filter_mag_dip_angle_adaptive),
+     offsetof(struct mip_filter_mag_dip_angle_adaptive, present)},
     {&mip_filter_altitude_aiding_codec, &record_filter_altitude_aiding, true, true,
      required_filter_altitude_aiding, sizeof(required_filter_altitude_aiding),
      offsetof(struct mip_filter_altitude_aiding, present)},
@@ -7057,16 +6991,13 @@ const struct mip_reflection mip_reflections[] = {
      true, required_filter_magnetic_magnitude_source,
      sizeof(required_filter_magnetic_magnitude_source),
      offsetof(struct mip_filter_magnetic_magnitude_source, present)},
-    {&mip_filter_sensor_to_vehicle_rotation_dcm_codec,
-     &record_filter_sensor_to_vehicle_rotation_dcm, true, true,
-     required_filter_sensor_to_vehicle_rotation_dcm,
-     sizeof(required_filter_sensor_to_vehicle_rotation_dcm),
-     offsetof(struct mip_filter_sensor_to_vehicle_rotation_dcm, present)},
-    {&mip_filter_sensor_to_vehicle_rotation_quaternion_codec,
-     &record_filter_sensor_to_vehicle_rotation_quaternion, true, true,
-     required_filter_sensor_to_vehicle_rotation_quaternion,
-     sizeof(required_filter_sensor_to_vehicle_rotation_quaternion),
-     offsetof(struct mip_filter_sensor_to_vehicle_rotation_quaternion, present)},
+    {&mip_filter_sensor_to_vehicle_dcm_codec, &record_filter_sensor_to_vehicle_dcm, true, true,
+     required_filter_sensor_to_vehicle_dcm, sizeof(required_filter_sensor_to_vehicle_dcm),
+     offsetof(struct mip_filter_sensor_to_vehicle_dcm, present)},
+    {&mip_filter_sensor_to_vehicle_quaternion_codec, &record_filter_sensor_to_vehicle_quaternion,
+     true, true, required_filter_sensor_to_vehicle_quaternion,
+     sizeof(required_filter_sensor_to_vehicle_quaternion),
+     offsetof(struct mip_filter_sensor_to_vehicle_quaternion, present)},
     {&mip_filter_aiding_measurement_enable_codec, &record_filter_aiding_measurement_enable, true,
      true, required_filter_aiding_measurement_enable,
      sizeof(required_filter_aiding_measurement_enable),
@@ -7096,25 +7027,22 @@ const struct mip_reflection mip_reflections[] = {
     {&mip_filter_speed_lever_arm_codec, &record_filter_speed_lever_arm, true, true,
      required_filter_speed_lever_arm, sizeof(required_filter_speed_lever_arm),
      offsetof(struct mip_filter_speed_lever_arm, present)},
-    {&mip_filter_vertical_gyro_constraint_control_codec,
-     &record_filter_vertical_gyro_constraint_control, true, true,
-     required_filter_vertical_gyro_constraint_control,
-     sizeof(required_filter_vertical_gyro_constraint_control),
-     offsetof(struct mip_filter_vertical_gyro_constraint_control, present)},
-    {&mip_filter_wheeled_vehicle_constraint_control_codec,
-     &record_filter_wheeled_vehicle_constraint_control, true, true,
-     required_filter_wheeled_vehicle_constraint_control,
-     sizeof(required_filter_wheeled_vehicle_constraint_control),
-     offsetof(struct mip_filter_wheeled_vehicle_constraint_control, present)},
-    {&mip_filter_gnss_antenna_calibration_control_codec,
-     &record_filter_gnss_antenna_calibration_control, true, true,
-     required_filter_gnss_antenna_calibration_control,
-     sizeof(required_filter_gnss_antenna_calibration_control),
-     offsetof(struct mip_filter_gnss_antenna_calibration_control, present)},
+    {&mip_filter_vertical_gyro_constraint_codec, &record_filter_vertical_gyro_constraint, true,
+     true, required_filter_vertical_gyro_constraint,
+     sizeof(required_filter_vertical_gyro_constraint),
+     offsetof(struct mip_filter_vertical_gyro_constraint, present)},
+    {&mip_filter_wheeled_vehicle_constraint_codec, &record_filter_wheeled_vehicle_constraint, true,
+     true, required_filter_wheeled_vehicle_constraint,
+     sizeof(required_filter_wheeled_vehicle_constraint),
+     offsetof(struct mip_filter_wheeled_vehicle_constraint, present)},
+    {&mip_filter_gnss_antenna_calibration_codec, &record_filter_gnss_antenna_calibration, true,
+     true, required_filter_gnss_antenna_calibration,
+     sizeof(required_filter_gnss_antenna_calibration),
+     offsetof(struct mip_filter_gnss_antenna_calibration, present)},
     {&mip_filter_vehicle_dynamics_mode_response_codec,
      &record_filter_vehicle_dynamics_mode_response, false, false, NULL, 0, 0},
-    {&mip_filter_sensor_to_vehicle_rotation_euler_response_codec,
-     &record_filter_sensor_to_vehicle_rotation_euler_response, false, false, NULL, 0, 0},
+    {&mip_filter_sensor_to_vehicle_euler_response_codec,
+     &record_filter_sensor_to_vehicle_euler_response, false, false, NULL, 0, 0},
     {&mip_filter_sensor_to_vehicle_offset_response_codec,
      &record_filter_sensor_to_vehicle_offset_response, false, false, NULL, 0, 0},
     {&mip_filter_antenna_offset_response_codec, &record_filter_antenna_offset_response, false,
@@ -7157,12 +7085,12 @@ const struct mip_reflection mip_reflections[] = {
      0},
     {&mip_filter_magnetic_declination_source_response_codec,
      &record_filter_magnetic_declination_source_response, false, false, NULL, 0, 0},
-    {&mip_filter_accel_magnitude_error_adaptive_measurement_response_codec,
-     &record_filter_accel_magnitude_error_adaptive_measurement_response, false, false, NULL, 0, 0},
-    {&mip_filter_mag_magnitude_error_adaptive_measurement_response_codec,
-     &record_filter_mag_magnitude_error_adaptive_measurement_response, false, false, NULL, 0, 0},
-    {&mip_filter_mag_dip_angle_error_adaptive_measurement_response_codec,
-     &record_filter_mag_dip_angle_error_adaptive_measurement_response, false, false, NULL, 0, 0},
+    {&mip_filter_accel_magnitude_adaptive_response_codec,
+     &record_filter_accel_magnitude_adaptive_response, false, false, NULL, 0, 0},
+    {&mip_filter_mag_magnitude_adaptive_response_codec,
+     &record_filter_mag_magnitude_adaptive_response, false, false, NULL, 0, 0},
+    {&mip_filter_mag_dip_angle_adaptive_response_codec,
+     &record_filter_mag_dip_angle_adaptive_response, false, false, NULL, 0, 0},
     {&mip_filter_altitude_aiding_response_codec, &record_filter_altitude_aiding_response, false,
      false, NULL, 0, 0},
     {&mip_filter_pitch_roll_aiding_response_codec, &record_filter_pitch_roll_aiding_response, false,
@@ -7171,10 +7099,10 @@ const struct mip_reflection mip_reflections[] = {
      &record_filter_magnetic_inclination_source_response, false, false, NULL, 0, 0},
     {&mip_filter_magnetic_magnitude_source_response_codec,
      &record_filter_magnetic_magnitude_source_response, false, false, NULL, 0, 0},
-    {&mip_filter_sensor_to_vehicle_rotation_dcm_response_codec,
-     &record_filter_sensor_to_vehicle_rotation_dcm_response, false, false, NULL, 0, 0},
-    {&mip_filter_sensor_to_vehicle_rotation_quaternion_response_codec,
-     &record_filter_sensor_to_vehicle_rotation_quaternion_response, false, false, NULL, 0, 0},
+    {&mip_filter_sensor_to_vehicle_dcm_response_codec,
+     &record_filter_sensor_to_vehicle_dcm_response, false, false, NULL, 0, 0},
+    {&mip_filter_sensor_to_vehicle_quaternion_response_codec,
+     &record_filter_sensor_to_vehicle_quaternion_response, false, false, NULL, 0, 0},
     {&mip_filter_aiding_measurement_enable_response_codec,
      &record_filter_aiding_measurement_enable_response, false, false, NULL, 0, 0},
     {&mip_filter_kinematic_constraint_response_codec, &record_filter_kinematic_constraint_response,
@@ -7191,12 +7119,12 @@ const struct mip_reflection mip_reflections[] = {
      &record_filter_reference_point_lever_arm_response, false, false, NULL, 0, 0},
     {&mip_filter_speed_lever_arm_response_codec, &record_filter_speed_lever_arm_response, false,
      false, NULL, 0, 0},
-    {&mip_filter_vertical_gyro_constraint_control_response_codec,
-     &record_filter_vertical_gyro_constraint_control_response, false, false, NULL, 0, 0},
-    {&mip_filter_wheeled_vehicle_constraint_control_response_codec,
-     &record_filter_wheeled_vehicle_constraint_control_response, false, false, NULL, 0, 0},
-    {&mip_filter_gnss_antenna_calibration_control_response_codec,
-     &record_filter_gnss_antenna_calibration_control_response, false, false, NULL, 0, 0},
+    {&mip_filter_vertical_gyro_constraint_response_codec,
+     &record_filter_vertical_gyro_constraint_response, false, false, NULL, 0, 0},
+    {&mip_filter_wheeled_vehicle_constraint_response_codec,
+     &record_filter_wheeled_vehicle_constraint_response, false, false, NULL, 0, 0},
+    {&mip_filter_gnss_antenna_calibration_response_codec,
+     &record_filter_gnss_antenna_calibration_response, false, false, NULL, 0, 0},
     {&mip_gnss_receiver_info_codec, &record_gnss_receiver_info, false, false, NULL, 0, 0},
     {&mip_gnss_signal_config_codec, &record_gnss_signal_config, true, true,
      required_gnss_signal_config, sizeof(required_gnss_signal_config),
@@ -7413,16 +7341,16 @@ const struct mip_reflection mip_reflections[] = {
      false, NULL, 0, 0},
     {&mip_filter_data_antenna_offset_correction_codec,
      &record_filter_data_antenna_offset_correction, false, false, NULL, 0, 0},
-    {&mip_filter_data_antenna_offset_correction_uncertainty_codec,
-     &record_filter_data_antenna_offset_correction_uncertainty, false, false, NULL, 0, 0},
+    {&mip_filter_data_antenna_offset_uncertainty_codec,
+     &record_filter_data_antenna_offset_uncertainty, false, false, NULL, 0, 0},
     {&mip_filter_data_clock_correction_codec, &record_filter_data_clock_correction, false, false,
      NULL, 0, 0},
     {&mip_filter_data_clock_correction_uncertainty_codec,
      &record_filter_data_clock_correction_uncertainty, false, false, NULL, 0, 0},
     {&mip_filter_data_multi_antenna_offset_correction_codec,
      &record_filter_data_multi_antenna_offset_correction, false, false, NULL, 0, 0},
-    {&mip_filter_data_multi_antenna_offset_correction_uncertainty_codec,
-     &record_filter_data_multi_antenna_offset_correction_uncertainty, false, false, NULL, 0, 0},
+    {&mip_filter_data_multi_antenna_offset_uncertainty_codec,
+     &record_filter_data_multi_antenna_offset_uncertainty, false, false, NULL, 0, 0},
     {&mip_filter_data_ecef_position_uncertainty_codec,
      &record_filter_data_ecef_position_uncertainty, false, false, NULL, 0, 0},
     {&mip_filter_data_ecef_velocity_uncertainty_codec,
@@ -7443,14 +7371,14 @@ const struct mip_reflection mip_reflections[] = {
      &record_filter_data_aiding_measurement_summary, false, false, NULL, 0, 0},
     {&mip_filter_data_odometer_scale_factor_error_codec,
      &record_filter_data_odometer_scale_factor_error, false, false, NULL, 0, 0},
-    {&mip_filter_data_odometer_scale_factor_error_uncertainty_codec,
-     &record_filter_data_odometer_scale_factor_error_uncertainty, false, false, NULL, 0, 0},
+    {&mip_filter_data_odometer_scale_factor_uncertainty_codec,
+     &record_filter_data_odometer_scale_factor_uncertainty, false, false, NULL, 0, 0},
     {&mip_filter_data_gnss_dual_antenna_status_codec, &record_filter_data_gnss_dual_antenna_status,
      false, false, NULL, 0, 0},
     {&mip_filter_data_aiding_frame_config_error_codec,
      &record_filter_data_aiding_frame_config_error, false, false, NULL, 0, 0},
-    {&mip_filter_data_aiding_frame_config_error_uncertainty_codec,
-     &record_filter_data_aiding_frame_config_error_uncertainty, false, false, NULL, 0, 0},
+    {&mip_filter_data_aiding_frame_error_uncertainty_codec,
+     &record_filter_data_aiding_frame_error_uncertainty, false, false, NULL, 0, 0},
     {&mip_gnss_1_llh_position_codec, &record_gnss_1_llh_position, false, false, NULL, 0, 0},
     {&mip_gnss_1_ecef_position_codec, &record_gnss_1_ecef_position, false, false, NULL, 0, 0},
     {&mip_gnss_1_ned_velocity_codec, &record_gnss_1_ned_velocity, false, false, NULL, 0, 0},

@@ -52,7 +52,7 @@ typedef uint8_t mip_system_data_gpio_pin_states;
 struct mip_system_data_built_in_test {
     /**
      * Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the second
-     * byte. On the 3DM-CV7-GNSS/INS: values of mip_cv7_continuous_built_in_test.
+     * byte. On the 3DM-CV7-GNSS/INS: values of mip_cv7_continuous_bit.
      */
     uint8_t result[16];
 };

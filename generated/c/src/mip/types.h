@@ -65,432 +65,432 @@ typedef uint32_t mip_cv7_built_in_test;
 
 /**
  * Flags of the continuous built-in test of the 3DM-CV7-GNSS/INS: bits 0-31 system, 32-63 inertial
- * sensors, 64-95 navigation, 96-127 GNSS.
+ * sensors, 64-95 navigation, 96-127 GNSS. In full: cv7_continuous_built_in_test.
  *
  * - 3dm-cv7-gnss-ins: Continuous Built-in Test
  */
-struct mip_cv7_continuous_built_in_test {
+struct mip_cv7_continuous_bit {
     /** Least significant byte first. */
     uint8_t bytes[16];
 };
 
 /** Bit 0. The system clock does not work properly. */
-static inline bool mip_cv7_continuous_built_in_test_get_system_clock_failure(
-    const struct mip_cv7_continuous_built_in_test *flags) {
+static inline bool
+mip_cv7_continuous_bit_get_system_clock_failure(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 0, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_system_clock_failure(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+static inline void
+mip_cv7_continuous_bit_set_system_clock_failure(struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 0, 1, value);
 }
 
 /** Bit 1. The supply voltage is out of range, or an internal supply has failed. */
-static inline bool mip_cv7_continuous_built_in_test_get_power_fault(
-    const struct mip_cv7_continuous_built_in_test *flags) {
+static inline bool
+mip_cv7_continuous_bit_get_power_fault(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 1, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_power_fault(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+static inline void mip_cv7_continuous_bit_set_power_fault(struct mip_cv7_continuous_bit *flags,
+                                                          bool value) {
     mip_set_bits(flags->bytes, 1, 1, value);
 }
 
 /** Bit 4. The firmware met an unexpected condition. */
-static inline bool mip_cv7_continuous_built_in_test_get_firmware_fault(
-    const struct mip_cv7_continuous_built_in_test *flags) {
+static inline bool
+mip_cv7_continuous_bit_get_firmware_fault(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 4, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_firmware_fault(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+static inline void mip_cv7_continuous_bit_set_firmware_fault(struct mip_cv7_continuous_bit *flags,
+                                                             bool value) {
     mip_set_bits(flags->bytes, 4, 1, value);
 }
 
 /** Bit 5. The processor cannot keep up. */
-static inline bool mip_cv7_continuous_built_in_test_get_timing_overload(
-    const struct mip_cv7_continuous_built_in_test *flags) {
+static inline bool
+mip_cv7_continuous_bit_get_timing_overload(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 5, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_timing_overload(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+static inline void mip_cv7_continuous_bit_set_timing_overload(struct mip_cv7_continuous_bit *flags,
+                                                              bool value) {
     mip_set_bits(flags->bytes, 5, 1, value);
 }
 
 /** Bit 6. A data buffer was full and data may be lost. */
-static inline bool mip_cv7_continuous_built_in_test_get_buffer_overrun(
-    const struct mip_cv7_continuous_built_in_test *flags) {
+static inline bool
+mip_cv7_continuous_bit_get_buffer_overrun(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 6, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_buffer_overrun(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+static inline void mip_cv7_continuous_bit_set_buffer_overrun(struct mip_cv7_continuous_bit *flags,
+                                                             bool value) {
     mip_set_bits(flags->bytes, 6, 1, value);
 }
 
 /** Bit 16. The inertial sensor subsystem does not run or did not start. */
-static inline bool mip_cv7_continuous_built_in_test_get_imu_process_fault(
-    const struct mip_cv7_continuous_built_in_test *flags) {
+static inline bool
+mip_cv7_continuous_bit_get_imu_process_fault(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 16, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_imu_process_fault(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+static inline void
+mip_cv7_continuous_bit_set_imu_process_fault(struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 16, 1, value);
 }
 
 /** Bit 17. The processing of sensor data took too long. */
-static inline bool mip_cv7_continuous_built_in_test_get_imu_data_process_time_exceeded(
-    const struct mip_cv7_continuous_built_in_test *flags) {
+static inline bool mip_cv7_continuous_bit_get_imu_data_process_time_exceeded(
+    const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 17, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_imu_data_process_time_exceeded(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+static inline void mip_cv7_continuous_bit_set_imu_data_process_time_exceeded(
+    struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 17, 1, value);
 }
 
 /** Bit 18. Sensor data does not come at its base rate. */
-static inline bool mip_cv7_continuous_built_in_test_get_imu_data_rate_error(
-    const struct mip_cv7_continuous_built_in_test *flags) {
+static inline bool
+mip_cv7_continuous_bit_get_imu_data_rate_error(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 18, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_imu_data_rate_error(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+static inline void
+mip_cv7_continuous_bit_set_imu_data_rate_error(struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 18, 1, value);
 }
 
 /** Bit 19. The inertial sensor subsystem produces no data. */
-static inline bool mip_cv7_continuous_built_in_test_get_imu_stall(
-    const struct mip_cv7_continuous_built_in_test *flags) {
+static inline bool
+mip_cv7_continuous_bit_get_imu_stall(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 19, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_imu_stall(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+static inline void mip_cv7_continuous_bit_set_imu_stall(struct mip_cv7_continuous_bit *flags,
+                                                        bool value) {
     mip_set_bits(flags->bytes, 19, 1, value);
 }
 
 /** Bits 20 to 23. Any of these: the filter does not work normally. Overlaps other bits. */
-static inline uint8_t mip_cv7_continuous_built_in_test_get_filter_process_fault(
-    const struct mip_cv7_continuous_built_in_test *flags) {
+static inline uint8_t
+mip_cv7_continuous_bit_get_filter_process_fault(const struct mip_cv7_continuous_bit *flags) {
     return (uint8_t)mip_get_bits(flags->bytes, 20, 4);
 }
-static inline void mip_cv7_continuous_built_in_test_set_filter_process_fault(
-    struct mip_cv7_continuous_built_in_test *flags, uint8_t value) {
+static inline void mip_cv7_continuous_bit_set_filter_process_fault(
+    struct mip_cv7_continuous_bit *flags, uint8_t value) {
     mip_set_bits(flags->bytes, 20, 4, value);
 }
 
 /** Bit 20. Major cycle of the filter; bits 22 and 23 say what. */
-static inline bool mip_cv7_continuous_built_in_test_get_filter_major_cycle_fault(
-    const struct mip_cv7_continuous_built_in_test *flags) {
+static inline bool
+mip_cv7_continuous_bit_get_filter_major_cycle_fault(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 20, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_filter_major_cycle_fault(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+static inline void mip_cv7_continuous_bit_set_filter_major_cycle_fault(
+    struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 20, 1, value);
 }
 
 /** Bit 21. Minor cycle of the filter; bits 22 and 23 say what. */
-static inline bool mip_cv7_continuous_built_in_test_get_filter_minor_cycle_fault(
-    const struct mip_cv7_continuous_built_in_test *flags) {
+static inline bool
+mip_cv7_continuous_bit_get_filter_minor_cycle_fault(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 21, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_filter_minor_cycle_fault(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+static inline void mip_cv7_continuous_bit_set_filter_minor_cycle_fault(
+    struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 21, 1, value);
 }
 
 /** Bit 22. A filter process misses its base rate; bits 20 and 21 say which. */
-static inline bool mip_cv7_continuous_built_in_test_get_filter_data_rate_error(
-    const struct mip_cv7_continuous_built_in_test *flags) {
+static inline bool
+mip_cv7_continuous_bit_get_filter_data_rate_error(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 22, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_filter_data_rate_error(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+static inline void mip_cv7_continuous_bit_set_filter_data_rate_error(
+    struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 22, 1, value);
 }
 
 /** Bit 23. A filter process produces no data; bits 20 and 21 say which. */
-static inline bool mip_cv7_continuous_built_in_test_get_filter_process_stall(
-    const struct mip_cv7_continuous_built_in_test *flags) {
+static inline bool
+mip_cv7_continuous_bit_get_filter_process_stall(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 23, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_filter_process_stall(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+static inline void
+mip_cv7_continuous_bit_set_filter_process_stall(struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 23, 1, value);
 }
 
 /** Bits 24 to 27. Any of these: GNSS does not work normally. Overlaps other bits. */
-static inline uint8_t mip_cv7_continuous_built_in_test_get_gnss_subsystem_fault(
-    const struct mip_cv7_continuous_built_in_test *flags) {
+static inline uint8_t
+mip_cv7_continuous_bit_get_gnss_subsystem_fault(const struct mip_cv7_continuous_bit *flags) {
     return (uint8_t)mip_get_bits(flags->bytes, 24, 4);
 }
-static inline void mip_cv7_continuous_built_in_test_set_gnss_subsystem_fault(
-    struct mip_cv7_continuous_built_in_test *flags, uint8_t value) {
+static inline void mip_cv7_continuous_bit_set_gnss_subsystem_fault(
+    struct mip_cv7_continuous_bit *flags, uint8_t value) {
     mip_set_bits(flags->bytes, 24, 4, value);
 }
 
 /** Bit 24. The main GNSS process did not run in time. */
-static inline bool mip_cv7_continuous_built_in_test_get_gnss_main_process_fault(
-    const struct mip_cv7_continuous_built_in_test *flags) {
+static inline bool
+mip_cv7_continuous_bit_get_gnss_main_process_fault(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 24, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_gnss_main_process_fault(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+static inline void mip_cv7_continuous_bit_set_gnss_main_process_fault(
+    struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 24, 1, value);
 }
 
 /** Bit 25. No data from internal receiver 1 in time. */
-static inline bool mip_cv7_continuous_built_in_test_get_gnss_receiver_1_stall(
-    const struct mip_cv7_continuous_built_in_test *flags) {
+static inline bool
+mip_cv7_continuous_bit_get_gnss_receiver_1_stall(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 25, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_gnss_receiver_1_stall(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+static inline void
+mip_cv7_continuous_bit_set_gnss_receiver_1_stall(struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 25, 1, value);
 }
 
 /** Bit 26. No data from internal receiver 2 in time. */
-static inline bool mip_cv7_continuous_built_in_test_get_gnss_receiver_2_stall(
-    const struct mip_cv7_continuous_built_in_test *flags) {
+static inline bool
+mip_cv7_continuous_bit_get_gnss_receiver_2_stall(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 26, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_gnss_receiver_2_stall(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+static inline void
+mip_cv7_continuous_bit_set_gnss_receiver_2_stall(struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 26, 1, value);
 }
 
 /** Bit 33. No communication with the inertial sensors. */
-static inline bool mip_cv7_continuous_built_in_test_get_imu_comm_fault(
-    const struct mip_cv7_continuous_built_in_test *flags) {
+static inline bool
+mip_cv7_continuous_bit_get_imu_comm_fault(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 33, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_imu_comm_fault(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+static inline void mip_cv7_continuous_bit_set_imu_comm_fault(struct mip_cv7_continuous_bit *flags,
+                                                             bool value) {
     mip_set_bits(flags->bytes, 33, 1, value);
 }
 
 /** Bit 34. Inertial sensor processes take longer than their time. */
-static inline bool mip_cv7_continuous_built_in_test_get_imu_timing_overrun(
-    const struct mip_cv7_continuous_built_in_test *flags) {
+static inline bool
+mip_cv7_continuous_bit_get_imu_timing_overrun(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 34, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_imu_timing_overrun(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+static inline void
+mip_cv7_continuous_bit_set_imu_timing_overrun(struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 34, 1, value);
 }
 
 /** Bit 36. Fault of the accelerometer calibration. */
-static inline bool mip_cv7_continuous_built_in_test_get_imu_calibration_error_accel(
-    const struct mip_cv7_continuous_built_in_test *flags) {
+static inline bool
+mip_cv7_continuous_bit_get_imu_calibration_error_accel(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 36, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_imu_calibration_error_accel(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+static inline void mip_cv7_continuous_bit_set_imu_calibration_error_accel(
+    struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 36, 1, value);
 }
 
 /** Bit 37. Fault of the gyroscope calibration. */
-static inline bool mip_cv7_continuous_built_in_test_get_imu_calibration_error_gyro(
-    const struct mip_cv7_continuous_built_in_test *flags) {
+static inline bool
+mip_cv7_continuous_bit_get_imu_calibration_error_gyro(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 37, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_imu_calibration_error_gyro(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+static inline void mip_cv7_continuous_bit_set_imu_calibration_error_gyro(
+    struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 37, 1, value);
 }
 
 /** Bit 38. Fault of the magnetometer calibration. */
-static inline bool mip_cv7_continuous_built_in_test_get_imu_calibration_error_mag(
-    const struct mip_cv7_continuous_built_in_test *flags) {
+static inline bool
+mip_cv7_continuous_bit_get_imu_calibration_error_mag(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 38, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_imu_calibration_error_mag(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+static inline void mip_cv7_continuous_bit_set_imu_calibration_error_mag(
+    struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 38, 1, value);
 }
 
 /** Bit 40. The accelerometer does not initialize. */
-static inline bool mip_cv7_continuous_built_in_test_get_accel_general_fault(
-    const struct mip_cv7_continuous_built_in_test *flags) {
+static inline bool
+mip_cv7_continuous_bit_get_accel_general_fault(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 40, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_accel_general_fault(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+static inline void
+mip_cv7_continuous_bit_set_accel_general_fault(struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 40, 1, value);
 }
 
 /** Bit 41. An axis is near or outside the selected range. */
-static inline bool mip_cv7_continuous_built_in_test_get_accel_over_range(
-    const struct mip_cv7_continuous_built_in_test *flags) {
+static inline bool
+mip_cv7_continuous_bit_get_accel_over_range(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 41, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_accel_over_range(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+static inline void mip_cv7_continuous_bit_set_accel_over_range(struct mip_cv7_continuous_bit *flags,
+                                                               bool value) {
     mip_set_bits(flags->bytes, 41, 1, value);
 }
 
 /** Bit 42. The self test failed; updated by the commanded test. */
-static inline bool mip_cv7_continuous_built_in_test_get_accel_self_test_fail(
-    const struct mip_cv7_continuous_built_in_test *flags) {
+static inline bool
+mip_cv7_continuous_bit_get_accel_self_test_fail(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 42, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_accel_self_test_fail(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+static inline void
+mip_cv7_continuous_bit_set_accel_self_test_fail(struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 42, 1, value);
 }
 
 /** Bit 44. The gyroscope does not initialize. */
-static inline bool mip_cv7_continuous_built_in_test_get_gyro_general_fault(
-    const struct mip_cv7_continuous_built_in_test *flags) {
+static inline bool
+mip_cv7_continuous_bit_get_gyro_general_fault(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 44, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_gyro_general_fault(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+static inline void
+mip_cv7_continuous_bit_set_gyro_general_fault(struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 44, 1, value);
 }
 
 /** Bit 45. An axis is near or outside the selected range. */
-static inline bool mip_cv7_continuous_built_in_test_get_gyro_over_range(
-    const struct mip_cv7_continuous_built_in_test *flags) {
+static inline bool
+mip_cv7_continuous_bit_get_gyro_over_range(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 45, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_gyro_over_range(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+static inline void mip_cv7_continuous_bit_set_gyro_over_range(struct mip_cv7_continuous_bit *flags,
+                                                              bool value) {
     mip_set_bits(flags->bytes, 45, 1, value);
 }
 
 /** Bit 46. The self test failed; updated by the commanded test. */
-static inline bool mip_cv7_continuous_built_in_test_get_gyro_self_test_fail(
-    const struct mip_cv7_continuous_built_in_test *flags) {
+static inline bool
+mip_cv7_continuous_bit_get_gyro_self_test_fail(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 46, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_gyro_self_test_fail(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+static inline void
+mip_cv7_continuous_bit_set_gyro_self_test_fail(struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 46, 1, value);
 }
 
 /** Bit 48. The magnetometer does not initialize. */
-static inline bool mip_cv7_continuous_built_in_test_get_mag_general_fault(
-    const struct mip_cv7_continuous_built_in_test *flags) {
+static inline bool
+mip_cv7_continuous_bit_get_mag_general_fault(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 48, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_mag_general_fault(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+static inline void
+mip_cv7_continuous_bit_set_mag_general_fault(struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 48, 1, value);
 }
 
 /** Bit 49. An axis is near or outside the supported range. */
-static inline bool mip_cv7_continuous_built_in_test_get_mag_over_range(
-    const struct mip_cv7_continuous_built_in_test *flags) {
+static inline bool
+mip_cv7_continuous_bit_get_mag_over_range(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 49, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_mag_over_range(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+static inline void mip_cv7_continuous_bit_set_mag_over_range(struct mip_cv7_continuous_bit *flags,
+                                                             bool value) {
     mip_set_bits(flags->bytes, 49, 1, value);
 }
 
 /** Bit 50. The self test failed; updated by the commanded test. */
-static inline bool mip_cv7_continuous_built_in_test_get_mag_self_test_fail(
-    const struct mip_cv7_continuous_built_in_test *flags) {
+static inline bool
+mip_cv7_continuous_bit_get_mag_self_test_fail(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 50, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_mag_self_test_fail(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+static inline void
+mip_cv7_continuous_bit_set_mag_self_test_fail(struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 50, 1, value);
 }
 
 /** Bit 52. The pressure sensor does not initialize. */
-static inline bool mip_cv7_continuous_built_in_test_get_pressure_sensor_general_fault(
-    const struct mip_cv7_continuous_built_in_test *flags) {
+static inline bool mip_cv7_continuous_bit_get_pressure_sensor_general_fault(
+    const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 52, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_pressure_sensor_general_fault(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+static inline void mip_cv7_continuous_bit_set_pressure_sensor_general_fault(
+    struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 52, 1, value);
 }
 
 /** Bit 53. The pressure is outside the supported range. */
-static inline bool mip_cv7_continuous_built_in_test_get_pressure_sensor_over_range(
-    const struct mip_cv7_continuous_built_in_test *flags) {
+static inline bool
+mip_cv7_continuous_bit_get_pressure_sensor_over_range(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 53, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_pressure_sensor_over_range(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+static inline void mip_cv7_continuous_bit_set_pressure_sensor_over_range(
+    struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 53, 1, value);
 }
 
 /** Bit 54. The self test failed; updated by the commanded test. */
-static inline bool mip_cv7_continuous_built_in_test_get_pressure_sensor_self_test_fail(
-    const struct mip_cv7_continuous_built_in_test *flags) {
+static inline bool mip_cv7_continuous_bit_get_pressure_sensor_self_test_fail(
+    const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 54, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_pressure_sensor_self_test_fail(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+static inline void mip_cv7_continuous_bit_set_pressure_sensor_self_test_fail(
+    struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 54, 1, value);
 }
 
 /** Bit 56. The device has lost its factory configuration. */
-static inline bool mip_cv7_continuous_built_in_test_get_factory_bits_invalid(
-    const struct mip_cv7_continuous_built_in_test *flags) {
+static inline bool
+mip_cv7_continuous_bit_get_factory_bits_invalid(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 56, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_factory_bits_invalid(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+static inline void
+mip_cv7_continuous_bit_set_factory_bits_invalid(struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 56, 1, value);
 }
 
 /** Bit 66. Filter processes take longer than their time. */
-static inline bool mip_cv7_continuous_built_in_test_get_filter_timing_overrun(
-    const struct mip_cv7_continuous_built_in_test *flags) {
+static inline bool
+mip_cv7_continuous_bit_get_filter_timing_overrun(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 66, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_filter_timing_overrun(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+static inline void
+mip_cv7_continuous_bit_set_filter_timing_overrun(struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 66, 1, value);
 }
 
 /** Bit 67. Filter processes are skipped. */
-static inline bool mip_cv7_continuous_built_in_test_get_filter_timing_underrun(
-    const struct mip_cv7_continuous_built_in_test *flags) {
+static inline bool
+mip_cv7_continuous_bit_get_filter_timing_underrun(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 67, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_filter_timing_underrun(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+static inline void mip_cv7_continuous_bit_set_filter_timing_underrun(
+    struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 67, 1, value);
 }
 
 /** Bit 105. No communication with internal receiver 1. */
-static inline bool mip_cv7_continuous_built_in_test_get_receiver_1_fault(
-    const struct mip_cv7_continuous_built_in_test *flags) {
+static inline bool
+mip_cv7_continuous_bit_get_receiver_1_fault(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 105, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_receiver_1_fault(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+static inline void mip_cv7_continuous_bit_set_receiver_1_fault(struct mip_cv7_continuous_bit *flags,
+                                                               bool value) {
     mip_set_bits(flags->bytes, 105, 1, value);
 }
 
 /** Bit 108. Internal receiver 1 has no valid solution; mostly no sky view. */
-static inline bool mip_cv7_continuous_built_in_test_get_receiver_1_no_solution(
-    const struct mip_cv7_continuous_built_in_test *flags) {
+static inline bool
+mip_cv7_continuous_bit_get_receiver_1_no_solution(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 108, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_receiver_1_no_solution(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+static inline void mip_cv7_continuous_bit_set_receiver_1_no_solution(
+    struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 108, 1, value);
 }
 
 /** Bit 110. No communication with internal receiver 2. */
-static inline bool mip_cv7_continuous_built_in_test_get_receiver_2_fault(
-    const struct mip_cv7_continuous_built_in_test *flags) {
+static inline bool
+mip_cv7_continuous_bit_get_receiver_2_fault(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 110, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_receiver_2_fault(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+static inline void mip_cv7_continuous_bit_set_receiver_2_fault(struct mip_cv7_continuous_bit *flags,
+                                                               bool value) {
     mip_set_bits(flags->bytes, 110, 1, value);
 }
 
 /** Bit 113. Internal receiver 2 has no valid solution; mostly no sky view. */
-static inline bool mip_cv7_continuous_built_in_test_get_receiver_2_no_solution(
-    const struct mip_cv7_continuous_built_in_test *flags) {
+static inline bool
+mip_cv7_continuous_bit_get_receiver_2_no_solution(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 113, 1);
 }
-static inline void mip_cv7_continuous_built_in_test_set_receiver_2_no_solution(
-    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+static inline void mip_cv7_continuous_bit_set_receiver_2_no_solution(
+    struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 113, 1, value);
 }
 

@@ -5,14 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
-from ... import formatting
+from ... import formatting, resources
 from ... import model as m
 from ...render import File
 from . import calls, direct, literals, members, names, programs, tables
 from .comments import Comments, comment
 from .identifiers import identifiers
+from .names import MAX_IDENTIFIER
 
-__all__ = ["CONFORMANCE", "FORMATTER", "TITLE", "files", "filters", "identifiers"]
+__all__ = ["CONFORMANCE", "FORMATTER", "MAX_IDENTIFIER", "TITLE", "files", "filters", "identifiers"]
 
 TITLE = "C99, library mip"
 CONFORMANCE = ("parse", "decode", "encode", "client", "live")
@@ -20,11 +21,22 @@ FORMATTER = formatting.CLANG_FORMAT
 
 
 def files(model: m.Model) -> Iterator[File]:
-    made = ["names", "profiles", "protocol", "reflection", "registry"]
+    made = list(code(model))
+    yield from made
+    yield from packages(model, made)
+    taste = model.taste("taste.c")
+    if taste:
+        yield File("taste.c", "verbatim.j2", {"text": taste})
+    shown = {"taste": taste.partition("*/\n")[2].rstrip(), "client": model.taste("client.c").rstrip()}
+    yield File("README.md", "README.md.j2", shown)
+
+
+def code(model: m.Model) -> Iterator[File]:
+    """Headers and sources."""
     yield File("src/mip/constants.h", "constants.h.j2", {"max_field_data": m.MAX_FIELD_DATA})
     for name in ("names", "profiles", "protocol", "types"):
         yield File(f"src/mip/{name}.h", f"{name}.h.j2")
-    for name in made:
+    for name in ("names", "profiles", "protocol", "reflection", "registry"):
         yield File(f"src/mip/{name}.c", f"{name}.c.j2")
     for s in model.sets:
         name = names.module(s.name)
@@ -32,14 +44,23 @@ def files(model: m.Model) -> Iterator[File]:
         if calls.commands(s):
             yield File(f"src/mip/{name}_commands.h", "commands.h.j2", {"set": s})
         if s.fields:
-            made.append(name)
             yield File(f"src/mip/{name}.c", "set.c.j2", {"set": s})
-    yield File("cmake/generated.cmake", "generated.cmake.j2", {"sources": sorted(made)})
-    taste = model.taste("taste.c")
-    if taste:
-        yield File("taste.c", "verbatim.j2", {"text": taste})
-    shown = {"taste": taste.partition("*/\n")[2].rstrip(), "client": model.taste("client.c").rstrip()}
-    yield File("README.md", "README.md.j2", shown)
+
+
+def packages(model: m.Model, made: list[File]) -> Iterator[File]:
+    """What build systems and package managers read: version, sources and headers, of the runtime too."""
+    folder = "src/mip/"
+    runtime = (resources.root() / "templates/c/runtime" / folder).iterdir()
+    found = sorted({*(p.name for p in runtime), *(f.path.removeprefix(folder) for f in made)})
+    facts = {
+        "sources": [name for name in found if name.endswith(".c")],
+        "headers": [name for name in found if name.endswith(".h")],
+        "soversion": ".".join(model.protocol.version.split(".")[:2]),
+        "summary": "The MIP protocol of MicroStrain inertial sensors",
+    }
+    yield File("cmake/sources.cmake", "sources.cmake.j2", facts)
+    for path in ("meson.build", "library.json", "library.properties", "idf_component.yml"):
+        yield File(path, f"{path}.j2", facts)
 
 
 def in_order(s: m.Set) -> Iterator[m.Field]:
@@ -70,6 +91,8 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "bare": names.bare,
         "union": names.union_name,
         "constant": names.constant,
+        "accessor": names.accessor,
+        "short": names.short,
         "is_enum": names.is_enum,
         "key": literals.key,
         "is_struct": names.is_struct,

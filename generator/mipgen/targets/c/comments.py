@@ -84,6 +84,7 @@ class Comments:
         return [
             f"{f.title}: {f.role} {place}.",
             *self._prose(f.description),
+            *_in_full(f),
             *_paragraphs([], facts),
             *self._without_member(f),
             *_cited(f),
@@ -91,7 +92,8 @@ class Comments:
 
     def type(self, t: m.Enum | m.Bitfield | m.Struct) -> list[str]:
         more = self._without_member(t) if isinstance(t, m.Struct) else []
-        return [*_paragraphs(self._prose(t.description), describe.type(t, self.model)), *more, *_cited(t)]
+        texts = [*self._prose(t.description), *_in_full(t)]
+        return [*_paragraphs(texts, describe.type(t, self.model)), *more, *_cited(t)]
 
     def member(self, p: m.Parameter, record: Record) -> list[str]:
         empty = [describe.case(c, p, record) for c in p.cases if c.parameter is None]
@@ -106,11 +108,11 @@ class Comments:
         return _paragraphs([*when, *text], describe.parameter(c.parameter, record, self.model))
 
     def value(self, v: m.EnumValue) -> list[str]:
-        return _paragraphs(self._prose(v.description), describe.value(v, self.model))
+        return _paragraphs([*self._prose(v.description), *_in_full(v)], describe.value(v, self.model))
 
     def bits(self, b: m.Bits) -> list[str]:
         place, *facts = describe.bits(b, self.model)
-        return _paragraphs([*said([place]), *self._prose(b.description)], facts)
+        return _paragraphs([*said([place]), *self._prose(b.description), *_in_full(b)], facts)
 
     def device(self, d: m.Device) -> list[str]:
         facts = said(describe.device(d, self.model))
@@ -140,6 +142,11 @@ def _paragraphs(texts: list[str], facts: Sequence[describe.Fact]) -> list[str]:
     notes = describe.topics(facts, "note")
     first = " ".join([*texts, *said(f for f in facts if f not in notes)])
     return [*([first] if first else []), *said(notes)]
+
+
+def _in_full(thing: m.Field | m.Enum | m.Bitfield | m.Struct | m.EnumValue | m.Bits) -> list[str]:
+    """The name in the specification, where C has a shorter one."""
+    return [f"In full: {thing.full_name if isinstance(thing, m.Field) else thing.name}."] if thing.short else []
 
 
 def _cited(thing: m.Field | m.Enum | m.Bitfield | m.Struct | m.Device) -> list[str]:

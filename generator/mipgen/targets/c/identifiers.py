@@ -9,7 +9,19 @@ from ...naming import Identifier
 from . import calls, tables
 from .direct import direct
 from .members import alternatives, constructors, has_accessor, last_present, members
-from .names import LANGUAGE, Record, constant, field_name, macro, member, module, record_name, type_name, union_name
+from .names import (
+    LANGUAGE,
+    Record,
+    accessor,
+    constant,
+    field_name,
+    macro,
+    member,
+    module,
+    record_name,
+    type_name,
+    union_name,
+)  # fmt: skip
 
 
 def identifiers(model: m.Model) -> Iterator[Identifier]:
@@ -41,13 +53,13 @@ def _type(t: m.Type) -> Iterator[Identifier]:
     if isinstance(t, m.Enum):
         yield Identifier("C", f"{name}_name", t.name, place)
         for v in t.values:
-            yield Identifier("C", constant(t, v), f"{t.name}.{v.name}", place)
+            yield Identifier("C", constant(t, v), f"{t.name}.{v.name}", v.position)
     elif isinstance(t, m.Bitfield):
         for b in t.bits:
             if t.scalar:
-                yield Identifier("C", constant(t, b), f"{t.name}.{b.name}", place)
-            for accessor in ("get", "set") if has_accessor(b, t) else ():
-                yield Identifier("C", f"{name}_{accessor}_{b.name}", f"{t.name}.{b.name}", place)
+                yield Identifier("C", constant(t, b), f"{t.name}.{b.name}", b.position)
+            for verb in ("get", "set") if has_accessor(b, t) else ():
+                yield Identifier("C", accessor(t, verb, b), f"{t.name}.{b.name}", b.position)
     elif isinstance(t, m.Struct):
         yield from _members(t)
 

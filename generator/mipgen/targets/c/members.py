@@ -90,6 +90,7 @@ def _argument(p: m.Parameter, f: m.Field) -> str:
         first = "" if op.count is None else op.count
         return f"{count}const {one} {name}[{first}]{_dimensions(op.item)}"
     if takes_enum(p):
+        assert isinstance(p.element, m.Enum)
         return f"enum {type_name(p.element)} {name}"
     return f"const {one} *{name}" if is_struct(p.element) else f"{one} {name}"
 

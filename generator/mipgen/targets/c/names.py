@@ -10,6 +10,9 @@ LANGUAGE = language("c")
 _KEYWORDS = frozenset(LANGUAGE["keywords"])
 _SCALARS: dict[str, str] = LANGUAGE["scalars"]
 
+#: C99 looks at this many characters of an identifier; what differs only behind them may be one thing.
+MAX_IDENTIFIER = 63
+
 Record = m.Field | m.Struct
 
 member = Escape(_KEYWORDS | frozenset(LANGUAGE["members"]), digit_prefix="n")
@@ -17,14 +20,20 @@ module = Escape(frozenset(LANGUAGE["modules"]), digit_prefix="")
 macro = upper
 
 
+def short(thing: m.Field | m.Enum | m.Bitfield | m.Struct | m.EnumValue | m.Bits) -> str:
+    """The name of a thing, or the shorter one that the specification gives for languages like this."""
+    return thing.short or thing.name
+
+
 def type_name(t: m.Type) -> str:
     """The name of a type, after its set; a set's name is not said twice."""
-    owner = getattr(t, "owner", None)
-    return f"mip_{owner}_{t.name.removeprefix(f'{owner}_')}" if owner else f"mip_{t.name}"
+    if isinstance(t, m.Vector):
+        return f"mip_{t.name}"
+    return f"mip_{t.owner}_{short(t).removeprefix(f'{t.owner}_')}" if t.owner else f"mip_{short(t)}"
 
 
 def field_name(f: m.Field) -> str:
-    return f"mip_{f.set_name}_{f.name}"
+    return f"mip_{f.set_name}_{short(f)}"
 
 
 def record_name(record: Record) -> str:
@@ -36,7 +45,12 @@ def union_name(p: m.Parameter, record: Record) -> str:
 
 
 def constant(t: m.Enum | m.Bitfield, part: m.EnumValue | m.Bits) -> str:
-    return macro(f"{type_name(t)}_{part.name}")
+    return macro(f"{type_name(t)}_{short(part)}")
+
+
+def accessor(t: m.Bitfield, verb: str, b: m.Bits) -> str:
+    """The function that gets or sets a number inside a bitfield."""
+    return f"{type_name(t)}_{verb}_{short(b)}"
 
 
 def bare(thing: m.Type | m.Field) -> str:

@@ -2,14 +2,14 @@
 #include "mip/copy.h"
 #include "mip/program.h"
 
-static const uint8_t program_accel[] = {
-    MIP_32_BITS(3, MIP_AT(struct mip_copy_accel, scaled_accel)),
-    MIP_16_BITS(1, MIP_AT(struct mip_copy_accel, valid_flags)),
+static const uint8_t program_acc[] = {
+    MIP_32_BITS(3, MIP_AT(struct mip_copy_acc, scaled_accel)),
+    MIP_16_BITS(1, MIP_AT(struct mip_copy_acc, valid_flags)),
     MIP_END,
 };
 
-const struct mip_codec mip_copy_accel_codec = {0x92, 0x01, MIP_DATA, sizeof(struct mip_copy_accel),
-                                               program_accel};
+const struct mip_codec mip_copy_acc_codec = {0x92, 0x01, MIP_DATA, sizeof(struct mip_copy_acc),
+                                             program_acc};
 
 static const uint8_t program_numbers[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_copy_numbers, u8)),

@@ -25,11 +25,13 @@ extern "C" {
  *
  * A vector whose elements are valid together.
  *
+ * In full: copy.accel.
+ *
  * Has the layout of mip_measurements_accel. Sent at 100 Hz at most. May be supported by Model C.
  *
  * - guide: Third acceleration
  */
-struct mip_copy_accel {
+struct mip_copy_acc {
     /**
      * Specific force. Elements: x, y, z. Unit: g. Frame: sensor. Each element is valid by its bit:
      * x by MIP_STATE_FLAGS_READY in valid_flags, y by MIP_STATE_FLAGS_HOT in valid_flags, z by
@@ -41,28 +43,28 @@ struct mip_copy_accel {
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_COPY_ACCEL 0x9201
-#define MIP_COPY_ACCEL_DESCRIPTOR 0x01
-#define MIP_COPY_ACCEL_NAME "copy.accel"
+#define MIP_COPY_ACC 0x9201
+#define MIP_COPY_ACC_DESCRIPTOR 0x01
+#define MIP_COPY_ACC_NAME "copy.accel"
 
 /** Its wire format. */
-extern MIP_API const struct mip_codec mip_copy_accel_codec;
+extern MIP_API const struct mip_codec mip_copy_acc_codec;
 
 /** Decodes it. On an error the structure is zeroed. */
-static inline mip_error mip_copy_accel_decode(struct mip_copy_accel *value,
-                                              const struct mip_field *field) {
-    return mip_decode(&mip_copy_accel_codec, value, field, NULL);
+static inline mip_error mip_copy_acc_decode(struct mip_copy_acc *value,
+                                            const struct mip_field *field) {
+    return mip_decode(&mip_copy_acc_codec, value, field, NULL);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_copy_accel_encode(const struct mip_copy_accel *value,
-                                              struct mip_builder *builder) {
-    return mip_encode(&mip_copy_accel_codec, value, builder);
+static inline mip_error mip_copy_acc_encode(const struct mip_copy_acc *value,
+                                            struct mip_builder *builder) {
+    return mip_encode(&mip_copy_acc_codec, value, builder);
 }
 
 /** The same without the table, for speed: decodes it. */
-static inline mip_error mip_copy_accel_decode_inline(struct mip_copy_accel *value,
-                                                     const struct mip_field *field) {
+static inline mip_error mip_copy_acc_decode_inline(struct mip_copy_acc *value,
+                                                   const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x92, 0x01, 14);
     if (error != MIP_OK) {
         memset(value, 0, sizeof(*value));
@@ -76,8 +78,8 @@ static inline mip_error mip_copy_accel_decode_inline(struct mip_copy_accel *valu
 }
 
 /** The same without the table, for speed: adds it to a packet. */
-static inline mip_error mip_copy_accel_encode_inline(const struct mip_copy_accel *value,
-                                                     struct mip_builder *builder) {
+static inline mip_error mip_copy_acc_encode_inline(const struct mip_copy_acc *value,
+                                                   struct mip_builder *builder) {
     uint8_t *data;
     const mip_error error = mip_builder_reserve(builder, 0x92, 0x01, 14, &data);
     if (error != MIP_OK) {

@@ -90,13 +90,13 @@ const char *mip_tools_drive_name(uint8_t value) {
     return mip_value_name(&mip_names_tools_drive, value);
 }
 
-static const char *const labels_tools_pulse_use[] = {"input", "output"};
-static const uint8_t numbers_tools_pulse_use[] = {1, 2};
-const struct mip_names mip_names_tools_pulse_use = {
-    "tools.pulse_use", labels_tools_pulse_use, numbers_tools_pulse_use, NULL, 2, 1,
+static const char *const labels_tools_pulse[] = {"input", "output"};
+static const uint8_t numbers_tools_pulse[] = {1, 2};
+const struct mip_names mip_names_tools_pulse = {
+    "tools.pulse_use", labels_tools_pulse, numbers_tools_pulse, NULL, 2, 1,
 };
-const char *mip_tools_pulse_use_name(uint8_t value) {
-    return mip_value_name(&mip_names_tools_pulse_use, value);
+const char *mip_tools_pulse_name(uint8_t value) {
+    return mip_value_name(&mip_names_tools_pulse, value);
 }
 
 static const char *const labels_tools_serial_use[] = {"receive", "transmit"};
@@ -108,13 +108,13 @@ const char *mip_tools_serial_use_name(uint8_t value) {
     return mip_value_name(&mip_names_tools_serial_use, value);
 }
 
-static const struct mip_named_bits bits_tools_model_a_faults[] = {
+static const struct mip_named_bits bits_tools_a_faults[] = {
     {"clock", 0, 1, NULL},
     {"sensor", 8, 1, NULL},
     {"solution", 24, 1, NULL},
 };
-const struct mip_names mip_names_tools_model_a_faults = {
-    "tools.model_a_faults", NULL, NULL, bits_tools_model_a_faults, 3, 4,
+const struct mip_names mip_names_tools_a_faults = {
+    "tools.model_a_faults", NULL, NULL, bits_tools_a_faults, 3, 4,
 };
 
 static const struct mip_named_bits bits_tools_model_b_faults[] = {
@@ -136,9 +136,9 @@ const struct mip_names *const mip_all_names[] = {
     &mip_names_tools_shape,
     &mip_names_tools_fill,
     &mip_names_tools_drive,
-    &mip_names_tools_pulse_use,
+    &mip_names_tools_pulse,
     &mip_names_tools_serial_use,
-    &mip_names_tools_model_a_faults,
+    &mip_names_tools_a_faults,
     &mip_names_tools_model_b_faults,
 };
 const size_t mip_all_names_count = sizeof(mip_all_names) / sizeof(mip_all_names[0]);

@@ -35,11 +35,11 @@ extern MIP_API const struct mip_names mip_names_tools_fill;
 /** tools.drive */
 extern MIP_API const struct mip_names mip_names_tools_drive;
 /** tools.pulse_use */
-extern MIP_API const struct mip_names mip_names_tools_pulse_use;
+extern MIP_API const struct mip_names mip_names_tools_pulse;
 /** tools.serial_use */
 extern MIP_API const struct mip_names mip_names_tools_serial_use;
 /** tools.model_a_faults */
-extern MIP_API const struct mip_names mip_names_tools_model_a_faults;
+extern MIP_API const struct mip_names mip_names_tools_a_faults;
 /** tools.model_b_faults */
 extern MIP_API const struct mip_names mip_names_tools_model_b_faults;
 

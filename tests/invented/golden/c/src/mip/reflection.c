@@ -45,23 +45,23 @@ static const struct mip_record record_segment = {
     sizeof(struct mip_segment),
 };
 
-static const struct mip_parameter parameters_tools_stripes[] = {
+static const struct mip_parameter parameters_tools_bars[] = {
     {"width", "m", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_tools_stripes, width), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_tools_bars, width), 0, NULL, NULL, NULL, NULL, 0},
     {"angle", "deg", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_tools_stripes, angle), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_tools_bars, angle), 0, NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_tools_stripes = {
-    parameters_tools_stripes,
+static const struct mip_record record_tools_bars = {
+    parameters_tools_bars,
     2,
-    sizeof(struct mip_tools_stripes),
+    sizeof(struct mip_tools_bars),
 };
 
 static const struct mip_parameter members_tools_circle_filling[] = {
     {"solid", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(union mip_tools_circle_filling, solid), 0, NULL, NULL, NULL, NULL, 0},
     {"striped", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(union mip_tools_circle_filling, striped), 0, NULL, NULL, &record_tools_stripes, NULL, 0},
+     ONE(union mip_tools_circle_filling, striped), 0, NULL, NULL, &record_tools_bars, NULL, 0},
 };
 static const struct mip_case cases_tools_circle_filling[] = {
     {0, NULL},
@@ -269,14 +269,14 @@ static const struct mip_record record_tools_list = {
 };
 static const uint8_t required_tools_list[] = {0, 2, 0, 0};
 
-static const struct mip_record record_tools_inventory = {
+static const struct mip_record record_tools_stock = {
     NULL,
     0,
-    sizeof(struct mip_tools_inventory),
+    sizeof(struct mip_tools_stock),
 };
 
 static const struct mip_reading readings_tools_pin_use[] = {
-    {NULL, 1, 1, &mip_names_tools_pulse_use},
+    {NULL, 1, 1, &mip_names_tools_pulse},
     {NULL, 1, 2, &mip_names_tools_serial_use},
 };
 static const struct mip_parameter parameters_tools_pin[] = {
@@ -400,19 +400,19 @@ static const struct mip_record record_tools_list_response = {
     sizeof(struct mip_tools_list_response),
 };
 
-static const struct mip_parameter parameters_tools_inventory_response[] = {
+static const struct mip_parameter parameters_tools_stock_response[] = {
     {"descriptors", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_REST, 126, 1, 0, 0, 0,
-     MANY(struct mip_tools_inventory_response, descriptors),
-     offsetof(struct mip_tools_inventory_response, descriptors_count), NULL, NULL, NULL, NULL, 0},
+     MANY(struct mip_tools_stock_response, descriptors),
+     offsetof(struct mip_tools_stock_response, descriptors_count), NULL, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_tools_inventory_response = {
-    parameters_tools_inventory_response,
+static const struct mip_record record_tools_stock_response = {
+    parameters_tools_stock_response,
     1,
-    sizeof(struct mip_tools_inventory_response),
+    sizeof(struct mip_tools_stock_response),
 };
 
 static const struct mip_reading readings_tools_pin_response_use[] = {
-    {NULL, 0, 1, &mip_names_tools_pulse_use},
+    {NULL, 0, 1, &mip_names_tools_pulse},
     {NULL, 0, 2, &mip_names_tools_serial_use},
 };
 static const struct mip_parameter parameters_tools_pin_response[] = {
@@ -457,9 +457,9 @@ static const struct mip_record record_tools_readings_response = {
 };
 
 static const struct mip_reading readings_tools_status_short_flags[] = {
-    {"model-a", 0, 0, &mip_names_tools_model_a_faults},
+    {"model-a", 0, 0, &mip_names_tools_a_faults},
     {"model-b", 0, 0, &mip_names_tools_model_b_faults},
-    {"model-c", 0, 0, &mip_names_tools_model_a_faults},
+    {"model-c", 0, 0, &mip_names_tools_a_faults},
 };
 static const struct mip_parameter parameters_tools_status_short[] = {
     {"model", "", MIP_KIND_CONSTANT, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 4711, 0, 0, 0,
@@ -477,7 +477,7 @@ static const struct mip_record record_tools_status_short = {
 };
 
 static const struct mip_reading readings_tools_status_long_flags[] = {
-    {"model-a", 0, 0, &mip_names_tools_model_a_faults},
+    {"model-a", 0, 0, &mip_names_tools_a_faults},
     {"model-b", 0, 0, &mip_names_tools_model_b_faults},
 };
 static const struct mip_parameter parameters_tools_status_long[] = {
@@ -511,22 +511,22 @@ static const struct mip_record record_tools_status_old = {
     sizeof(struct mip_tools_status_old),
 };
 
-static const struct mip_parameter parameters_tools_status_full[] = {
+static const struct mip_parameter parameters_tools_full[] = {
     {"model", "", MIP_KIND_CONSTANT, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 4711, 0, 0, 0,
      NULL, NULL, NULL, NULL, 0},
     {"selector", "", MIP_KIND_CONSTANT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 2, 0, 0, 0, NULL,
      NULL, NULL, NULL, 0},
     {"place", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_tools_status_full, place), 0, NULL, NULL, &record_point, NULL, 0},
+     ONE(struct mip_tools_full, place), 0, NULL, NULL, &record_point, NULL, 0},
     {"uptime", "s", MIP_KIND_NUMBER, MIP_SCALAR_U64, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_tools_status_full, uptime), 0, NULL, NULL, NULL, NULL, 0},
+     ONE(struct mip_tools_full, uptime), 0, NULL, NULL, NULL, NULL, 0},
     {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_tools_status_full, mode), 0, &mip_names_mode, NULL, NULL, NULL, 0},
+     ONE(struct mip_tools_full, mode), 0, &mip_names_mode, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_tools_status_full = {
-    parameters_tools_status_full,
+static const struct mip_record record_tools_full = {
+    parameters_tools_full,
     5,
-    sizeof(struct mip_tools_status_full),
+    sizeof(struct mip_tools_full),
 };
 
 static const struct mip_parameter parameters_tools_bias_vector[] = {
@@ -772,7 +772,7 @@ const struct mip_reflection mip_reflections[] = {
      sizeof(required_tools_choice), offsetof(struct mip_tools_choice, present)},
     {&mip_tools_list_codec, &record_tools_list, true, true, required_tools_list,
      sizeof(required_tools_list), offsetof(struct mip_tools_list, present)},
-    {&mip_tools_inventory_codec, &record_tools_inventory, false, false, NULL, 0, 0},
+    {&mip_tools_stock_codec, &record_tools_stock, false, false, NULL, 0, 0},
     {&mip_tools_pin_codec, &record_tools_pin, true, true, required_tools_pin,
      sizeof(required_tools_pin), offsetof(struct mip_tools_pin, present)},
     {&mip_tools_hello_codec, &record_tools_hello, false, true, NULL, 0,
@@ -785,15 +785,14 @@ const struct mip_reflection mip_reflections[] = {
      NULL, 0, 0},
     {&mip_tools_choice_response_codec, &record_tools_choice_response, false, false, NULL, 0, 0},
     {&mip_tools_list_response_codec, &record_tools_list_response, false, false, NULL, 0, 0},
-    {&mip_tools_inventory_response_codec, &record_tools_inventory_response, false, false, NULL, 0,
-     0},
+    {&mip_tools_stock_response_codec, &record_tools_stock_response, false, false, NULL, 0, 0},
     {&mip_tools_pin_response_codec, &record_tools_pin_response, false, false, NULL, 0, 0},
     {&mip_tools_hello_response_codec, &record_tools_hello_response, false, false, NULL, 0, 0},
     {&mip_tools_readings_response_codec, &record_tools_readings_response, false, false, NULL, 0, 0},
     {&mip_tools_status_short_codec, &record_tools_status_short, false, false, NULL, 0, 0},
     {&mip_tools_status_long_codec, &record_tools_status_long, false, false, NULL, 0, 0},
     {&mip_tools_status_old_codec, &record_tools_status_old, false, false, NULL, 0, 0},
-    {&mip_tools_status_full_codec, &record_tools_status_full, false, false, NULL, 0, 0},
+    {&mip_tools_full_codec, &record_tools_full, false, false, NULL, 0, 0},
     {&mip_tools_bias_vector_codec, &record_tools_bias_vector, false, false, NULL, 0, 0},
     {&mip_3d_default_codec, &record_3d_default, false, false, NULL, 0, 0},
     {&mip_measurements_accel_codec, &record_measurements_accel, false, false, NULL, 0, 0},
@@ -810,7 +809,7 @@ const struct mip_reflection mip_reflections[] = {
     {&mip_more_accel_codec, &record_measurements_accel, false, false, NULL, 0, 0},
     {&mip_more_strings_codec, &record_measurements_strings, false, false, NULL, 0, 0},
     {&mip_more_own_codec, &record_more_own, false, false, NULL, 0, 0},
-    {&mip_copy_accel_codec, &record_measurements_accel, false, false, NULL, 0, 0},
+    {&mip_copy_acc_codec, &record_measurements_accel, false, false, NULL, 0, 0},
     {&mip_copy_numbers_codec, &record_measurements_numbers, false, false, NULL, 0, 0},
     {&mip_copy_strings_codec, &record_measurements_strings, false, false, NULL, 0, 0},
     {&mip_copy_health_codec, &record_measurements_health, false, false, NULL, 0, 0},

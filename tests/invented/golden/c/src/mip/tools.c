@@ -137,7 +137,7 @@ static const struct mip_response responses_status[] = {
     {&mip_tools_status_short_codec, asked_status_1},
     {&mip_tools_status_long_codec, asked_status_2},
     {&mip_tools_status_old_codec, asked_status_2},
-    {&mip_tools_status_full_codec, asked_status_2},
+    {&mip_tools_full_codec, asked_status_2},
     {NULL, NULL},
 };
 
@@ -178,18 +178,18 @@ static const uint8_t program_status_old[] = {
 const struct mip_codec mip_tools_status_old_codec = {
     0x01, 0x90, MIP_RESPONSE, sizeof(struct mip_tools_status_old), program_status_old};
 
-static const uint8_t program_status_full[] = {
+static const uint8_t program_full[] = {
     MIP_LAYOUT(16, 253, 3, 0, 0x12, 1, 0x67, 2, 0x02),
     MIP_CONSTANT(2, 0x12, 0x67),
     MIP_CONSTANT(1, 0x02),
-    MIP_16_BITS(2, MIP_AT(struct mip_tools_status_full, place.x)),
-    MIP_64_BITS(1, MIP_AT(struct mip_tools_status_full, uptime)),
-    MIP_8_BITS(1, MIP_AT(struct mip_tools_status_full, mode)),
+    MIP_16_BITS(2, MIP_AT(struct mip_tools_full, place.x)),
+    MIP_64_BITS(1, MIP_AT(struct mip_tools_full, uptime)),
+    MIP_8_BITS(1, MIP_AT(struct mip_tools_full, mode)),
     MIP_END,
 };
 
-const struct mip_codec mip_tools_status_full_codec = {
-    0x01, 0x90, MIP_RESPONSE, sizeof(struct mip_tools_status_full), program_status_full};
+const struct mip_codec mip_tools_full_codec = {0x01, 0x90, MIP_RESPONSE,
+                                               sizeof(struct mip_tools_full), program_full};
 
 static const uint8_t program_bias[] = {
     MIP_REQUIRED(2, 0, 1),
@@ -387,30 +387,29 @@ static const uint8_t program_list_response[] = {
 const struct mip_codec mip_tools_list_response_codec = {
     0x01, 0x89, MIP_RESPONSE, sizeof(struct mip_tools_list_response), program_list_response};
 
-static const uint8_t program_inventory[] = {
+static const uint8_t program_stock[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_tools_inventory_codec = {
-    0x01, 0x0A, MIP_COMMAND, sizeof(struct mip_tools_inventory), program_inventory};
+const struct mip_codec mip_tools_stock_codec = {0x01, 0x0A, MIP_COMMAND,
+                                                sizeof(struct mip_tools_stock), program_stock};
 
-static const struct mip_response responses_inventory[] = {
-    {&mip_tools_inventory_response_codec, NULL},
+static const struct mip_response responses_stock[] = {
+    {&mip_tools_stock_response_codec, NULL},
     {NULL, NULL},
 };
 
-const struct mip_command mip_tools_inventory_command = {&mip_tools_inventory_codec, NULL,
-                                                        responses_inventory, 0};
+const struct mip_command mip_tools_stock_command = {&mip_tools_stock_codec, NULL, responses_stock,
+                                                    0};
 
-static const uint8_t program_inventory_response[] = {
-    MIP_REST(126, 2, MIP_AT(struct mip_tools_inventory_response, descriptors_count)),
-    MIP_16_BITS(1, MIP_AT(struct mip_tools_inventory_response, descriptors)),
+static const uint8_t program_stock_response[] = {
+    MIP_REST(126, 2, MIP_AT(struct mip_tools_stock_response, descriptors_count)),
+    MIP_16_BITS(1, MIP_AT(struct mip_tools_stock_response, descriptors)),
     MIP_END,
 };
 
-const struct mip_codec mip_tools_inventory_response_codec = {
-    0x01, 0x8A, MIP_RESPONSE, sizeof(struct mip_tools_inventory_response),
-    program_inventory_response};
+const struct mip_codec mip_tools_stock_response_codec = {
+    0x01, 0x8A, MIP_RESPONSE, sizeof(struct mip_tools_stock_response), program_stock_response};
 
 static const uint8_t program_pin[] = {
     MIP_REQUIRED(3, 0, 2, 1),

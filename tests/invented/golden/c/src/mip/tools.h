@@ -39,8 +39,8 @@ enum mip_tools_fill {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_tools_fill_name(uint8_t value);
-/** Two numbers. */
-struct mip_tools_stripes {
+/** Two numbers. In full: stripes. */
+struct mip_tools_bars {
     /** Of a stripe. Unit: m. */
     double width;
     /** Of all stripes. Unit: deg. Range: -180 to 180. */
@@ -52,7 +52,7 @@ union mip_tools_circle_filling {
     /** If fill is MIP_TOOLS_FILL_SOLID. A colour. */
     uint32_t solid;
     /** If fill is MIP_TOOLS_FILL_STRIPED. */
-    struct mip_tools_stripes striped;
+    struct mip_tools_bars striped;
 };
 
 /** Ends in a union of its own. */
@@ -84,11 +84,11 @@ enum mip_tools_drive {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_tools_drive_name(uint8_t value);
-/** Of a pulse. */
-enum mip_tools_pulse_use { MIP_TOOLS_PULSE_USE_INPUT = 1, MIP_TOOLS_PULSE_USE_OUTPUT = 2 };
+/** Of a pulse. In full: pulse_use. */
+enum mip_tools_pulse { MIP_TOOLS_PULSE_INPUT = 1, MIP_TOOLS_PULSE_OUTPUT = 2 };
 
 /** The name of a value in the specification; NULL if it has none. */
-MIP_API const char *mip_tools_pulse_use_name(uint8_t value);
+MIP_API const char *mip_tools_pulse_name(uint8_t value);
 /** Of a serial line. */
 enum mip_tools_serial_use { MIP_TOOLS_SERIAL_USE_RECEIVE = 1, MIP_TOOLS_SERIAL_USE_TRANSMIT = 33 };
 
@@ -102,14 +102,14 @@ struct mip_tools_reading {
     float value;
 };
 
-/** Of the model A. */
-typedef uint32_t mip_tools_model_a_faults;
+/** Of the model A. In full: model_a_faults. */
+typedef uint32_t mip_tools_a_faults;
 /** Bit 0. */
-#define MIP_TOOLS_MODEL_A_FAULTS_CLOCK UINT32_C(0x00000001)
+#define MIP_TOOLS_A_FAULTS_CLOCK UINT32_C(0x00000001)
 /** Bit 8. */
-#define MIP_TOOLS_MODEL_A_FAULTS_SENSOR UINT32_C(0x00000100)
+#define MIP_TOOLS_A_FAULTS_SENSOR UINT32_C(0x00000100)
 /** Bit 24. */
-#define MIP_TOOLS_MODEL_A_FAULTS_SOLUTION UINT32_C(0x01000000)
+#define MIP_TOOLS_A_FAULTS_SOLUTION UINT32_C(0x01000000)
 /** Of the model B. */
 typedef uint32_t mip_tools_model_b_faults;
 /** Bit 0. */
@@ -564,8 +564,8 @@ static inline mip_error mip_tools_set_time_slow_response_encode_inline(
  * Layouts of one response, told apart by constants and by size.
  *
  * For advanced use. Answered by mip_tools_status_short, mip_tools_status_long, mip_tools_status_old
- * or mip_tools_status_full. The device may take 2.5 s to answer. Supported by Model A, Model B and
- * Model C.
+ * or mip_tools_full. The device may take 2.5 s to answer. Supported by Model A, Model B and Model
+ * C.
  *
  * On the wire only, without a member:
  * - model: The model that the layouts belong to. Always 4711.
@@ -620,8 +620,8 @@ static inline struct mip_tools_status *mip_tools_status_make(struct mip_tools_st
  */
 struct mip_tools_status_short {
     /**
-     * Faults. On the Model A and Model C: values of mip_tools_model_a_faults. On the Model B:
-     * values of mip_tools_model_b_faults.
+     * Faults. On the Model A and Model C: values of mip_tools_a_faults. On the Model B: values of
+     * mip_tools_model_b_faults.
      */
     uint32_t flags;
 };
@@ -648,8 +648,8 @@ static inline mip_error mip_tools_status_short_encode(const struct mip_tools_sta
 /**
  * Status response: response (0x01,0x90).
  *
- * Answers mip_tools_status. Told from mip_tools_status_old and mip_tools_status_full by the size of
- * its data. Sent if selector is 2. Supported by Model A, Model B and Model C.
+ * Answers mip_tools_status. Told from mip_tools_status_old and mip_tools_full by the size of its
+ * data. Sent if selector is 2. Supported by Model A, Model B and Model C.
  *
  * On the wire only, without a member:
  * - model: The model. Always 4711.
@@ -659,7 +659,7 @@ static inline mip_error mip_tools_status_short_encode(const struct mip_tools_sta
  */
 struct mip_tools_status_long {
     /**
-     * Faults. On the Model A: values of mip_tools_model_a_faults. On the Model B: values of
+     * Faults. On the Model A: values of mip_tools_a_faults. On the Model B: values of
      * mip_tools_model_b_faults. On the Model C: values that are not known.
      */
     uint32_t flags;
@@ -691,8 +691,8 @@ static inline mip_error mip_tools_status_long_encode(const struct mip_tools_stat
  *
  * The long layout of old devices. Its size tells it from the others.
  *
- * Answers mip_tools_status. Told from mip_tools_status_long and mip_tools_status_full by the size
- * of its data. Sent if selector is 2. Supported by Model A, Model B and Model C.
+ * Answers mip_tools_status. Told from mip_tools_status_long and mip_tools_full by the size of its
+ * data. Sent if selector is 2. Supported by Model A, Model B and Model C.
  *
  * On the wire only, without a member:
  * - model: The model. Always 4711.
@@ -727,6 +727,8 @@ static inline mip_error mip_tools_status_old_encode(const struct mip_tools_statu
 /**
  * Status response: response (0x01,0x90).
  *
+ * In full: tools.status_full.
+ *
  * Answers mip_tools_status. Told from mip_tools_status_long and mip_tools_status_old by the size of
  * its data. Sent if selector is 2. Supported by Model A, Model B and Model C.
  *
@@ -736,7 +738,7 @@ static inline mip_error mip_tools_status_old_encode(const struct mip_tools_statu
  *
  * - guide: Status
  */
-struct mip_tools_status_full {
+struct mip_tools_full {
     /** Where it is. */
     struct mip_point place;
     /** Since start. Unit: s. */
@@ -746,23 +748,23 @@ struct mip_tools_status_full {
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_TOOLS_STATUS_FULL 0x0190
-#define MIP_TOOLS_STATUS_FULL_DESCRIPTOR 0x90
-#define MIP_TOOLS_STATUS_FULL_NAME "tools.status_full"
+#define MIP_TOOLS_FULL 0x0190
+#define MIP_TOOLS_FULL_DESCRIPTOR 0x90
+#define MIP_TOOLS_FULL_NAME "tools.status_full"
 
 /** Its wire format. */
-extern MIP_API const struct mip_codec mip_tools_status_full_codec;
+extern MIP_API const struct mip_codec mip_tools_full_codec;
 
 /** Decodes it. On an error the structure is zeroed. */
-static inline mip_error mip_tools_status_full_decode(struct mip_tools_status_full *value,
-                                                     const struct mip_field *field) {
-    return mip_decode(&mip_tools_status_full_codec, value, field, NULL);
+static inline mip_error mip_tools_full_decode(struct mip_tools_full *value,
+                                              const struct mip_field *field) {
+    return mip_decode(&mip_tools_full_codec, value, field, NULL);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_status_full_encode(const struct mip_tools_status_full *value,
-                                                     struct mip_builder *builder) {
-    return mip_encode(&mip_tools_status_full_codec, value, builder);
+static inline mip_error mip_tools_full_encode(const struct mip_tools_full *value,
+                                              struct mip_builder *builder) {
+    return mip_encode(&mip_tools_full_codec, value, builder);
 }
 /**
  * Bias: command (0x01,0x05).
@@ -1281,42 +1283,46 @@ static inline mip_error mip_tools_list_response_encode(const struct mip_tools_li
  *
  * Answers with an array to the end of the field.
  *
- * Answered by mip_tools_inventory_response. Supported by Model A and Model C.
+ * In full: tools.inventory.
+ *
+ * Answered by mip_tools_stock_response. Supported by Model A and Model C.
  *
  * - guide: Inventory
  */
-struct mip_tools_inventory {
+struct mip_tools_stock {
     /** Not used: there are no parameters. */
     uint8_t empty;
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_TOOLS_INVENTORY 0x010A
-#define MIP_TOOLS_INVENTORY_DESCRIPTOR 0x0A
-#define MIP_TOOLS_INVENTORY_NAME "tools.inventory"
+#define MIP_TOOLS_STOCK 0x010A
+#define MIP_TOOLS_STOCK_DESCRIPTOR 0x0A
+#define MIP_TOOLS_STOCK_NAME "tools.inventory"
 
 /** Its wire format. */
-extern MIP_API const struct mip_codec mip_tools_inventory_codec;
+extern MIP_API const struct mip_codec mip_tools_stock_codec;
 
 /** Decodes it. On an error the structure is zeroed. */
-static inline mip_error mip_tools_inventory_decode(struct mip_tools_inventory *value,
-                                                   const struct mip_field *field) {
-    return mip_decode(&mip_tools_inventory_codec, value, field, NULL);
+static inline mip_error mip_tools_stock_decode(struct mip_tools_stock *value,
+                                               const struct mip_field *field) {
+    return mip_decode(&mip_tools_stock_codec, value, field, NULL);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_inventory_encode(const struct mip_tools_inventory *value,
-                                                   struct mip_builder *builder) {
-    return mip_encode(&mip_tools_inventory_codec, value, builder);
+static inline mip_error mip_tools_stock_encode(const struct mip_tools_stock *value,
+                                               struct mip_builder *builder) {
+    return mip_encode(&mip_tools_stock_codec, value, builder);
 }
 /**
  * Inventory response: response (0x01,0x8A).
  *
- * Answers mip_tools_inventory. Supported by Model A and Model C.
+ * In full: tools.inventory_response.
+ *
+ * Answers mip_tools_stock. Supported by Model A and Model C.
  *
  * - guide: Inventory
  */
-struct mip_tools_inventory_response {
+struct mip_tools_stock_response {
     /** The number of elements of descriptors. */
     uint8_t descriptors_count;
     /** As many as there are. */
@@ -1324,23 +1330,23 @@ struct mip_tools_inventory_response {
 };
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
-#define MIP_TOOLS_INVENTORY_RESPONSE 0x018A
-#define MIP_TOOLS_INVENTORY_RESPONSE_DESCRIPTOR 0x8A
-#define MIP_TOOLS_INVENTORY_RESPONSE_NAME "tools.inventory_response"
+#define MIP_TOOLS_STOCK_RESPONSE 0x018A
+#define MIP_TOOLS_STOCK_RESPONSE_DESCRIPTOR 0x8A
+#define MIP_TOOLS_STOCK_RESPONSE_NAME "tools.inventory_response"
 
 /** Its wire format. */
-extern MIP_API const struct mip_codec mip_tools_inventory_response_codec;
+extern MIP_API const struct mip_codec mip_tools_stock_response_codec;
 
 /** Decodes it. On an error the structure is zeroed. */
-static inline mip_error mip_tools_inventory_response_decode(
-    struct mip_tools_inventory_response *value, const struct mip_field *field) {
-    return mip_decode(&mip_tools_inventory_response_codec, value, field, NULL);
+static inline mip_error mip_tools_stock_response_decode(struct mip_tools_stock_response *value,
+                                                        const struct mip_field *field) {
+    return mip_decode(&mip_tools_stock_response_codec, value, field, NULL);
 }
 
 /** Adds it to a packet. On an error the packet is unchanged. */
-static inline mip_error mip_tools_inventory_response_encode(
-    const struct mip_tools_inventory_response *value, struct mip_builder *builder) {
-    return mip_encode(&mip_tools_inventory_response_codec, value, builder);
+static inline mip_error mip_tools_stock_response_encode(
+    const struct mip_tools_stock_response *value, struct mip_builder *builder) {
+    return mip_encode(&mip_tools_stock_response_codec, value, builder);
 }
 /**
  * Pin: command (0x01,0x0B).
@@ -1360,7 +1366,7 @@ struct mip_tools_pin {
     uint8_t drive;
     /**
      * How it is used. Required for write. If drive is MIP_TOOLS_DRIVE_PULSE: values of enum
-     * mip_tools_pulse_use. If drive is MIP_TOOLS_DRIVE_SERIAL: values of enum mip_tools_serial_use.
+     * mip_tools_pulse. If drive is MIP_TOOLS_DRIVE_SERIAL: values of enum mip_tools_serial_use.
      */
     uint8_t use;
 };
@@ -1420,8 +1426,8 @@ struct mip_tools_pin_response {
     /** What drives it. A value of enum mip_tools_drive. */
     uint8_t drive;
     /**
-     * How it is used. If drive is MIP_TOOLS_DRIVE_PULSE: values of enum mip_tools_pulse_use. If
-     * drive is MIP_TOOLS_DRIVE_SERIAL: values of enum mip_tools_serial_use.
+     * How it is used. If drive is MIP_TOOLS_DRIVE_PULSE: values of enum mip_tools_pulse. If drive
+     * is MIP_TOOLS_DRIVE_SERIAL: values of enum mip_tools_serial_use.
      */
     uint8_t use;
 };
@@ -1648,7 +1654,7 @@ struct mip_tools_readings_response {
     /** Number of readings. The number of elements of readings. */
     uint8_t count;
     /**
-     * The readings. If drive is MIP_TOOLS_DRIVE_PULSE: kind has values of enum mip_tools_pulse_use.
+     * The readings. If drive is MIP_TOOLS_DRIVE_PULSE: kind has values of enum mip_tools_pulse.
      * Seldom 2. If drive is MIP_TOOLS_DRIVE_SERIAL: kind has values of enum mip_tools_serial_use.
      */
     struct mip_tools_reading readings[49];

@@ -120,11 +120,13 @@ static inline mip_error mip_send_for_tools_status_old(
  * Adds the command to a packet and waits for its answer: see mip_client_send. Status. It is
  * answered by this response.
  */
-static inline mip_error mip_send_for_tools_status_full(
-    struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
-    const struct mip_tools_status *command, struct mip_tools_status_full *response, uint32_t now) {
+static inline mip_error mip_send_for_tools_full(struct mip_client *client,
+                                                struct mip_request *request,
+                                                struct mip_builder *packet,
+                                                const struct mip_tools_status *command,
+                                                struct mip_tools_full *response, uint32_t now) {
     return mip_client_send(client, request, packet, &mip_tools_status_command, command,
-                           &mip_tools_status_full_codec, response, now);
+                           &mip_tools_full_codec, response, now);
 }
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_tools_bias_command;
@@ -200,19 +202,18 @@ static inline mip_error mip_send_tools_list(struct mip_client *client, struct mi
                            &mip_tools_list_response_codec, response, now);
 }
 /** What the client knows of the command. */
-extern MIP_API const struct mip_command mip_tools_inventory_command;
+extern MIP_API const struct mip_command mip_tools_stock_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Inventory. The
  * response goes to `response`, which may be NULL, if the command asks for it.
  */
-static inline mip_error mip_send_tools_inventory(struct mip_client *client,
-                                                 struct mip_request *request,
-                                                 struct mip_builder *packet,
-                                                 struct mip_tools_inventory_response *response,
-                                                 uint32_t now) {
-    return mip_client_send(client, request, packet, &mip_tools_inventory_command, NULL,
-                           &mip_tools_inventory_response_codec, response, now);
+static inline mip_error mip_send_tools_stock(struct mip_client *client, struct mip_request *request,
+                                             struct mip_builder *packet,
+                                             struct mip_tools_stock_response *response,
+                                             uint32_t now) {
+    return mip_client_send(client, request, packet, &mip_tools_stock_command, NULL,
+                           &mip_tools_stock_response_codec, response, now);
 }
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_tools_pin_command;

@@ -1,0 +1,10 @@
+# ESP-IDF first runs each component as a script, to learn what it requires: cmake -DCOMPONENT=... -P requirements.cmake
+set(ESP_PLATFORM 1)
+macro(idf_component_register)
+  set(registered TRUE)
+  return()
+endmacro()
+include(${COMPONENT}/CMakeLists.txt)
+if(NOT registered)
+  message(FATAL_ERROR "${COMPONENT} does not register a component")
+endif()

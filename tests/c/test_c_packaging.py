@@ -1,0 +1,335 @@
+"""The C library in the hands of build systems and package managers, by the lines that its README shows.
+
+Where the real tool is too large, tests/c/packages stands for what the library sees of it: ESP-IDF and Zephyr.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+import shutil
+import tarfile
+from pathlib import Path
+
+import pytest
+import yaml
+from support import heavy, model, need
+from test_c import HERE, both, folder, run, sources
+
+PACKAGES = HERE / "packages"
+VERSION = model("real").protocol.version
+README = (folder("real") / "README.md").read_text("utf-8")
+
+
+def shown(section: str, language: str) -> list[str]:
+    """The blocks of a section of the README."""
+    text = re.split(r"\n##+ ", README.partition(f"# {section}\n")[2])[0]
+    found = re.findall(rf"```{language}\n(.*?)```", text, re.S)
+    assert found, (section, language)
+    return found
+
+
+def taste(program: Path, **environment: str) -> None:
+    assert run(program, **environment) == "8 bytes to send\n0.2445 g along x\n"
+
+
+def installed(prefix: Path) -> list[str]:
+    return sorted(str(p.relative_to(prefix)) for p in prefix.rglob("*") if not p.is_dir())
+
+
+@pytest.fixture
+def project(tmp_path: Path) -> Path:
+    """Of a user: a program, and the library in the folder mip."""
+    where = tmp_path / "project"
+    shutil.copytree(folder("real"), where / "mip")
+    shutil.copy(folder("real") / "taste.c", where / "main.c")
+    return where
+
+
+def cmake(source: Path, build: Path, *options: str) -> None:
+    """Configures and builds. Not optimized, as that takes longer."""
+    fast = ("-G", "Ninja", f"-DCMAKE_MAKE_PROGRAM={need('ninja')}", "-DCMAKE_C_FLAGS=-O0")
+    run(need("cmake"), "-S", source, "-B", build, *fast, *options)
+    run(need("cmake"), "--build", build)
+
+
+def user(where: Path, lines: str) -> Path:
+    """A program that is built by CMake with these lines."""
+    start = "cmake_minimum_required(VERSION 3.14)\nproject(user LANGUAGES C)\nadd_executable(main main.c)\n"
+    (where / "CMakeLists.txt").write_text(f"{start}{lines}\ninstall(TARGETS main DESTINATION bin)\n")
+    return where
+
+
+def meson(*arguments: str | Path) -> str:
+    return run(need("meson"), *arguments, NINJA=need("ninja"), PKG_CONFIG=need("pkg-config"))
+
+
+def add_unmarked(library: Path) -> None:
+    """A function that MIP_API does not mark; there may be none."""
+    with (library / "src/mip/core.c").open("a") as file:
+        file.write("\nint mip_unmarked(void);\nint mip_unmarked(void) { return 0; }\n")
+
+
+def exported(library: Path) -> set[str]:
+    lines = run(need("nm"), "--dynamic", "--defined-only", library).splitlines()
+    return {name for line in lines if (name := line.split()[-1]).startswith("mip_")}
+
+
+def marked() -> set[str]:
+    """What headers mark with MIP_API."""
+    found: set[str] = set()
+    for header in (folder("real") / "src/mip").glob("*.h"):
+        if header.name != "export.h":
+            text = re.sub(r"/\*.*?\*/", "", header.read_text("utf-8"), flags=re.S)
+            found.update(re.findall(r"\bMIP_API\b[^;({]*?\b(mip_\w+)\s*(?:\(|\[|;)", text))
+    return found
+
+
+# --------------------------------------------------------------------------- the folder
+
+
+def test_folder_alone_builds(project: Path) -> None:
+    for name in ("README.md", "LICENSE", "CMakeLists.txt"):
+        assert (project / "mip" / name).is_file()
+    (line,) = shown("Add it to your project", "sh")
+    run("sh", "-c", f"cd {project} && {line}")
+    taste(project / "main")
+
+
+@both
+def test_every_list_names_every_source(spec: str) -> None:
+    lists = {"cmake/sources.cmake": r"^  \${MIP_FOLDER}/(src/\S+\.c)$", "meson.build": r"^  '(src/\S+\.c)',$"}
+    wanted = sorted(f"src/mip/{Path(source).name}" for source in sources(spec))
+    for name, line in lists.items():
+        assert re.findall(line, (folder(spec) / name).read_text("utf-8"), re.M) == wanted
+    headers = sorted(f"src/mip/{path.name}" for path in (folder(spec) / "src/mip").glob("*.h"))
+    assert re.findall(r"^  '(src/\S+\.h)',$", (folder(spec) / "meson.build").read_text("utf-8"), re.M) == headers
+
+
+@pytest.mark.parametrize(
+    ("defines", "expected"),
+    [
+        ("", ""),
+        ("-D_WIN32", ""),
+        ("-D_WIN32 -DMIP_SHARED", "__declspec(dllimport)"),
+        ("-D_WIN32 -DMIP_SHARED -DMIP_BUILDING", "__declspec(dllexport)"),
+        ("-DMIP_SHARED -DMIP_BUILDING", '__attribute__((visibility("default")))'),
+        ("-DMIP_SHARED", '__attribute__((visibility("default")))'),
+        ("-DMIP_SHARED -U__GNUC__", ""),
+    ],
+)
+def test_what_marks_an_export(defines: str, expected: str, tmp_path: Path) -> None:
+    program = tmp_path / "program.c"
+    program.write_text('#include "mip/export.h"\nMIP_API;\n')
+    done = run(need("cc"), "-E", "-P", f"-I{folder('real')}/src", *defines.split(), program)
+    assert done.strip().removesuffix(";").strip() == expected
+
+
+# --------------------------------------------------------------------------- CMake
+
+
+@pytest.mark.parametrize("how", ["subdirectory", "fetched"])
+def test_cmake_part_of_a_project(how: str, project: Path, tmp_path: Path) -> None:
+    """It installs nothing into the prefix of the project, unless the project wants it to."""
+    subdirectory, fetched, _ = shown("CMake", "cmake")
+    if how == "fetched":
+        archive = tmp_path / "mip.tar.gz"
+        with tarfile.open(archive, "w:gz") as file:
+            file.add(project / "mip", "mip-0")
+        shutil.rmtree(project / "mip")
+        address = "https://example.com/mip.tar.gz"
+        assert address in fetched
+        fetched = fetched.replace(address, archive.as_uri())
+    build, prefix = tmp_path / "build", tmp_path / "prefix"
+    lines = fetched if how == "fetched" else subdirectory
+    cmake(user(project, lines), build, f"-DCMAKE_INSTALL_PREFIX={prefix}")
+    taste(build / "main")
+    run(need("cmake"), "--install", build)
+    assert installed(prefix) == ["bin/main"]
+    if how == "subdirectory":
+        cmake(project, build, "-DMIP_INSTALL=ON", "-DCMAKE_INSTALL_LIBDIR=lib")
+        run(need("cmake"), "--install", build)
+        assert {"bin/main", "lib/libmip.a", "include/mip/core.h", "lib/pkgconfig/mip.pc"} <= {*installed(prefix)}
+
+
+@pytest.mark.parametrize("kind", ["static", "shared"])
+def test_cmake_installed(kind: str, project: Path, tmp_path: Path) -> None:
+    """Found by CMake and by pkg-config after the whole prefix has moved, to a folder with a blank in its name."""
+    commands = shown("CMake", "sh")[0].splitlines()
+    assert commands == [
+        "cmake -S mip -B build -DCMAKE_INSTALL_PREFIX=/usr/local", "cmake --build build", "cmake --install build",
+    ]  # fmt: skip
+    build, prefix, moved = project / "build", tmp_path / "prefix", tmp_path / "moved away"
+    add_unmarked(project / "mip")
+    options = ["-DCMAKE_INSTALL_LIBDIR=lib", *(["-DBUILD_SHARED_LIBS=ON"] if kind == "shared" else [])]
+    cmake(project / "mip", build, f"-DCMAKE_INSTALL_PREFIX={prefix}", *options)
+    run(need("cmake"), "--install", build)
+    for gone in (build, project / "mip"):
+        shutil.rmtree(gone)
+    prefix.rename(moved)
+    library = moved / "lib"
+    series = VERSION.rpartition(".")[0]
+    names = {"static": {"libmip.a"}, "shared": {"libmip.so", f"libmip.so.{series}", f"libmip.so.{VERSION}"}}
+    assert {p.name for p in library.glob("libmip*")} == names[kind]
+    if kind == "shared":
+        assert exported(library / "libmip.so") == marked() > {"mip_parser_next"}
+
+    cmake(user(project, shown("CMake", "cmake")[2]), tmp_path / "user", f"-DCMAKE_PREFIX_PATH={moved}")
+    taste(tmp_path / "user/main")
+
+    package = {"PKG_CONFIG_PATH": f"{library}/pkgconfig"}
+    assert run(need("pkg-config"), "--modversion", "mip", **package).strip() == VERSION
+    flags = run(need("pkg-config"), "--cflags", "mip", **package)
+    assert ("-DMIP_SHARED" in flags) == (kind == "shared")
+    line = shown("CMake", "sh")[1].strip()
+    run("sh", "-c", f'cd {project} && eval "{line}"', **package)  # eval: for the blank
+    taste(project / "main", LD_LIBRARY_PATH=str(library))
+
+
+@pytest.mark.parametrize("libdir", ["lib/machine", "/other/lib"])
+def test_pkg_config_of_other_folders(libdir: str, tmp_path: Path) -> None:
+    options = ("-DCMAKE_INSTALL_PREFIX=/prefix", f"-DCMAKE_INSTALL_LIBDIR={libdir}")
+    headers = "include" if libdir == "lib/machine" else "/other/include"
+    run(need("cmake"), "-S", folder("real"), "-B", tmp_path, *options, f"-DCMAKE_INSTALL_INCLUDEDIR={headers}")
+    folders = (tmp_path / "mip.pc").read_text("utf-8").splitlines()[:3]
+    if libdir == "lib/machine":
+        wanted = ["prefix=${pcfiledir}/../../..", "libdir=${prefix}/lib/machine", "includedir=${prefix}/include"]
+    else:
+        wanted = ["prefix=/prefix", "libdir=/other/lib", "includedir=/other/include"]
+    assert folders == wanted
+
+
+@heavy("MinGW")
+def test_a_library_for_windows(project: Path, tmp_path: Path) -> None:
+    """A DLL and a program that imports from it."""
+    compiler, build = need("x86_64-w64-mingw32-gcc"), tmp_path / "build"
+    machine = ("-DCMAKE_SYSTEM_NAME=Windows", f"-DCMAKE_C_COMPILER={compiler}", "-DCMAKE_RC_COMPILER=false")
+    cmake(user(project, shown("CMake", "cmake")[0]), build, *machine, "-DBUILD_SHARED_LIBS=ON")
+    dump = need("x86_64-w64-mingw32-objdump")
+    table = run(dump, "-p", build / "mip/libmip.dll").partition("[Ordinal/Name Pointer] Table")[2]
+    assert set(re.findall(r"\b(mip_\w+)", table)) == marked() > {"mip_parser_next"}
+    assert "DLL Name: libmip.dll" in run(dump, "-p", build / "main.exe")
+    unresolved = run(need("x86_64-w64-mingw32-nm"), *build.glob("CMakeFiles/main.dir/*.obj"))
+    assert "U __imp_mip_parser_next" in unresolved  # imported without a detour
+
+
+# --------------------------------------------------------------------------- Meson
+
+
+def test_meson_subproject(project: Path, tmp_path: Path) -> None:
+    """It installs nothing into the prefix of the project."""
+    (project / "subprojects").mkdir()
+    (project / "mip").rename(project / "subprojects/mip")
+    (project / "meson.build").write_text("project('user', 'c')\n" + shown("Meson", "meson")[0])
+    build = tmp_path / "build"
+    meson("setup", build, project, "--wrap-mode=forcefallback")
+    meson("compile", "-C", build)
+    taste(build / "main")
+    assert json.loads(meson("introspect", "--installed", build)) == {}
+
+
+def test_meson_installed(project: Path, tmp_path: Path) -> None:
+    """A shared library, which is Meson's default, found by another project of Meson, which asks pkg-config."""
+    prefix = tmp_path / "prefix"
+    add_unmarked(project / "mip")
+    options = (f"--prefix={prefix}", "--libdir=lib", "-Dpkgconfig.relocatable=true")
+    meson("setup", tmp_path / "build", project / "mip", *options)
+    meson("install", "-C", tmp_path / "build")
+    shutil.rmtree(project / "mip")
+    headers = {str(p.relative_to(prefix)) for p in (prefix / "include").rglob("*.h")}
+    assert headers == {f"include/mip/{p.name}" for p in (folder("real") / "src/mip").glob("*.h")}
+    moved = prefix.rename(tmp_path / "moved")
+    (project / "meson.build").write_text("project('user', 'c')\n" + shown("Meson", "meson")[0])
+    meson("setup", tmp_path / "user", project, f"--pkg-config-path={moved}/lib/pkgconfig")
+    meson("compile", "-C", tmp_path / "user")
+    taste(tmp_path / "user/main", LD_LIBRARY_PATH=f"{moved}/lib")
+    assert exported(moved / "lib/libmip.so") == marked() > {"mip_parser_next"}
+
+
+# --------------------------------------------------------------------------- boards
+
+
+def test_platformio(project: Path) -> None:
+    """What the manifest must have, and a build as PlatformIO does it: all of src, with src as the include path."""
+    library = project / "lib/mip"
+    library.parent.mkdir()
+    (project / "mip").rename(library)
+    manifest = json.loads((library / "library.json").read_text("utf-8"))
+    assert re.fullmatch(r"[a-z0-9-]{1,50}", manifest["name"]) and manifest["version"] == VERSION
+    assert 0 < len(manifest["description"]) <= 255 and manifest["license"] == "MIT"
+    assert manifest["frameworks"] == manifest["platforms"] == "*"
+    assert all(re.fullmatch(r"[a-z0-9 -]{1,50}", word) for word in manifest["keywords"])
+    main = project / "main.c"
+    main.write_text(f'#include "{manifest["headers"]}"\n{main.read_text("utf-8")}')
+    files = sorted((library / "src").rglob("*.c"))
+    run(need("cc"), "-std=gnu11", f"-I{library}/src", main, *files, "-o", project / "program")
+    taste(project / "program")
+
+
+def test_arduino_manifest() -> None:
+    lines = (folder("real") / "library.properties").read_text("utf-8").splitlines()
+    properties = dict(line.split("=", 1) for line in lines)
+    assert {"name", "author", "maintainer", "sentence", "paragraph"} <= {k for k, v in properties.items() if v}
+    assert properties["version"] == VERSION and properties["architectures"] == "*"
+    assert properties["category"] == "Communication"
+    # The IDE looks for it here only, and not in folders below.
+    assert (folder("real") / "src" / properties["includes"]).is_file()
+    first = shown("PlatformIO and Arduino", "cpp")[0].splitlines()[0]
+    assert first == f"#include <{properties['includes']}>"
+    assert first == (PACKAGES / "arduino.ino").read_text("utf-8").splitlines()[1]
+
+
+@heavy("Arduino")
+def test_arduino(project: Path, tmp_path: Path) -> None:
+    """A sketch for an Arduino Uno, by the builder of Arduino's IDE."""
+    sketch = tmp_path / "sketch/sketch.ino"
+    sketch.parent.mkdir()
+    shutil.copy(PACKAGES / "arduino.ino", sketch)
+    shared, build = Path("/usr/share"), tmp_path / "build"
+    build.mkdir()
+    done = run(
+        need("arduino-builder"), "-compile", "-hardware", shared / "arduino/hardware",
+        "-hardware", shared / "arduino-builder", "-tools", "/usr/bin", "-libraries", project,
+        "-fqbn", "arduino:avr:uno", "-build-path", build, "-warnings", "all",
+        # Debian's core needs this of C99, which its avr-gcc does not define in C++.
+        "-prefs", "compiler.cpp.extra_flags=-DDECIMAL_DIG=__DECIMAL_DIG__",
+        "-prefs", "compiler.c.extra_flags=-Werror", sketch,
+    )  # fmt: skip
+    assert re.search(r"Sketch uses \d+ bytes", done)
+    assert (build / "sketch.ino.hex").is_file()
+    assert {p.name.removesuffix(".o") for p in (build / "libraries/mip/mip").glob("*.o")} == {
+        Path(source).name for source in sources("real")
+    }
+
+
+def test_esp_idf(project: Path, tmp_path: Path) -> None:
+    component = project / "components/mip"
+    component.parent.mkdir()
+    (project / "mip").rename(component)
+    (project / "main").mkdir()
+    (project / "main.c").rename(project / "main/main.c")
+    (project / "main/CMakeLists.txt").write_text(shown("ESP-IDF", "cmake")[0])
+    run(need("cmake"), f"-DCOMPONENT={component}", "-P", PACKAGES / "esp_idf/requirements.cmake")
+    cmake(PACKAGES / "esp_idf", tmp_path / "build", f"-DPROJECT={project}")
+    taste(tmp_path / "build/program")
+    manifest = yaml.safe_load((component / "idf_component.yml").read_text("utf-8"))
+    assert manifest["version"] == VERSION and manifest["license"] == "MIT" and manifest["description"]
+
+
+def test_zephyr(project: Path, tmp_path: Path) -> None:
+    module = yaml.safe_load((project / "mip/zephyr/module.yml").read_text("utf-8"))
+    assert module == {"name": "mip", "build": {"cmake": "zephyr", "kconfig": "zephyr/Kconfig"}}
+    (option,) = shown("Zephyr", "ini")
+    assert option == "CONFIG_MIP=y\n"
+    assert re.match(r"config MIP\n\tbool ", (project / "mip" / module["build"]["kconfig"]).read_text("utf-8"))
+    (project / "CMakeLists.txt").write_text(
+        f"cmake_minimum_required(VERSION 3.20)\n{shown('Zephyr', 'cmake')[0]}"
+        "find_package(Zephyr REQUIRED)\nproject(user)\ntarget_sources(app PRIVATE main.c)\n"
+    )
+    (project / "prj.conf").write_text(option)
+    cmake(project, tmp_path / "build", f"-DZephyr_DIR={PACKAGES}/zephyr")
+    taste(tmp_path / "build/program")
+    (project / "prj.conf").write_text("")  # without the option it is not even compiled
+    (project / "main.c").write_text("int main(void) { return 0; }\n")
+    cmake(project, tmp_path / "without", f"-DZephyr_DIR={PACKAGES}/zephyr")
+    assert not [*(tmp_path / "without").rglob("libmip.a")] and [*(tmp_path / "build").rglob("libmip.a")]
