@@ -73,11 +73,15 @@ PYTEST = $(RUN) -m pytest -n $(JOBS) --dist loadgroup
 
 .PHONY: test
 test: tools $(VENV)/development.stamp ## run the tests of all languages that need a C compiler and cargo only
-	@$(PYTEST) -m "not heavy" $(TESTS)
+	@$(PYTEST) -m "not heavy and not cross" $(TESTS)
 
 .PHONY: test-all
 test-all: tools-all test ## these, and those that need other compilers, machines and Pythons
 	@$(PYTEST) -m heavy $(TESTS)
+
+.PHONY: test-cross
+test-cross: tools-cross $(VENV)/development.stamp ## run C on other machines, in emulators: big-endian, strict alignment, 32 bits, Cortex-M, AVR
+	@$(PYTEST) -m cross tests/cross
 
 .PHONY: quick
 quick: $(VENV)/development.stamp ## run the tests of the generator alone, in less than a minute
@@ -122,7 +126,7 @@ conformance-driver: $(VENV)/generator.stamp ## build a driver and print its comm
 
 # ----------------------------------------------------------------- tools and dirt
 
-.PHONY: tools tools-check tools-all tools-fuzz
+.PHONY: tools tools-check tools-all tools-cross tools-fuzz
 tools:
 	@tests/tools.sh test
 
@@ -131,6 +135,9 @@ tools-check:
 
 tools-all:
 	@tests/tools.sh all
+
+tools-cross:
+	@tests/tools.sh cross
 
 tools-fuzz:
 	@tests/tools.sh fuzz
