@@ -16,6 +16,8 @@ WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werr
 PEDANTIC = ["-Wcast-align=strict", "-Wcast-qual", "-Wdouble-promotion", "-Wfloat-equal", "-Wlogical-op",
             "-Wmissing-prototypes", "-Wnull-dereference", "-Wredundant-decls", "-Wsign-conversion",
             "-Wstrict-prototypes", "-Wswitch-enum", "-Wundef", "-Wvla", "-Wwrite-strings"]  # fmt: skip
+#: Programs of unit/ that run with the library of the invented specification.
+UNITS = ("packets", "fields", "client", "tables", "checksum", "doubles", "garbage")
 SANITIZE = ["-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
 
 

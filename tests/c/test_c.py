@@ -14,7 +14,7 @@ import pytest
 from c_build import HERE, SANITIZE, WARNINGS, compiled, folder, include, run, sources
 from mipgen import cli, codec
 from mipgen import model as m
-from mipgen.targets.c import literals, members, names
+from mipgen.targets.c import direct, literals, members, names
 from support import ROOT, SPECS, heavy, model, need, sent
 
 COMPILERS = ("cc", pytest.param("clang", marks=heavy("clang")))
@@ -208,6 +208,75 @@ def given(p: m.Parameter) -> str:
         return f"x.{name}_count, x.{name}"
     pointer = p.element is None or (p.length is None and names.is_struct(p.element))
     return f"&x.{name}" if pointer else f"x.{name}"
+
+
+# --------------------------------------------------------------------------- direct decoders
+
+
+def direct_check(f: m.Field) -> str:
+    """Random data of every length, and of other fields, by the table and directly: the same result, the same bytes."""
+    name, elsewhere = names.field_name(f), {0: 0x80, 0xFF: 0x7F}.get(f.set, f.set + 1)
+    return f"""for (size_t size = 0; size <= {f.max_size}U + 2; size++) {{
+        struct {name} a, b;
+        struct mip_field field = random_field(size, 0x{f.set:02X}, 0x{f.descriptor:02X});
+        memset(&a, 0, sizeof(a));
+        memset(&b, 0, sizeof(b));
+        const mip_error error = {name}_decode(&a, &field);
+        CHECK({name}_decode_inline(&b, &field) == error && memcmp(&a, &b, sizeof(a)) == 0);
+        CHECK((error == MIP_OK) == (size >= {f.min_size}));
+        memset(&b, 0xAA, sizeof(b));
+        if (error != MIP_OK) {{
+            CHECK({name}_decode_inline(&b, &field) == error && memcmp(&a, &b, sizeof(a)) == 0);
+            continue;
+        }}
+        for (size_t capacity = 6; capacity < MIP_MAX_PACKET; capacity += 1 + capacity / 30) {{
+            uint8_t first[MIP_MAX_PACKET] = {{0}}, second[MIP_MAX_PACKET] = {{0}};
+            struct mip_builder p, q;
+            const uint8_t set = 0x{f.set or 1:02X};
+            CHECK(mip_builder_start(&p, first, capacity, set) == MIP_OK);
+            CHECK(mip_builder_start(&q, second, capacity, set) == MIP_OK);
+            while ({name}_encode(&a, &p) == MIP_OK) {{
+                CHECK({name}_encode_inline(&a, &q) == MIP_OK && p.length == q.length);
+            }}
+            CHECK({name}_encode_inline(&a, &q) == MIP_ERROR_LENGTH && p.length == q.length);
+            CHECK(memcmp(first, second, p.length) == 0);
+            CHECK(p.length == 4 || memcmp(first + 6, field.data, {f.min_size}) == 0);
+        }}
+        uint8_t other[MIP_MAX_PACKET];
+        struct mip_builder o;
+        CHECK(mip_builder_start(&o, other, sizeof(other), 0x{elsewhere:02X}) == MIP_OK);
+        CHECK({name}_encode_inline(&a, &o) == {name}_encode(&a, &o));
+        CHECK(o.length == MIP_HEADER_SIZE);
+    }}
+"""
+
+
+RANDOM_FIELD = """
+static struct mip_field random_field(size_t size, uint8_t set, uint8_t descriptor) {
+    static uint8_t data[MIP_MAX_FIELD_DATA];
+    static uint32_t state = 1;
+    for (size_t i = 0; i < size; i++) {
+        state = state * UINT32_C(1664525) + UINT32_C(1013904223);
+        data[i] = (uint8_t)(state >> 24);
+    }
+    const struct mip_field field = {data, (uint8_t)size, set == 0 ? 1 : set, descriptor};
+    return field;
+}
+"""
+
+
+@both
+@compilers
+def test_every_direct_decoder(compiler: str, spec: str, tmp_path: Path) -> None:
+    of = model(spec)
+    fields = [f for f in (of.protocol.acknowledge, *of.fields) if direct.direct(f)]
+    never_varies = [f for f in of.fields if f.min_size == f.max_size > 0]
+    never_varies = [f for f in never_varies if not any(isinstance(op, m.ConstantOp) for op in f.operations)]
+    assert len(fields) >= len(never_varies) > 0
+    program = written(tmp_path / "direct.c", of, [direct_check(f) for f in fields])
+    text = program.read_text("utf-8")
+    program.write_text(text.replace("int main(void) {", f"{RANDOM_FIELD}int main(void) {{"))
+    run(build(tmp_path, compiler, spec, program, *SANITIZE))
 
 
 @both

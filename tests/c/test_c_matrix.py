@@ -11,13 +11,12 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from c_build import HERE, PEDANTIC, SANITIZE, WARNINGS, archive, compiled, folder, include, run, sources
+from c_build import HERE, PEDANTIC, SANITIZE, UNITS, WARNINGS, archive, compiled, folder, include, run, sources
 from support import SPECS, heavy, need
 
 both = pytest.mark.parametrize("spec", sorted(SPECS))
 compilers = pytest.mark.parametrize("compiler", ["cc", pytest.param("clang", marks=heavy("clang"))])
 
-UNITS = ("packets", "fields", "client", "tables", "checksum", "garbage")
 C = ("c99", "c11", "c17", "newest C")
 CPP = ("c++11", "c++14", "c++17", "c++20")
 LEVELS = ("-Os", "-O2", "-O3")

@@ -41,7 +41,6 @@ import c_build  # noqa: E402
 import fuzz  # noqa: E402
 
 HERE = Path(__file__).parent
-UNITS = ("packets", "fields", "client", "tables", "checksum", "garbage")
 
 pytestmark = pytest.mark.cross
 both = pytest.mark.parametrize("spec", sorted(SPECS))
@@ -110,7 +109,7 @@ def test_the_machine_is_what_it_should_be(name: str, tmp_path: Path) -> None:
 @machines
 @pytest.mark.parametrize("kind", BUILDS)
 def test_unit(kind: str, name: str, tmp_path: Path) -> None:
-    for unit in UNITS:
+    for unit in c_build.UNITS:
         program = compiled(name, "invented", tmp_path / unit, C / f"unit/{unit}.c", *BUILDS[kind])
         done = emulated(name, program)
         assert done.returncode == 0, f"{unit}: {done.returncode} {done.stdout}{done.stderr}"
@@ -188,7 +187,7 @@ def test_cortex_m4(level: str, tmp_path: Path) -> None:
     """Every unit program, on an emulated board."""
     gcc = "arm-none-eabi-gcc"
     flags = ["-std=c99", "-mthumb", "-mcpu=cortex-m4", level]
-    for unit in UNITS:
+    for unit in c_build.UNITS:
         library = c_build.archive("invented", gcc, *flags)
         program = tmp_path / unit
         c_build.run(need(gcc), *flags, "--specs=rdimon.specs", c_build.include("invented"), f"-I{C}/unit",
@@ -215,7 +214,7 @@ def test_avr_compiles(spec: str) -> None:
 
 
 # The tables do not fit, and doubles that are cut to four bytes do not give the same bytes again, as garbage.c expects.
-@pytest.mark.parametrize("unit", ["packets", "fields", "client", "checksum"])
+@pytest.mark.parametrize("unit", ["packets", "fields", "client", "checksum", "doubles"])
 def test_avr_runs(unit: str, tmp_path: Path) -> None:
     library = c_build.archive("invented", "avr-gcc", "-std=c99", *AVR)
     part, program = tmp_path / "unit.o", tmp_path / "unit.elf"
