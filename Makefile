@@ -105,7 +105,7 @@ check: tools-check $(VENV)/development.stamp ## validate, compare generated/ wit
 	@cd $(OUT)/python && $(abspath $(VENV))/bin/ruff check --quiet . && $(abspath $(VENV))/bin/ruff format --quiet --check .
 	@$(VENV)/bin/mypy --no-error-summary
 	@cd $(OUT)/python && $(abspath $(VENV))/bin/mypy --no-error-summary mip_protocol
-	@find $(OUT)/c templates/c tests/c \( -name '*.c' -o -name '*.h' \) -print0 | xargs -0 $(VENV)/bin/clang-format --dry-run -Werror
+	@find $(OUT)/c templates/c tests/c tests/cross \( -name '*.c' -o -name '*.h' \) -print0 | xargs -0 $(VENV)/bin/clang-format --dry-run -Werror
 	@find $(OUT)/rust/src tests/rust -name '*.rs' -not -path '*/target/*' -print0 | xargs -0 rustfmt --check --edition 2021 --config-path $(OUT)/rust
 	@echo "checked: specification, generated files, ruff, mypy, clang-format, rustfmt; nothing was left out"
 

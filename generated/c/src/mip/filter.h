@@ -174,7 +174,11 @@ enum mip_filter_pitch_roll_aiding_source {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_pitch_roll_aiding_source_name(uint8_t value);
-/** GNSS position and velocity. */
+/**
+ * A source of aiding measurements.
+ *
+ * GNSS position and velocity.
+ */
 #define MIP_FILTER_AIDING_SOURCE_GNSS_POSITION_VELOCITY 0
 /** GNSS heading of two antennas. */
 #define MIP_FILTER_AIDING_SOURCE_GNSS_HEADING 1
