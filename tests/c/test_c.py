@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import platform
 import re
 import shutil
 import subprocess
@@ -13,33 +11,17 @@ from typing import Any
 
 import awkward
 import pytest
+from c_build import HERE, SANITIZE, WARNINGS, compiled, folder, include, run, sources
 from mipgen import cli, codec
 from mipgen import model as m
 from mipgen.targets.c import direct, literals, members, names
 from support import ROOT, SPECS, heavy, model, need, sent
 
-HERE = Path(__file__).parent
-WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror"]
-SANITIZE = ["-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
 COMPILERS = ("cc", pytest.param("clang", marks=heavy("clang")))
 CPP = pytest.param("g++", marks=heavy("g++"))
 
 both = pytest.mark.parametrize("spec", sorted(SPECS))
 compilers = pytest.mark.parametrize("compiler", COMPILERS)
-
-
-def folder(spec: str) -> Path:
-    return SPECS[spec][1] / "c"
-
-
-def sources(spec: str) -> list[str]:
-    return [str(p) for p in sorted((folder(spec) / "src/mip").glob("*.c"))]
-
-
-def run(*command: str | Path, **environment: str) -> str:
-    done = subprocess.run([str(c) for c in command], capture_output=True, text=True, env={**os.environ, **environment})
-    assert done.returncode == 0, f"{' '.join(map(str, command))[:400]}\n{done.stdout[-3000:]}{done.stderr[-6000:]}"
-    return done.stdout
 
 
 def written(path: Path, of: m.Model, checks: list[str]) -> Path:
@@ -51,44 +33,11 @@ def written(path: Path, of: m.Model, checks: list[str]) -> Path:
     return path
 
 
-def include(spec: str) -> str:
-    return f"-I{folder(spec)}/src"
+def build(tmp: Path, compiler: str, spec: str, source: Path, *flags: str) -> Path:
+    return compiled(tmp / source.stem, spec, compiler, source, "-std=c99", *flags)
 
 
-def build(tmp: Path, compiler: str, spec: str, program: Path, *flags: str) -> Path:
-    """A program with the whole library, under all warnings."""
-    out = tmp / program.stem
-    run(need(compiler), "-std=c99", *WARNINGS, *flags, include(spec), f"-I{HERE}/unit", program,
-        *sources(spec), "-o", out)  # fmt: skip
-    return out
-
-
-# --------------------------------------------------------------------------- compilers
-
-
-@both
-@compilers
-def test_c99_without_a_warning(compiler: str, spec: str, tmp_path: Path) -> None:
-    for level in ("-O0", "-O2"):  # some warnings come with optimization only
-        for source in sources(spec):
-            run(
-                need(compiler),
-                "-std=c99",
-                *WARNINGS,
-                level,
-                include(spec),
-                "-c",
-                source,
-                "-o",
-                tmp_path / "o",
-            )
-
-
-@both
-@pytest.mark.parametrize("compiler", [CPP, pytest.param("clang++", marks=heavy("clang"))])
-def test_the_sources_are_cpp_too(compiler: str, spec: str) -> None:
-    for source in sources(spec):
-        run(need(compiler), "-std=c++11", "-x", "c++", *WARNINGS, include(spec), "-fsyntax-only", source)
+# --------------------------------------------------------------------------- sources
 
 
 @both
@@ -98,17 +47,6 @@ def test_each_header_stands_alone(compiler: str, spec: str, tmp_path: Path) -> N
         program = tmp_path / f"{header.stem}.{'cpp' if compiler == 'g++' else 'c'}"
         program.write_text(f'#include "mip/{header.name}"\n#include "mip/{header.name}"\nint unused;\n')
         run(need(compiler), *WARNINGS, include(spec), "-fsyntax-only", program)
-
-
-@both
-@heavy("bare-metal machines with clang")
-@pytest.mark.parametrize("machine", ["thumbv7m-none-eabi", "powerpc-none-eabi", "msp430-none-elf", "avr"])
-def test_freestanding_on_small_machines(machine: str, spec: str, tmp_path: Path) -> None:
-    """32 and 16 bits, both byte orders, no C library but five functions of <string.h>."""
-    flags = ["-std=c99", "-Os", "-ffreestanding", "-nostdlibinc", *WARNINGS, "-Wno-avr-rtlib-linking-quirks"]
-    for source in sources(spec):
-        run(need("clang"), f"--target={machine}", *flags, "-isystem", HERE / "freestanding", include(spec),
-            "-fsyntax-only", source)  # fmt: skip
 
 
 @both
@@ -179,36 +117,6 @@ def test_the_runtime_is_ordinary_source(spec: str) -> None:
 
 
 # --------------------------------------------------------------------------- programs
-
-
-@compilers
-@pytest.mark.parametrize("program", ["packets", "fields", "client", "tables", "doubles"])
-def test_unit(program: str, compiler: str, tmp_path: Path) -> None:
-    run(build(tmp_path, compiler, "invented", HERE / f"unit/{program}.c", *SANITIZE))
-
-
-FORMS = ["PLAIN", "WORDS", *{"x86_64": ["SSE2"], "aarch64": ["NEON"]}.get(platform.machine(), [])]
-
-
-@pytest.mark.parametrize("form", FORMS)
-@compilers
-def test_every_form_of_the_checksum(compiler: str, form: str, tmp_path: Path) -> None:
-    flags = ["-O2", f"-DMIP_CHECKSUM=MIP_CHECKSUM_{form}", *SANITIZE]
-    run(build(tmp_path, compiler, "invented", HERE / "unit/checksum.c", *flags))
-
-
-@heavy("clang")
-@pytest.mark.parametrize("machine", ["aarch64-none-elf", "armv7a-none-eabi"])
-def test_the_vectors_of_arm_compile(machine: str) -> None:
-    run(need("clang"), f"--target={machine}", "-std=c99", "-O2", "-ffreestanding", "-nostdlibinc", *WARNINGS,
-        "-mfloat-abi=softfp" if machine.startswith("armv7") else "-ffreestanding", "-DMIP_CHECKSUM=MIP_CHECKSUM_NEON",
-        *(["-mfpu=neon"] if machine.startswith("armv7") else []), "-isystem", HERE / "freestanding", include("real"),
-        "-fsyntax-only", folder("real") / "src/checksum.c")  # fmt: skip
-
-
-@both
-def test_garbage(spec: str, tmp_path: Path) -> None:
-    run(build(tmp_path, "cc", spec, HERE / "unit/garbage.c", *SANITIZE))
 
 
 @pytest.mark.parametrize(
