@@ -3,6 +3,14 @@
 
 #include <string.h>
 
+const char *mip_names_label(const struct mip_names *names, size_t index) {
+    const char *label = names->labels;
+    for (; index > 0; index--) {
+        label += strlen(label) + 1;
+    }
+    return label;
+}
+
 uint64_t mip_names_number(const struct mip_names *names, size_t index) {
     const uint8_t *at = (const uint8_t *)names->numbers + index * names->size;
     uint8_t byte = 0;
@@ -26,9 +34,9 @@ uint64_t mip_names_number(const struct mip_names *names, size_t index) {
 }
 
 const char *mip_value_name(const struct mip_names *names, uint64_t value) {
-    for (size_t i = 0; names->labels != NULL && i < names->count; i++) {
+    for (size_t i = 0; names->numbers != NULL && i < names->count; i++) {
         if (mip_names_number(names, i) == value) {
-            return names->labels[i];
+            return mip_names_label(names, i);
         }
     }
     return NULL;

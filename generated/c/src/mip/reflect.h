@@ -45,7 +45,6 @@ struct mip_names;
 
 /** One flag, or one number, inside a bitfield. */
 struct mip_named_bits {
-    const char *name;
     uint8_t first;
     uint8_t width;
     /** The enumeration of the number, or NULL. */
@@ -56,12 +55,13 @@ struct mip_named_bits {
 struct mip_names {
     /** Name in the specification, prefixed with its set and a full stop if a set owns it. */
     const char *name;
-    /** Of an enumeration: the names of its values, and these as unsigned numbers of `size` bytes.
-     */
-    const char *const *labels;
+    /** The names of its values or bits, with a NUL behind each: see mip_names_label. */
+    const char *labels;
+    /** Of an enumeration: its values, unsigned numbers of `size` bytes. */
     const void *numbers;
+    /** Of a bitfield. */
     const struct mip_named_bits *bits;
-    /** Values, or elements of `bits`. */
+    /** How many values or bits there are. */
     uint8_t count;
     /** Bytes of the number. */
     uint8_t size;
@@ -160,6 +160,9 @@ MIP_API const struct mip_reflection *mip_reflect(const struct mip_codec *codec);
 
 /** An enumeration or a bitfield by its name: "ack_code", "base.gps_time_field". */
 MIP_API const struct mip_names *mip_names_find(const char *name);
+
+/** The name of a value of an enumeration, by its index. */
+MIP_API const char *mip_names_label(const struct mip_names *names, size_t index);
 
 /** The number of a value of an enumeration, by its index. */
 MIP_API uint64_t mip_names_number(const struct mip_names *names, size_t index);

@@ -134,6 +134,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "reflection_row": lambda f: tables.reflection(f, model),
         "readings": tables.readings,
         "numbers": tables.numbers,
+        "labels": tables.labels,
         "letters": m.letters,
         # comments
         "comment": comment,

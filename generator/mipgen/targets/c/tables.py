@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from ... import model as m
@@ -55,6 +55,11 @@ _KINDS = {
 def names(t: m.Enum | m.Bitfield) -> str:
     """The table that names the values or bits of a type."""
     return f"mip_names_{bare(t)}"
+
+
+def labels(parts: Sequence[m.EnumValue | m.Bits]) -> str:
+    """Names with a NUL behind each; behind the last one is that of the string."""
+    return " ".join([*(f'"{part.name}\\0"' for part in parts[:-1]), *(f'"{part.name}"' for part in parts[-1:])]) or '""'
 
 
 def numbers(t: m.Enum) -> str:
