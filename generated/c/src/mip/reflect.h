@@ -147,6 +147,14 @@ struct mip_reflection {
     uint16_t present_offset;
 };
 
+/** Memory for the structure of any field: mip_decode(entry->codec, &value, &field, NULL). */
+union mip_any_value {
+    uint8_t bytes[MIP_MAX_VALUE_SIZE];
+    /** For the alignment that every structure may have. */
+    uint64_t whole;
+    double real;
+};
+
 /** All fields. */
 extern MIP_API const struct mip_reflection mip_reflections[];
 extern MIP_API const size_t mip_reflection_count;
