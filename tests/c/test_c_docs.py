@@ -19,7 +19,7 @@ both = pytest.mark.parametrize("spec", sorted(SPECS))
 TOKEN = re.compile(
     r"/\*\*(?P<doc>.*?)\*/|/\*.*?\*/"
     r"|^\#define\s+(?P<macro>\w+)[^\n\\]*(?:\\\n[^\n]*)?|^\#[^\n]*"
-    r"|(?P<constant>MIP_\w+) = \d+,?"
+    r"|^ +(?P<constant>MIP_\w+)(?: = \d+)?,?$"
     r"|(?:struct|union|enum)\s*(?P<opened>\w*)\s*\{|(?P<closed>\})|(?P<statement>[^;{}/#]+);",
     re.S | re.M,
 )
@@ -44,19 +44,28 @@ def documented(text: str) -> dict[str, str]:
         if token["macro"] or token["constant"]:
             found.setdefault(token["macro"] or token["constant"], doc)
         elif token["opened"] is not None:
-            scopes.append(token["opened"] or scopes[-1])  # one without a name: its members are those of the outer one
+            # One without a name: its members are those of the outer one.
+            scopes.append(token["opened"] or (scopes[-1] if scopes else ""))
             found.setdefault(token["opened"], doc)
         elif token["closed"]:
             scopes.pop()
-        elif token["statement"] and (name := declared(token["statement"])):
+        elif token["statement"] and (name := declared(token["statement"])) and not is_forward(token["statement"]):
             found.setdefault(f"{scopes[-1]}.{name}" if scopes else name, doc)
         doc = ""
     assert not scopes
     return found
 
 
+def is_forward(statement: str) -> bool:
+    """A structure that is only announced: it is told of where its members are."""
+    return re.fullmatch(r"\s*(?:struct|union) \w+\s*", statement) is not None
+
+
 def declared(statement: str) -> str:
     """The name that a declaration gives: the one before its parameters or brackets."""
+    pointer = re.search(r"\(\*(\w+)\)", statement)
+    if pointer:
+        return pointer[1]
     words = re.split(r"[(\[]", statement)[0].split()
     return words[-1].lstrip("*") if words else ""
 
@@ -92,7 +101,10 @@ def wanted(of: m.Model) -> Iterator[tuple[str, list[str]]]:
     """Where a comment is, and what it must hold."""
     for f in (of.protocol.acknowledge, *of.fields):
         name = names.field_name(f)
-        yield name, [f.title, prose(f.description, of), *said(describe.field(f, of)), *describe.sources(f)]
+        facts = [x for x in describe.field(f, of) if x.topic != "perhaps"]  # those are in profiles.h
+        yield name, [f.title, prose(f.description, of), *said(facts), *describe.sources(f)]
+        if of.devices_of(f, certain=False) and not of.devices_of(f):
+            yield name, ["No device is certain to support it."]
         place = f"(0x{f.set:02X},0x{f.descriptor:02X})" if f.set else f"0x{f.descriptor:02X}"
         yield name, [f"{f.role} {place}.", *in_full(f)]
         yield from of_record(f, of)
@@ -161,6 +173,46 @@ def test_what_is_compared_holds_all_topics() -> None:
         "deprecation", "devices", "elements", "frame", "functions", "generation", "incomplete", "layout", "like",
         "manual", "max_rate", "model_number", "note", "optional", "perhaps", "place", "range", "required", "reserved",
         "responses", "silent", "tag", "timeout", "uncertain", "unit", "valid", "values", "variant", "when",
+    }  # fmt: skip
+
+
+@both
+def test_headers_leave_what_is_not_certain_to_the_profiles(spec: str) -> None:
+    """Which devices may support a field takes more lines than all else; each file says where it is told."""
+    of = model(spec)
+    assert not [name for name, text in comments(spec).items() if "May be supported by" in text]
+    for s in of.sets:
+        text = (SPECS[spec][1] / f"c/src/mip/{names.module(s.name)}.h").read_text("utf-8")
+        told = "Devices that may support a field, though it is not certain, are in mip/profiles.h only."
+        unsure = any(of.devices_of(f, certain=False) for f in s.fields)
+        assert (told in plain(text.partition("*/")[0])) == unsure
+
+
+@both
+def test_everything_has_a_comment(spec: str) -> None:
+    """Every function, structure, member, macro and value of every header; guards apart."""
+    headers = sorted((SPECS[spec][1] / "c/src").rglob("*.h"))
+    assert len(headers) > 20
+    bare = []
+    for path in headers:
+        found = documented(path.read_text("utf-8"))
+        assert len(found) > 1
+        guard = re.compile(r"MIP_\w+_H")
+        bare += [f"{path.name}: {name}" for name, doc in found.items() if not doc and not guard.fullmatch(name)]
+    assert not bare, "\n".join(bare[:20])
+
+
+def test_what_a_header_declares() -> None:
+    """So that the test above sees everything."""
+    found = documented(
+        "struct one;\n/** A. */\nstruct one {\n    /** B. */\n    int b;\n    int (*call)(void);\n};\n"
+        "enum two {\n    MIP_X,\n    /** Y. */\n    MIP_Y = 2\n};\n#define MIP_Z(a) a\n"
+        "/** F. */\nMIP_API bool mip_f(int a,\n    int b);\nextern const int mip_v[];\ntypedef int mip_t;\n"
+        "static inline int mip_g(void) {\n    return 1;\n}\n"
+    )
+    assert found == {
+        "one": "A.", "one.b": "B.", "one.call": "", "two": "", "MIP_X": "", "MIP_Y": "Y.", "MIP_Z": "",
+        "mip_f": "F.", "mip_v": "", "mip_t": "", "mip_g": "",
     }  # fmt: skip
 
 

@@ -2,6 +2,8 @@
  * @file
  *
  * 3DM (0x0C). Commands that set up the sensors, the outputs, the pins and the events of a device.
+ *
+ * Devices that may support a field, though it is not certain, are in mip/profiles.h only.
  */
 #ifndef MIP_3DM_H
 #define MIP_3DM_H
@@ -276,8 +278,7 @@ MIP_API const char *mip_3dm_legacy_data_stream_name(uint8_t value);
  * Asks for one sensor data packet (0x80) with the fields listed, in their order.
  *
  * Also called `poll_imu_message`. Not acknowledged if suppress_ack is true. Supported by
- * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
- * 3DM-GX5-45.
+ * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * An empty list polls the stored message format; without one the device refuses.
  *
@@ -298,7 +299,9 @@ struct mip_3dm_poll_imu_data {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_POLL_IMU_DATA 0x0C01
+/** Its descriptor. */
 #define MIP_3DM_POLL_IMU_DATA_DESCRIPTOR 0x01
+/** Its name in the specification. */
 #define MIP_3DM_POLL_IMU_DATA_NAME "3dm.poll_imu_data"
 
 /** Its wire format. */
@@ -336,8 +339,7 @@ mip_3dm_poll_imu_data_make(struct mip_3dm_poll_imu_data *command, mip_bool suppr
  * Asks for one GNSS data packet with the fields listed, in their order.
  *
  * Also called `poll_gnss_message`. Not acknowledged if suppress_ack is true. Supported by
- * 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35. Known
- * from the MicroStrain MIP SDK only.
+ * 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known from the MicroStrain MIP SDK only.
  *
  * An empty list polls what mip_3dm_gnss_message_format has stored; without that the device refuses.
  *
@@ -361,7 +363,9 @@ struct mip_3dm_poll_gnss_data {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_POLL_GNSS_DATA 0x0C02
+/** Its descriptor. */
 #define MIP_3DM_POLL_GNSS_DATA_DESCRIPTOR 0x02
+/** Its name in the specification. */
 #define MIP_3DM_POLL_GNSS_DATA_NAME "3dm.poll_gnss_data"
 
 /** Its wire format. */
@@ -420,7 +424,9 @@ struct mip_3dm_poll_filter_data {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_POLL_FILTER_DATA 0x0C03
+/** Its descriptor. */
 #define MIP_3DM_POLL_FILTER_DATA_DESCRIPTOR 0x03
+/** Its name in the specification. */
 #define MIP_3DM_POLL_FILTER_DATA_NAME "3dm.poll_filter_data"
 
 /** Its wire format. */
@@ -480,7 +486,9 @@ struct mip_3dm_poll_nmea_data {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_POLL_NMEA_DATA 0x0C04
+/** Its descriptor. */
 #define MIP_3DM_POLL_NMEA_DATA_DESCRIPTOR 0x04
+/** Its name in the specification. */
 #define MIP_3DM_POLL_NMEA_DATA_NAME "3dm.poll_nmea_data"
 
 /** Its wire format. */
@@ -518,8 +526,7 @@ mip_3dm_poll_nmea_data_make(struct mip_3dm_poll_nmea_data *command, mip_bool sup
  * Asks for the rate that the decimations of the IMU message format divide.
  *
  * Also called `imu_get_base_rate`. Answered by mip_3dm_get_imu_base_rate_response. Supported by
- * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
- * 3DM-GX5-35.
+ * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
  */
@@ -530,7 +537,9 @@ struct mip_3dm_get_imu_base_rate {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GET_IMU_BASE_RATE 0x0C06
+/** Its descriptor. */
 #define MIP_3DM_GET_IMU_BASE_RATE_DESCRIPTOR 0x06
+/** Its name in the specification. */
 #define MIP_3DM_GET_IMU_BASE_RATE_NAME "3dm.get_imu_base_rate"
 
 /** Its wire format. */
@@ -551,8 +560,7 @@ static inline mip_error mip_3dm_get_imu_base_rate_encode(
  * Get IMU Data Base Rate response: response (0x0C,0x83).
  *
  * Also called `imu_get_base_rate_response`. Answers mip_3dm_get_imu_base_rate. Supported by
- * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
- * 3DM-GX5-35.
+ * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
  */
@@ -563,7 +571,9 @@ struct mip_3dm_get_imu_base_rate_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GET_IMU_BASE_RATE_RESPONSE 0x0C83
+/** Its descriptor. */
 #define MIP_3DM_GET_IMU_BASE_RATE_RESPONSE_DESCRIPTOR 0x83
+/** Its name in the specification. */
 #define MIP_3DM_GET_IMU_BASE_RATE_RESPONSE_NAME "3dm.get_imu_base_rate_response"
 
 /** Its wire format. */
@@ -622,7 +632,9 @@ struct mip_3dm_get_gnss_base_rate {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GET_GNSS_BASE_RATE 0x0C07
+/** Its descriptor. */
 #define MIP_3DM_GET_GNSS_BASE_RATE_DESCRIPTOR 0x07
+/** Its name in the specification. */
 #define MIP_3DM_GET_GNSS_BASE_RATE_NAME "3dm.get_gnss_base_rate"
 
 /** Its wire format. */
@@ -655,7 +667,9 @@ struct mip_3dm_get_gnss_base_rate_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GET_GNSS_BASE_RATE_RESPONSE 0x0C84
+/** Its descriptor. */
 #define MIP_3DM_GET_GNSS_BASE_RATE_RESPONSE_DESCRIPTOR 0x84
+/** Its name in the specification. */
 #define MIP_3DM_GET_GNSS_BASE_RATE_RESPONSE_NAME "3dm.get_gnss_base_rate_response"
 
 /** Its wire format. */
@@ -713,7 +727,10 @@ static inline mip_error mip_3dm_get_gnss_base_rate_response_encode_inline(
  * - 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08)
  */
 struct mip_3dm_imu_message_format {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -725,7 +742,9 @@ struct mip_3dm_imu_message_format {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_IMU_MESSAGE_FORMAT 0x0C08
+/** Its descriptor. */
 #define MIP_3DM_IMU_MESSAGE_FORMAT_DESCRIPTOR 0x08
+/** Its name in the specification. */
 #define MIP_3DM_IMU_MESSAGE_FORMAT_NAME "3dm.imu_message_format"
 
 /** Its wire format. */
@@ -818,7 +837,9 @@ struct mip_3dm_imu_message_format_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_IMU_MESSAGE_FORMAT_RESPONSE 0x0C80
+/** Its descriptor. */
 #define MIP_3DM_IMU_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR 0x80
+/** Its name in the specification. */
 #define MIP_3DM_IMU_MESSAGE_FORMAT_RESPONSE_NAME "3dm.imu_message_format_response"
 
 /** Its wire format. */
@@ -850,7 +871,10 @@ static inline mip_error mip_3dm_imu_message_format_response_encode(
  * - 3dm-gx5-35: 4.2.6 GNSS Message Format (0x0C, 0x09)
  */
 struct mip_3dm_gnss_message_format {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -864,7 +888,9 @@ struct mip_3dm_gnss_message_format {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GNSS_MESSAGE_FORMAT 0x0C09
+/** Its descriptor. */
 #define MIP_3DM_GNSS_MESSAGE_FORMAT_DESCRIPTOR 0x09
+/** Its name in the specification. */
 #define MIP_3DM_GNSS_MESSAGE_FORMAT_NAME "3dm.gnss_message_format"
 
 /** Its wire format. */
@@ -958,7 +984,9 @@ struct mip_3dm_gnss_message_format_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GNSS_MESSAGE_FORMAT_RESPONSE 0x0C81
+/** Its descriptor. */
 #define MIP_3DM_GNSS_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR 0x81
+/** Its name in the specification. */
 #define MIP_3DM_GNSS_MESSAGE_FORMAT_RESPONSE_NAME "3dm.gnss_message_format_response"
 
 /** Its wire format. */
@@ -993,7 +1021,10 @@ static inline mip_error mip_3dm_gnss_message_format_response_encode(
  * - 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
  */
 struct mip_3dm_filter_message_format {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -1005,7 +1036,9 @@ struct mip_3dm_filter_message_format {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_FILTER_MESSAGE_FORMAT 0x0C0A
+/** Its descriptor. */
 #define MIP_3DM_FILTER_MESSAGE_FORMAT_DESCRIPTOR 0x0A
+/** Its name in the specification. */
 #define MIP_3DM_FILTER_MESSAGE_FORMAT_NAME "3dm.filter_message_format"
 
 /** Its wire format. */
@@ -1098,7 +1131,9 @@ struct mip_3dm_filter_message_format_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_FILTER_MESSAGE_FORMAT_RESPONSE 0x0C82
+/** Its descriptor. */
 #define MIP_3DM_FILTER_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR 0x82
+/** Its name in the specification. */
 #define MIP_3DM_FILTER_MESSAGE_FORMAT_RESPONSE_NAME "3dm.filter_message_format_response"
 
 /** Its wire format. */
@@ -1132,7 +1167,9 @@ struct mip_3dm_get_filter_base_rate {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GET_FILTER_BASE_RATE 0x0C0B
+/** Its descriptor. */
 #define MIP_3DM_GET_FILTER_BASE_RATE_DESCRIPTOR 0x0B
+/** Its name in the specification. */
 #define MIP_3DM_GET_FILTER_BASE_RATE_NAME "3dm.get_filter_base_rate"
 
 /** Its wire format. */
@@ -1164,7 +1201,9 @@ struct mip_3dm_get_filter_base_rate_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GET_FILTER_BASE_RATE_RESPONSE 0x0C8A
+/** Its descriptor. */
 #define MIP_3DM_GET_FILTER_BASE_RATE_RESPONSE_DESCRIPTOR 0x8A
+/** Its name in the specification. */
 #define MIP_3DM_GET_FILTER_BASE_RATE_RESPONSE_NAME "3dm.get_filter_base_rate_response"
 
 /** Its wire format. */
@@ -1220,7 +1259,10 @@ static inline mip_error mip_3dm_get_filter_base_rate_response_encode_inline(
  * - 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C)
  */
 struct mip_3dm_nmea_message_format {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -1232,7 +1274,9 @@ struct mip_3dm_nmea_message_format {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_NMEA_MESSAGE_FORMAT 0x0C0C
+/** Its descriptor. */
 #define MIP_3DM_NMEA_MESSAGE_FORMAT_DESCRIPTOR 0x0C
+/** Its name in the specification. */
 #define MIP_3DM_NMEA_MESSAGE_FORMAT_NAME "3dm.nmea_message_format"
 
 /** Its wire format. */
@@ -1324,7 +1368,9 @@ struct mip_3dm_nmea_message_format_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_NMEA_MESSAGE_FORMAT_RESPONSE 0x0C8C
+/** Its descriptor. */
 #define MIP_3DM_NMEA_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR 0x8C
+/** Its name in the specification. */
 #define MIP_3DM_NMEA_MESSAGE_FORMAT_RESPONSE_NAME "3dm.nmea_message_format_response"
 
 /** Its wire format. */
@@ -1371,7 +1417,9 @@ struct mip_3dm_poll_data {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_POLL_DATA 0x0C0D
+/** Its descriptor. */
 #define MIP_3DM_POLL_DATA_DESCRIPTOR 0x0D
+/** Its name in the specification. */
 #define MIP_3DM_POLL_DATA_NAME "3dm.poll_data"
 
 /** Its wire format. */
@@ -1422,7 +1470,9 @@ struct mip_3dm_get_base_rate {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GET_BASE_RATE 0x0C0E
+/** Its descriptor. */
 #define MIP_3DM_GET_BASE_RATE_DESCRIPTOR 0x0E
+/** Its name in the specification. */
 #define MIP_3DM_GET_BASE_RATE_NAME "3dm.get_base_rate"
 
 /** Its wire format. */
@@ -1490,7 +1540,9 @@ struct mip_3dm_get_base_rate_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GET_BASE_RATE_RESPONSE 0x0C8E
+/** Its descriptor. */
 #define MIP_3DM_GET_BASE_RATE_RESPONSE_DESCRIPTOR 0x8E
+/** Its name in the specification. */
 #define MIP_3DM_GET_BASE_RATE_RESPONSE_NAME "3dm.get_base_rate_response"
 
 /** Its wire format. */
@@ -1550,7 +1602,10 @@ static inline mip_error mip_3dm_get_base_rate_response_encode_inline(
  * - 3dm-cv7-gnss-ins: Message Format (0x0C,0x0F)
  */
 struct mip_3dm_message_format {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -1564,7 +1619,9 @@ struct mip_3dm_message_format {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_MESSAGE_FORMAT 0x0C0F
+/** Its descriptor. */
 #define MIP_3DM_MESSAGE_FORMAT_DESCRIPTOR 0x0F
+/** Its name in the specification. */
 #define MIP_3DM_MESSAGE_FORMAT_NAME "3dm.message_format"
 
 /** Its wire format. */
@@ -1663,7 +1720,9 @@ struct mip_3dm_message_format_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_MESSAGE_FORMAT_RESPONSE 0x0C8F
+/** Its descriptor. */
 #define MIP_3DM_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR 0x8F
+/** Its name in the specification. */
 #define MIP_3DM_MESSAGE_FORMAT_RESPONSE_NAME "3dm.message_format_response"
 
 /** Its wire format. */
@@ -1698,7 +1757,9 @@ struct mip_3dm_factory_streaming {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_FACTORY_STREAMING 0x0C10
+/** Its descriptor. */
 #define MIP_3DM_FACTORY_STREAMING_DESCRIPTOR 0x10
+/** Its name in the specification. */
 #define MIP_3DM_FACTORY_STREAMING_NAME "3dm.factory_streaming"
 
 /** Its wire format. */
@@ -1759,10 +1820,7 @@ static inline struct mip_3dm_factory_streaming *mip_3dm_factory_streaming_make(
  *
  * Also called `datastream_control`. Functions: write, read, save, load and default. Answered by
  * mip_3dm_data_stream_control_response. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
- * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
- * 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
- * 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15,
- * 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45 and 3DM-MV5-AR.
+ * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * 5-series devices name the stream by a number of their own (enum mip_3dm_legacy_data_stream),
  * others by its descriptor set.
@@ -1771,7 +1829,10 @@ static inline struct mip_3dm_factory_streaming *mip_3dm_factory_streaming_make(
  * - 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
  */
 struct mip_3dm_data_stream_control {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -1790,7 +1851,9 @@ struct mip_3dm_data_stream_control {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_DATA_STREAM_CONTROL 0x0C11
+/** Its descriptor. */
 #define MIP_3DM_DATA_STREAM_CONTROL_DESCRIPTOR 0x11
+/** Its name in the specification. */
 #define MIP_3DM_DATA_STREAM_CONTROL_NAME "3dm.data_stream_control"
 
 /** Its wire format. */
@@ -1873,10 +1936,7 @@ static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_de
  *
  * Also called `datastream_control_response`. Answers mip_3dm_data_stream_control. Supported by
  * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and
- * 3DM-RQ1-45-ST. May be supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25,
- * 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GX3-15, 3DM-GX3-25,
- * 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45
- * and 3DM-MV5-AR.
+ * 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
  * - 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
@@ -1896,7 +1956,9 @@ struct mip_3dm_data_stream_control_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_DATA_STREAM_CONTROL_RESPONSE 0x0C85
+/** Its descriptor. */
 #define MIP_3DM_DATA_STREAM_CONTROL_RESPONSE_DESCRIPTOR 0x85
+/** Its name in the specification. */
 #define MIP_3DM_DATA_STREAM_CONTROL_RESPONSE_NAME "3dm.data_stream_control_response"
 
 /** Its wire format. */
@@ -1945,9 +2007,9 @@ static inline mip_error mip_3dm_data_stream_control_response_encode_inline(
  * Constellations that the GNSS receiver tracks, and how its tracking channels are shared.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_3dm_constellation_settings_response. Supported by 3DM-GQ4-45 and 3DM-GX5-35. May be supported
- * by 3DM-GX5-45. Uncertain: The factory default, as the SDK gives it, names GPS and GLONASS alone
- * as enabled but has channels for SBAS and QZSS too.
+ * mip_3dm_constellation_settings_response. Supported by 3DM-GQ4-45 and 3DM-GX5-35. Uncertain: The
+ * factory default, as the SDK gives it, names GPS and GLONASS alone as enabled but has channels for
+ * SBAS and QZSS too.
  *
  * The device refuses entries whose reserved channels exceed 32 in all. No entry may have fewer
  * channels at most than it reserves.
@@ -1966,7 +2028,10 @@ static inline mip_error mip_3dm_data_stream_control_response_encode_inline(
  * - 3dm-gx5-35: 4.2.8 GNSS Constellation Settings (0x0C, 0x21)
  */
 struct mip_3dm_constellation_settings {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -1985,7 +2050,9 @@ struct mip_3dm_constellation_settings {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_CONSTELLATION_SETTINGS 0x0C21
+/** Its descriptor. */
 #define MIP_3DM_CONSTELLATION_SETTINGS_DESCRIPTOR 0x21
+/** Its name in the specification. */
 #define MIP_3DM_CONSTELLATION_SETTINGS_NAME "3dm.constellation_settings"
 
 /** Its wire format. */
@@ -2067,8 +2134,7 @@ mip_3dm_constellation_settings_default(struct mip_3dm_constellation_settings *co
  *
  * Tracking channels of the receiver and the setting of each constellation.
  *
- * Answers mip_3dm_constellation_settings. Supported by 3DM-GQ4-45 and 3DM-GX5-35. May be supported
- * by 3DM-GX5-45.
+ * Answers mip_3dm_constellation_settings. Supported by 3DM-GQ4-45 and 3DM-GX5-35.
  *
  * - mip-sdk-4: Constellation Settings (0x0C,0x21)
  * - 3dm-gx5-35: 4.2.8 GNSS Constellation Settings (0x0C, 0x21)
@@ -2086,7 +2152,9 @@ struct mip_3dm_constellation_settings_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_CONSTELLATION_SETTINGS_RESPONSE 0x0CA0
+/** Its descriptor. */
 #define MIP_3DM_CONSTELLATION_SETTINGS_RESPONSE_DESCRIPTOR 0xA0
+/** Its name in the specification. */
 #define MIP_3DM_CONSTELLATION_SETTINGS_RESPONSE_NAME "3dm.constellation_settings_response"
 
 /** Its wire format. */
@@ -2109,12 +2177,15 @@ static inline mip_error mip_3dm_constellation_settings_response_encode(
  * How the GNSS receivers use satellite based augmentation.
  *
  * Functions: write, read, save, load and default. Answered by mip_3dm_gnss_sbas_settings_response.
- * Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
+ * Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35.
  *
  * - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
  */
 struct mip_3dm_gnss_sbas_settings {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -2138,7 +2209,9 @@ struct mip_3dm_gnss_sbas_settings {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GNSS_SBAS_SETTINGS 0x0C22
+/** Its descriptor. */
 #define MIP_3DM_GNSS_SBAS_SETTINGS_DESCRIPTOR 0x22
+/** Its name in the specification. */
 #define MIP_3DM_GNSS_SBAS_SETTINGS_NAME "3dm.gnss_sbas_settings"
 
 /** Its wire format. */
@@ -2219,8 +2292,7 @@ mip_3dm_gnss_sbas_settings_default(struct mip_3dm_gnss_sbas_settings *command) {
 /**
  * GNSS SBAS Settings response: response (0x0C,0xA1).
  *
- * Answers mip_3dm_gnss_sbas_settings. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35. May
- * be supported by 3DM-GX5-45.
+ * Answers mip_3dm_gnss_sbas_settings. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35.
  *
  * - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
  */
@@ -2237,7 +2309,9 @@ struct mip_3dm_gnss_sbas_settings_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GNSS_SBAS_SETTINGS_RESPONSE 0x0CA1
+/** Its descriptor. */
 #define MIP_3DM_GNSS_SBAS_SETTINGS_RESPONSE_DESCRIPTOR 0xA1
+/** Its name in the specification. */
 #define MIP_3DM_GNSS_SBAS_SETTINGS_RESPONSE_NAME "3dm.gnss_sbas_settings_response"
 
 /** Its wire format. */
@@ -2260,7 +2334,7 @@ static inline mip_error mip_3dm_gnss_sbas_settings_response_encode(
  * Whether the GNSS receiver keeps the data of its last fix to start from at the next power-up.
  *
  * Functions: write, read, save, load and default. Answered by mip_3dm_gnss_assisted_fix_response.
- * Supported by 3DM-GX5-35. May be supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
+ * Supported by 3DM-GX5-35. Known from the MicroStrain MIP SDK only.
  *
  * The last fix is kept in the flash memory and the FRAM of the receiver.
  *
@@ -2275,7 +2349,10 @@ static inline mip_error mip_3dm_gnss_sbas_settings_response_encode(
  * - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
  */
 struct mip_3dm_gnss_assisted_fix {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -2291,7 +2368,9 @@ struct mip_3dm_gnss_assisted_fix {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GNSS_ASSISTED_FIX 0x0C23
+/** Its descriptor. */
 #define MIP_3DM_GNSS_ASSISTED_FIX_DESCRIPTOR 0x23
+/** Its name in the specification. */
 #define MIP_3DM_GNSS_ASSISTED_FIX_NAME "3dm.gnss_assisted_fix"
 
 /** Its wire format. */
@@ -2372,8 +2451,8 @@ mip_3dm_gnss_assisted_fix_default(struct mip_3dm_gnss_assisted_fix *command) {
 /**
  * GNSS Assisted Fix response: response (0x0C,0xA2).
  *
- * Answers mip_3dm_gnss_assisted_fix. Supported by 3DM-GX5-35. May be supported by 3DM-GX5-45. Known
- * from the MicroStrain MIP SDK only.
+ * Answers mip_3dm_gnss_assisted_fix. Supported by 3DM-GX5-35. Known from the MicroStrain MIP SDK
+ * only.
  *
  * - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
  */
@@ -2389,7 +2468,9 @@ struct mip_3dm_gnss_assisted_fix_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GNSS_ASSISTED_FIX_RESPONSE 0x0CA2
+/** Its descriptor. */
 #define MIP_3DM_GNSS_ASSISTED_FIX_RESPONSE_DESCRIPTOR 0xA2
+/** Its name in the specification. */
 #define MIP_3DM_GNSS_ASSISTED_FIX_RESPONSE_NAME "3dm.gnss_assisted_fix_response"
 
 /** Its wire format. */
@@ -2438,14 +2519,17 @@ static inline mip_error mip_3dm_gnss_assisted_fix_response_encode_inline(
  * Tells the GNSS receiver the present GPS time.
  *
  * Functions: write and read. Answered by mip_3dm_gnss_time_assistance_response. Supported by
- * 3DM-GX5-35. May be supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
+ * 3DM-GX5-35. Known from the MicroStrain MIP SDK only.
  *
  * It is needed right after power-up if mip_3dm_gnss_assisted_fix was on at power-off.
  *
  * - mip-sdk-4: Gnss Time Assistance (0x0C,0x24)
  */
 struct mip_3dm_gnss_time_assistance {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -2459,7 +2543,9 @@ struct mip_3dm_gnss_time_assistance {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GNSS_TIME_ASSISTANCE 0x0C24
+/** Its descriptor. */
 #define MIP_3DM_GNSS_TIME_ASSISTANCE_DESCRIPTOR 0x24
+/** Its name in the specification. */
 #define MIP_3DM_GNSS_TIME_ASSISTANCE_NAME "3dm.gnss_time_assistance"
 
 /** Its wire format. */
@@ -2505,8 +2591,8 @@ mip_3dm_gnss_time_assistance_read(struct mip_3dm_gnss_time_assistance *command) 
 /**
  * GNSS Time Assistance response: response (0x0C,0xA3).
  *
- * Answers mip_3dm_gnss_time_assistance. Supported by 3DM-GX5-35. May be supported by 3DM-GX5-45.
- * Known from the MicroStrain MIP SDK only.
+ * Answers mip_3dm_gnss_time_assistance. Supported by 3DM-GX5-35. Known from the MicroStrain MIP SDK
+ * only.
  *
  * - mip-sdk-4: Gnss Time Assistance (0x0C,0x24)
  */
@@ -2521,7 +2607,9 @@ struct mip_3dm_gnss_time_assistance_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GNSS_TIME_ASSISTANCE_RESPONSE 0x0CA3
+/** Its descriptor. */
 #define MIP_3DM_GNSS_TIME_ASSISTANCE_RESPONSE_DESCRIPTOR 0xA3
+/** Its name in the specification. */
 #define MIP_3DM_GNSS_TIME_ASSISTANCE_RESPONSE_NAME "3dm.gnss_time_assistance_response"
 
 /** Its wire format. */
@@ -2572,8 +2660,7 @@ static inline mip_error mip_3dm_gnss_time_assistance_response_encode_inline(
  * Where the device takes its pulse per second from.
  *
  * Also called `pps_source`. Functions: write, read, save, load and default. Answered by
- * mip_3dm_pps_source_control_response. Supported by 3DM-CV7-GNSS/INS. May be supported by
- * 3DM-CV7-AHRS and 3DM-CV7-AR.
+ * mip_3dm_pps_source_control_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * The pins are configured apart from this by the GPIO configuration command.
  *
@@ -2582,7 +2669,10 @@ static inline mip_error mip_3dm_gnss_time_assistance_response_encode_inline(
  * - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
  */
 struct mip_3dm_pps_source_control {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -2596,7 +2686,9 @@ struct mip_3dm_pps_source_control {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_PPS_SOURCE_CONTROL 0x0C28
+/** Its descriptor. */
 #define MIP_3DM_PPS_SOURCE_CONTROL_DESCRIPTOR 0x28
+/** Its name in the specification. */
 #define MIP_3DM_PPS_SOURCE_CONTROL_NAME "3dm.pps_source_control"
 
 /** Its wire format. */
@@ -2673,7 +2765,7 @@ mip_3dm_pps_source_control_default(struct mip_3dm_pps_source_control *command) {
  * PPS Source Control response: response (0x0C,0xA8).
  *
  * Also called `pps_source_response`. Answers mip_3dm_pps_source_control. Supported by
- * 3DM-CV7-GNSS/INS. May be supported by 3DM-CV7-AHRS and 3DM-CV7-AR.
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
  */
@@ -2687,7 +2779,9 @@ struct mip_3dm_pps_source_control_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_PPS_SOURCE_CONTROL_RESPONSE 0x0CA8
+/** Its descriptor. */
 #define MIP_3DM_PPS_SOURCE_CONTROL_RESPONSE_DESCRIPTOR 0xA8
+/** Its name in the specification. */
 #define MIP_3DM_PPS_SOURCE_CONTROL_RESPONSE_NAME "3dm.pps_source_control_response"
 
 /** Its wire format. */
@@ -2744,7 +2838,9 @@ struct mip_3dm_get_event_support {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GET_EVENT_SUPPORT 0x0C2A
+/** Its descriptor. */
 #define MIP_3DM_GET_EVENT_SUPPORT_DESCRIPTOR 0x2A
+/** Its name in the specification. */
 #define MIP_3DM_GET_EVENT_SUPPORT_NAME "3dm.get_event_support"
 
 /** Its wire format. */
@@ -2820,7 +2916,9 @@ struct mip_3dm_get_event_support_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GET_EVENT_SUPPORT_RESPONSE 0x0CB4
+/** Its descriptor. */
 #define MIP_3DM_GET_EVENT_SUPPORT_RESPONSE_DESCRIPTOR 0xB4
+/** Its name in the specification. */
 #define MIP_3DM_GET_EVENT_SUPPORT_RESPONSE_NAME "3dm.get_event_support_response"
 
 /** Its wire format. */
@@ -2852,7 +2950,10 @@ static inline mip_error mip_3dm_get_event_support_response_encode(
  * - 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B)
  */
 struct mip_3dm_event_control {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -2867,7 +2968,9 @@ struct mip_3dm_event_control {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_EVENT_CONTROL 0x0C2B
+/** Its descriptor. */
 #define MIP_3DM_EVENT_CONTROL_DESCRIPTOR 0x2B
+/** Its name in the specification. */
 #define MIP_3DM_EVENT_CONTROL_NAME "3dm.event_control"
 
 /** Its wire format. */
@@ -2963,7 +3066,9 @@ struct mip_3dm_event_control_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_EVENT_CONTROL_RESPONSE 0x0CB5
+/** Its descriptor. */
 #define MIP_3DM_EVENT_CONTROL_RESPONSE_DESCRIPTOR 0xB5
+/** Its name in the specification. */
 #define MIP_3DM_EVENT_CONTROL_RESPONSE_NAME "3dm.event_control_response"
 
 /** Its wire format. */
@@ -3027,7 +3132,9 @@ struct mip_3dm_get_event_trigger_status {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GET_EVENT_TRIGGER_STATUS 0x0C2C
+/** Its descriptor. */
 #define MIP_3DM_GET_EVENT_TRIGGER_STATUS_DESCRIPTOR 0x2C
+/** Its name in the specification. */
 #define MIP_3DM_GET_EVENT_TRIGGER_STATUS_NAME "3dm.get_event_trigger_status"
 
 /** Its wire format. */
@@ -3074,7 +3181,9 @@ struct mip_3dm_get_event_trigger_status_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GET_EVENT_TRIGGER_STATUS_RESPONSE 0x0CB6
+/** Its descriptor. */
 #define MIP_3DM_GET_EVENT_TRIGGER_STATUS_RESPONSE_DESCRIPTOR 0xB6
+/** Its name in the specification. */
 #define MIP_3DM_GET_EVENT_TRIGGER_STATUS_RESPONSE_NAME "3dm.get_event_trigger_status_response"
 
 /** Its wire format. */
@@ -3112,7 +3221,9 @@ struct mip_3dm_get_event_action_status {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GET_EVENT_ACTION_STATUS 0x0C2D
+/** Its descriptor. */
 #define MIP_3DM_GET_EVENT_ACTION_STATUS_DESCRIPTOR 0x2D
+/** Its name in the specification. */
 #define MIP_3DM_GET_EVENT_ACTION_STATUS_NAME "3dm.get_event_action_status"
 
 /** Its wire format. */
@@ -3159,7 +3270,9 @@ struct mip_3dm_get_event_action_status_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GET_EVENT_ACTION_STATUS_RESPONSE 0x0CB7
+/** Its descriptor. */
 #define MIP_3DM_GET_EVENT_ACTION_STATUS_RESPONSE_DESCRIPTOR 0xB7
+/** Its name in the specification. */
 #define MIP_3DM_GET_EVENT_ACTION_STATUS_RESPONSE_NAME "3dm.get_event_action_status_response"
 
 /** Its wire format. */
@@ -3207,7 +3320,10 @@ union mip_3dm_event_trigger_config_parameters {
  * - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
  */
 struct mip_3dm_event_trigger_config {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -3227,7 +3343,9 @@ struct mip_3dm_event_trigger_config {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_EVENT_TRIGGER_CONFIG 0x0C2E
+/** Its descriptor. */
 #define MIP_3DM_EVENT_TRIGGER_CONFIG_DESCRIPTOR 0x2E
+/** Its name in the specification. */
 #define MIP_3DM_EVENT_TRIGGER_CONFIG_NAME "3dm.event_trigger_config"
 
 /** Its wire format. */
@@ -3348,7 +3466,9 @@ struct mip_3dm_event_trigger_config_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_EVENT_TRIGGER_CONFIG_RESPONSE 0x0CB8
+/** Its descriptor. */
 #define MIP_3DM_EVENT_TRIGGER_CONFIG_RESPONSE_DESCRIPTOR 0xB8
+/** Its name in the specification. */
 #define MIP_3DM_EVENT_TRIGGER_CONFIG_RESPONSE_NAME "3dm.event_trigger_config_response"
 
 /** Its wire format. */
@@ -3388,7 +3508,10 @@ union mip_3dm_event_action_config_parameters {
  * - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
  */
 struct mip_3dm_event_action_config {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -3410,7 +3533,9 @@ struct mip_3dm_event_action_config {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_EVENT_ACTION_CONFIG 0x0C2F
+/** Its descriptor. */
 #define MIP_3DM_EVENT_ACTION_CONFIG_DESCRIPTOR 0x2F
+/** Its name in the specification. */
 #define MIP_3DM_EVENT_ACTION_CONFIG_NAME "3dm.event_action_config"
 
 /** Its wire format. */
@@ -3525,7 +3650,9 @@ struct mip_3dm_event_action_config_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_EVENT_ACTION_CONFIG_RESPONSE 0x0CB9
+/** Its descriptor. */
 #define MIP_3DM_EVENT_ACTION_CONFIG_RESPONSE_DESCRIPTOR 0xB9
+/** Its name in the specification. */
 #define MIP_3DM_EVENT_ACTION_CONFIG_RESPONSE_NAME "3dm.event_action_config_response"
 
 /** Its wire format. */
@@ -3563,7 +3690,9 @@ struct mip_3dm_device_settings {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_DEVICE_SETTINGS 0x0C30
+/** Its descriptor. */
 #define MIP_3DM_DEVICE_SETTINGS_DESCRIPTOR 0x30
+/** Its name in the specification. */
 #define MIP_3DM_DEVICE_SETTINGS_NAME "3dm.device_settings"
 
 /** Its wire format. */
@@ -3666,7 +3795,10 @@ mip_3dm_device_settings_default(struct mip_3dm_device_settings *command) {
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
  */
 struct mip_3dm_sensor_to_vehicle_euler {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -3680,7 +3812,9 @@ struct mip_3dm_sensor_to_vehicle_euler {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_EULER 0x0C31
+/** Its descriptor. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_EULER_DESCRIPTOR 0x31
+/** Its name in the specification. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_EULER_NAME "3dm.sensor_to_vehicle_transform_euler"
 
 /** Its wire format. */
@@ -3776,7 +3910,9 @@ struct mip_3dm_sensor_to_vehicle_euler_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_EULER_RESPONSE 0x0CB1
+/** Its descriptor. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_EULER_RESPONSE_DESCRIPTOR 0xB1
+/** Its name in the specification. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_EULER_RESPONSE_NAME \
     "3dm.sensor_to_vehicle_transform_euler_response"
 
@@ -3844,7 +3980,10 @@ static inline mip_error mip_3dm_sensor_to_vehicle_euler_response_encode_inline(
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
  */
 struct mip_3dm_sensor_to_vehicle_quaternion {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -3857,7 +3996,9 @@ struct mip_3dm_sensor_to_vehicle_quaternion {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_QUATERNION 0x0C32
+/** Its descriptor. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_QUATERNION_DESCRIPTOR 0x32
+/** Its name in the specification. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_QUATERNION_NAME "3dm.sensor_to_vehicle_transform_quaternion"
 
 /** Its wire format. */
@@ -3951,7 +4092,9 @@ struct mip_3dm_sensor_to_vehicle_quaternion_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_QUATERNION_RESPONSE 0x0CB2
+/** Its descriptor. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_QUATERNION_RESPONSE_DESCRIPTOR 0xB2
+/** Its name in the specification. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_QUATERNION_RESPONSE_NAME \
     "3dm.sensor_to_vehicle_transform_quaternion_response"
 
@@ -4020,7 +4163,10 @@ static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_response_encode_inl
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
  */
 struct mip_3dm_sensor_to_vehicle_dcm {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -4033,7 +4179,9 @@ struct mip_3dm_sensor_to_vehicle_dcm {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_DCM 0x0C33
+/** Its descriptor. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_DCM_DESCRIPTOR 0x33
+/** Its name in the specification. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_DCM_NAME "3dm.sensor_to_vehicle_transform_dcm"
 
 /** Its wire format. */
@@ -4126,7 +4274,9 @@ struct mip_3dm_sensor_to_vehicle_dcm_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_DCM_RESPONSE 0x0CB3
+/** Its descriptor. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_DCM_RESPONSE_DESCRIPTOR 0xB3
+/** Its name in the specification. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_DCM_RESPONSE_NAME "3dm.sensor_to_vehicle_transform_dcm_response"
 
 /** Its wire format. */
@@ -4178,14 +4328,17 @@ static inline mip_error mip_3dm_sensor_to_vehicle_dcm_response_encode_inline(
  *
  * For advanced use. Functions: write, read, save, load, default and apply. Answered by
  * mip_3dm_accel_bias_response. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
- * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45. On the 3DM-CV7-GNSS/INS: write,
- * read, save, load and default only.
+ * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the 3DM-CV7-GNSS/INS: write, read, save, load and default
+ * only.
  *
  * - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
  */
 struct mip_3dm_accel_bias {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -4197,7 +4350,9 @@ struct mip_3dm_accel_bias {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_ACCEL_BIAS 0x0C37
+/** Its descriptor. */
 #define MIP_3DM_ACCEL_BIAS_DESCRIPTOR 0x37
+/** Its name in the specification. */
 #define MIP_3DM_ACCEL_BIAS_NAME "3dm.accel_bias"
 
 /** Its wire format. */
@@ -4286,7 +4441,7 @@ mip_3dm_accel_bias_apply(struct mip_3dm_accel_bias *command, const float bias[3]
  * Accelerometer Bias Configuration response: response (0x0C,0x9A).
  *
  * Answers mip_3dm_accel_bias. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
- * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
+ * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
@@ -4298,7 +4453,9 @@ struct mip_3dm_accel_bias_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_ACCEL_BIAS_RESPONSE 0x0C9A
+/** Its descriptor. */
 #define MIP_3DM_ACCEL_BIAS_RESPONSE_DESCRIPTOR 0x9A
+/** Its name in the specification. */
 #define MIP_3DM_ACCEL_BIAS_RESPONSE_NAME "3dm.accel_bias_response"
 
 /** Its wire format. */
@@ -4350,15 +4507,18 @@ static inline mip_error mip_3dm_accel_bias_response_encode_inline(
  *
  * For advanced use. Functions: write, read, save, load, default and apply. Answered by
  * mip_3dm_gyro_bias_response. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
- * 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35 and 3DM-GX5-45. On
- * the 3DM-CV7-AHRS: write, read, save, load and default only. On the 3DM-CV7-AR: write, read, save,
- * load and default only. On the 3DM-CV7-GNSS/INS: write, read, save, load and default only.
+ * 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the 3DM-CV7-AHRS: write, read, save, load and
+ * default only. On the 3DM-CV7-AR: write, read, save, load and default only. On the
+ * 3DM-CV7-GNSS/INS: write, read, save, load and default only.
  *
  * - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
  * - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
  */
 struct mip_3dm_gyro_bias {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -4370,7 +4530,9 @@ struct mip_3dm_gyro_bias {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GYRO_BIAS 0x0C38
+/** Its descriptor. */
 #define MIP_3DM_GYRO_BIAS_DESCRIPTOR 0x38
+/** Its name in the specification. */
 #define MIP_3DM_GYRO_BIAS_NAME "3dm.gyro_bias"
 
 /** Its wire format. */
@@ -4459,8 +4621,7 @@ static inline struct mip_3dm_gyro_bias *mip_3dm_gyro_bias_apply(struct mip_3dm_g
  *
  * Also called `capture_gyro_bias_response`. Answers mip_3dm_gyro_bias and
  * mip_3dm_capture_gyro_bias. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
- * 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
- * 3DM-GX5-45.
+ * 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
  * - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
@@ -4472,7 +4633,9 @@ struct mip_3dm_gyro_bias_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GYRO_BIAS_RESPONSE 0x0C9B
+/** Its descriptor. */
 #define MIP_3DM_GYRO_BIAS_RESPONSE_DESCRIPTOR 0x9B
+/** Its name in the specification. */
 #define MIP_3DM_GYRO_BIAS_RESPONSE_NAME "3dm.gyro_bias_response"
 
 /** Its wire format. */
@@ -4524,7 +4687,7 @@ static inline mip_error mip_3dm_gyro_bias_response_encode_inline(
  *
  * Answered by mip_3dm_gyro_bias_response. The device may take 31 s to answer. Supported by
  * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35,
- * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
+ * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * The device must stand still, with as little vibration as possible, for the whole time.
  *
@@ -4544,7 +4707,9 @@ struct mip_3dm_capture_gyro_bias {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_CAPTURE_GYRO_BIAS 0x0C39
+/** Its descriptor. */
 #define MIP_3DM_CAPTURE_GYRO_BIAS_DESCRIPTOR 0x39
+/** Its name in the specification. */
 #define MIP_3DM_CAPTURE_GYRO_BIAS_NAME "3dm.capture_gyro_bias"
 
 /** Its wire format. */
@@ -4603,9 +4768,9 @@ static inline struct mip_3dm_capture_gyro_bias *mip_3dm_capture_gyro_bias_make(
  *
  * Functions: write, read, save, load, default and apply. Answered by
  * mip_3dm_mag_hard_iron_offset_response. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
- * 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35. On the
- * 3DM-CV7-AHRS: write, read, save, load and default only. On the 3DM-CV7-AR: write, read, save,
- * load and default only. On the 3DM-CV7-GNSS/INS: write, read, save, load and default only.
+ * 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the 3DM-CV7-AHRS: write, read, save,
+ * load and default only. On the 3DM-CV7-AR: write, read, save, load and default only. On the
+ * 3DM-CV7-GNSS/INS: write, read, save, load and default only.
  *
  * The values come from a calibration of the device as it is installed.
  *
@@ -4613,7 +4778,10 @@ static inline struct mip_3dm_capture_gyro_bias *mip_3dm_capture_gyro_bias_make(
  * - 3dm-gx5-45: (0x0C, 0x3A)
  */
 struct mip_3dm_mag_hard_iron_offset {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -4626,7 +4794,9 @@ struct mip_3dm_mag_hard_iron_offset {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_MAG_HARD_IRON_OFFSET 0x0C3A
+/** Its descriptor. */
 #define MIP_3DM_MAG_HARD_IRON_OFFSET_DESCRIPTOR 0x3A
+/** Its name in the specification. */
 #define MIP_3DM_MAG_HARD_IRON_OFFSET_NAME "3dm.mag_hard_iron_offset"
 
 /** Its wire format. */
@@ -4715,7 +4885,7 @@ static inline struct mip_3dm_mag_hard_iron_offset *mip_3dm_mag_hard_iron_offset_
  * Magnetometer Hard Iron Offset response: response (0x0C,0x9C).
  *
  * Answers mip_3dm_mag_hard_iron_offset. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
- * 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35.
+ * 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
  * - 3dm-gx5-45: (0x0C, 0x3A)
@@ -4727,7 +4897,9 @@ struct mip_3dm_mag_hard_iron_offset_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_MAG_HARD_IRON_OFFSET_RESPONSE 0x0C9C
+/** Its descriptor. */
 #define MIP_3DM_MAG_HARD_IRON_OFFSET_RESPONSE_DESCRIPTOR 0x9C
+/** Its name in the specification. */
 #define MIP_3DM_MAG_HARD_IRON_OFFSET_RESPONSE_NAME "3dm.mag_hard_iron_offset_response"
 
 /** Its wire format. */
@@ -4779,9 +4951,9 @@ static inline mip_error mip_3dm_mag_hard_iron_offset_response_encode_inline(
  *
  * Functions: write, read, save, load, default and apply. Answered by
  * mip_3dm_mag_soft_iron_matrix_response. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
- * 3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45. On the
- * 3DM-CV7-AHRS: write, read, save, load and default only. On the 3DM-CV7-AR: write, read, save,
- * load and default only. On the 3DM-CV7-GNSS/INS: write, read, save, load and default only.
+ * 3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the 3DM-CV7-AHRS: write, read, save,
+ * load and default only. On the 3DM-CV7-AR: write, read, save, load and default only. On the
+ * 3DM-CV7-GNSS/INS: write, read, save, load and default only.
  *
  * The values come from a calibration of the device as it is installed.
  *
@@ -4789,7 +4961,10 @@ static inline mip_error mip_3dm_mag_hard_iron_offset_response_encode_inline(
  * - 3dm-gx5-35: (0x0C, 0x3B)
  */
 struct mip_3dm_mag_soft_iron_matrix {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -4802,7 +4977,9 @@ struct mip_3dm_mag_soft_iron_matrix {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_MAG_SOFT_IRON_MATRIX 0x0C3B
+/** Its descriptor. */
 #define MIP_3DM_MAG_SOFT_IRON_MATRIX_DESCRIPTOR 0x3B
+/** Its name in the specification. */
 #define MIP_3DM_MAG_SOFT_IRON_MATRIX_NAME "3dm.mag_soft_iron_matrix"
 
 /** Its wire format. */
@@ -4891,7 +5068,7 @@ static inline struct mip_3dm_mag_soft_iron_matrix *mip_3dm_mag_soft_iron_matrix_
  * Magnetometer Soft Iron Matrix response: response (0x0C,0x9D).
  *
  * Answers mip_3dm_mag_soft_iron_matrix. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
- * 3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
+ * 3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
  * - 3dm-gx5-35: (0x0C, 0x3B)
@@ -4906,7 +5083,9 @@ struct mip_3dm_mag_soft_iron_matrix_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_MAG_SOFT_IRON_MATRIX_RESPONSE 0x0C9D
+/** Its descriptor. */
 #define MIP_3DM_MAG_SOFT_IRON_MATRIX_RESPONSE_DESCRIPTOR 0x9D
+/** Its name in the specification. */
 #define MIP_3DM_MAG_SOFT_IRON_MATRIX_RESPONSE_NAME "3dm.mag_soft_iron_matrix_response"
 
 /** Its wire format. */
@@ -4958,12 +5137,15 @@ static inline mip_error mip_3dm_mag_soft_iron_matrix_response_encode_inline(
  *
  * Functions: write, read, save, load and default. Answered by
  * mip_3dm_coning_sculling_enable_response. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and
- * 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
+ * 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
  */
 struct mip_3dm_coning_sculling_enable {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -4973,7 +5155,9 @@ struct mip_3dm_coning_sculling_enable {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_CONING_SCULLING_ENABLE 0x0C3E
+/** Its descriptor. */
 #define MIP_3DM_CONING_SCULLING_ENABLE_DESCRIPTOR 0x3E
+/** Its name in the specification. */
 #define MIP_3DM_CONING_SCULLING_ENABLE_NAME "3dm.coning_sculling_enable"
 
 /** Its wire format. */
@@ -5050,7 +5234,7 @@ mip_3dm_coning_sculling_enable_default(struct mip_3dm_coning_sculling_enable *co
  * Coning and Sculling Enable response: response (0x0C,0x9E).
  *
  * Answers mip_3dm_coning_sculling_enable. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and
- * 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
+ * 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
  */
@@ -5061,7 +5245,9 @@ struct mip_3dm_coning_sculling_enable_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_CONING_SCULLING_ENABLE_RESPONSE 0x0C9E
+/** Its descriptor. */
 #define MIP_3DM_CONING_SCULLING_ENABLE_RESPONSE_DESCRIPTOR 0x9E
+/** Its name in the specification. */
 #define MIP_3DM_CONING_SCULLING_ENABLE_RESPONSE_NAME "3dm.coning_sculling_enable_response"
 
 /** Its wire format. */
@@ -5109,7 +5295,7 @@ static inline mip_error mip_3dm_coning_sculling_enable_response_encode_inline(
  *
  * Also called `uart_baudrate`. Functions: write, read, save, load and default. Answered by
  * mip_3dm_uart_baud_rate_response. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15,
- * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35.
+ * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * The 3DM-GX5-15 replies at the old rate and takes commands at the new one 250 ms later.
  *
@@ -5122,7 +5308,10 @@ static inline mip_error mip_3dm_coning_sculling_enable_response_encode_inline(
  * - 3dm-cv7-gnss-ins: UART Baudrate (0x0C,0x40)
  */
 struct mip_3dm_uart_baud_rate {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -5134,7 +5323,9 @@ struct mip_3dm_uart_baud_rate {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_UART_BAUD_RATE 0x0C40
+/** Its descriptor. */
 #define MIP_3DM_UART_BAUD_RATE_DESCRIPTOR 0x40
+/** Its name in the specification. */
 #define MIP_3DM_UART_BAUD_RATE_NAME "3dm.uart_baud_rate"
 
 /** Its wire format. */
@@ -5211,8 +5402,7 @@ mip_3dm_uart_baud_rate_default(struct mip_3dm_uart_baud_rate *command) {
  * UART Baud Rate response: response (0x0C,0x87).
  *
  * Also called `uart_baudrate_response`. Answers mip_3dm_uart_baud_rate. Supported by
- * 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be
- * supported by 3DM-GX5-35.
+ * 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.13 UART Baud Rate (0x0C, 0x40)
  * - 3dm-cv7-gnss-ins: UART Baudrate (0x0C,0x40)
@@ -5224,7 +5414,9 @@ struct mip_3dm_uart_baud_rate_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_UART_BAUD_RATE_RESPONSE 0x0C87
+/** Its descriptor. */
 #define MIP_3DM_UART_BAUD_RATE_RESPONSE_DESCRIPTOR 0x87
+/** Its name in the specification. */
 #define MIP_3DM_UART_BAUD_RATE_RESPONSE_NAME "3dm.uart_baud_rate_response"
 
 /** Its wire format. */
@@ -5271,7 +5463,7 @@ static inline mip_error mip_3dm_uart_baud_rate_response_encode_inline(
  * What a GPIO pin is used for.
  *
  * Functions: write, read, save, load and default. Answered by mip_3dm_gpio_config_response.
- * Supported by 3DM-CV7-GNSS/INS. May be supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-GQ7-GNSS/INS.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * Not every pin has every feature.
  *
@@ -5286,7 +5478,10 @@ static inline mip_error mip_3dm_uart_baud_rate_response_encode_inline(
  * - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
  */
 struct mip_3dm_gpio_config {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -5313,7 +5508,9 @@ struct mip_3dm_gpio_config {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GPIO_CONFIG 0x0C41
+/** Its descriptor. */
 #define MIP_3DM_GPIO_CONFIG_DESCRIPTOR 0x41
+/** Its name in the specification. */
 #define MIP_3DM_GPIO_CONFIG_NAME "3dm.gpio_config"
 
 /** Its wire format. */
@@ -5397,8 +5594,7 @@ mip_3dm_gpio_config_default(struct mip_3dm_gpio_config *command, uint8_t pin) {
 /**
  * GPIO Configuration response: response (0x0C,0xC1).
  *
- * Answers mip_3dm_gpio_config. Supported by 3DM-CV7-GNSS/INS. May be supported by 3DM-CV7-AHRS,
- * 3DM-CV7-AR and 3DM-GQ7-GNSS/INS.
+ * Answers mip_3dm_gpio_config. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
  */
@@ -5423,7 +5619,9 @@ struct mip_3dm_gpio_config_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GPIO_CONFIG_RESPONSE 0x0CC1
+/** Its descriptor. */
 #define MIP_3DM_GPIO_CONFIG_RESPONSE_DESCRIPTOR 0xC1
+/** Its name in the specification. */
 #define MIP_3DM_GPIO_CONFIG_RESPONSE_NAME "3dm.gpio_config_response"
 
 /** Its wire format. */
@@ -5491,7 +5689,10 @@ static inline mip_error mip_3dm_gpio_config_response_encode_inline(
  * - 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42)
  */
 struct mip_3dm_gpio_state {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -5503,7 +5704,9 @@ struct mip_3dm_gpio_state {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GPIO_STATE 0x0C42
+/** Its descriptor. */
 #define MIP_3DM_GPIO_STATE_DESCRIPTOR 0x42
+/** Its name in the specification. */
 #define MIP_3DM_GPIO_STATE_NAME "3dm.gpio_state"
 
 /** Its wire format. */
@@ -5561,7 +5764,9 @@ struct mip_3dm_gpio_state_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GPIO_STATE_RESPONSE 0x0CC2
+/** Its descriptor. */
 #define MIP_3DM_GPIO_STATE_RESPONSE_DESCRIPTOR 0xC2
+/** Its name in the specification. */
 #define MIP_3DM_GPIO_STATE_RESPONSE_NAME "3dm.gpio_state_response"
 
 /** Its wire format. */
@@ -5615,7 +5820,10 @@ static inline mip_error mip_3dm_gpio_state_response_encode_inline(
  * - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
  */
 struct mip_3dm_odometer_config {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -5634,7 +5842,9 @@ struct mip_3dm_odometer_config {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_ODOMETER_CONFIG 0x0C43
+/** Its descriptor. */
 #define MIP_3DM_ODOMETER_CONFIG_DESCRIPTOR 0x43
+/** Its name in the specification. */
 #define MIP_3DM_ODOMETER_CONFIG_NAME "3dm.odometer_config"
 
 /** Its wire format. */
@@ -5732,7 +5942,9 @@ struct mip_3dm_odometer_config_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_ODOMETER_CONFIG_RESPONSE 0x0CC3
+/** Its descriptor. */
 #define MIP_3DM_ODOMETER_CONFIG_RESPONSE_DESCRIPTOR 0xC3
+/** Its name in the specification. */
 #define MIP_3DM_ODOMETER_CONFIG_RESPONSE_NAME "3dm.odometer_config_response"
 
 /** Its wire format. */
@@ -5784,8 +5996,7 @@ static inline mip_error mip_3dm_odometer_config_response_encode_inline(
  *
  * For advanced use. Also called `imu_lowpass_filter`. Functions: write, read, save, load and
  * default. Answered by mip_3dm_imu_low_pass_filter_response. Supported by 3DM-CV7-GNSS/INS,
- * 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-CV7-AHRS,
- * 3DM-CV7-AR, 3DM-GQ7-GNSS/INS, 3DM-GX5-35 and 3DM-GX5-45. Deprecated on the 3DM-CV7-AHRS: use
+ * 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Deprecated on the 3DM-CV7-AHRS: use
  * mip_3dm_low_pass_filter instead. Deprecated on the 3DM-CV7-AR: use mip_3dm_low_pass_filter
  * instead. Deprecated on the 3DM-CV7-GNSS/INS: use mip_3dm_low_pass_filter instead. Deprecated on
  * the 3DM-GQ7-GNSS/INS: use mip_3dm_low_pass_filter instead.
@@ -5797,7 +6008,10 @@ static inline mip_error mip_3dm_odometer_config_response_encode_inline(
  * - 3dm-cv7-gnss-ins: Advanced Low-Pass Filter Settings (0x0C,0x50)
  */
 struct mip_3dm_imu_low_pass_filter {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -5826,7 +6040,9 @@ struct mip_3dm_imu_low_pass_filter {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_IMU_LOW_PASS_FILTER 0x0C50
+/** Its descriptor. */
 #define MIP_3DM_IMU_LOW_PASS_FILTER_DESCRIPTOR 0x50
+/** Its name in the specification. */
 #define MIP_3DM_IMU_LOW_PASS_FILTER_NAME "3dm.imu_low_pass_filter"
 
 /** Its wire format. */
@@ -5911,8 +6127,7 @@ static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_de
  * Advanced Low-Pass Filter Settings response: response (0x0C,0x8B).
  *
  * Also called `imu_lowpass_filter_response`. Answers mip_3dm_imu_low_pass_filter. Supported by
- * 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
- * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-GQ7-GNSS/INS, 3DM-GX5-35 and 3DM-GX5-45.
+ * 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50)
  * - 3dm-cv7-gnss-ins: Advanced Low-Pass Filter Settings (0x0C,0x50)
@@ -5937,7 +6152,9 @@ struct mip_3dm_imu_low_pass_filter_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_IMU_LOW_PASS_FILTER_RESPONSE 0x0C8B
+/** Its descriptor. */
 #define MIP_3DM_IMU_LOW_PASS_FILTER_RESPONSE_DESCRIPTOR 0x8B
+/** Its name in the specification. */
 #define MIP_3DM_IMU_LOW_PASS_FILTER_RESPONSE_NAME "3dm.imu_low_pass_filter_response"
 
 /** Its wire format. */
@@ -5993,8 +6210,7 @@ static inline mip_error mip_3dm_imu_low_pass_filter_response_encode_inline(
  *
  * Functions: write, read, save, load and default. Answered by
  * mip_3dm_complementary_filter_response. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and
- * 3DM-GX5-35. May be supported by 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15,
- * 3DM-GX5-10 and 3DM-GX5-45.
+ * 3DM-GX5-35.
  *
  * Pitch and roll follow the accelerometers, which takes the mean acceleration to be zero.
  *
@@ -6008,7 +6224,10 @@ static inline mip_error mip_3dm_imu_low_pass_filter_response_encode_inline(
  * - 3dm-cv7-gnss-ins: Complementary Filter Configuration (0x0C,0x51)
  */
 struct mip_3dm_complementary_filter {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -6037,7 +6256,9 @@ struct mip_3dm_complementary_filter {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_COMPLEMENTARY_FILTER 0x0C51
+/** Its descriptor. */
 #define MIP_3DM_COMPLEMENTARY_FILTER_DESCRIPTOR 0x51
+/** Its name in the specification. */
 #define MIP_3DM_COMPLEMENTARY_FILTER_NAME "3dm.complementary_filter"
 
 /** Its wire format. */
@@ -6118,8 +6339,7 @@ mip_3dm_complementary_filter_default(struct mip_3dm_complementary_filter *comman
  * Complementary Filter Configuration response: response (0x0C,0x97).
  *
  * Answers mip_3dm_complementary_filter. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and
- * 3DM-GX5-35. May be supported by 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15,
- * 3DM-GX5-10 and 3DM-GX5-45.
+ * 3DM-GX5-35.
  *
  * - 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51)
  * - 3dm-cv7-gnss-ins: Complementary Filter Configuration (0x0C,0x51)
@@ -6139,7 +6359,9 @@ struct mip_3dm_complementary_filter_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_COMPLEMENTARY_FILTER_RESPONSE 0x0C97
+/** Its descriptor. */
 #define MIP_3DM_COMPLEMENTARY_FILTER_RESPONSE_DESCRIPTOR 0x97
+/** Its name in the specification. */
 #define MIP_3DM_COMPLEMENTARY_FILTER_RESPONSE_NAME "3dm.complementary_filter_response"
 
 /** Its wire format. */
@@ -6200,7 +6422,10 @@ static inline mip_error mip_3dm_complementary_filter_response_encode_inline(
  * - 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
  */
 struct mip_3dm_sensor_range {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -6212,7 +6437,9 @@ struct mip_3dm_sensor_range {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_SENSOR_RANGE 0x0C52
+/** Its descriptor. */
 #define MIP_3DM_SENSOR_RANGE_DESCRIPTOR 0x52
+/** Its name in the specification. */
 #define MIP_3DM_SENSOR_RANGE_NAME "3dm.sensor_range"
 
 /** Its wire format. */
@@ -6306,7 +6533,9 @@ struct mip_3dm_sensor_range_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_SENSOR_RANGE_RESPONSE 0x0CD2
+/** Its descriptor. */
 #define MIP_3DM_SENSOR_RANGE_RESPONSE_DESCRIPTOR 0xD2
+/** Its name in the specification. */
 #define MIP_3DM_SENSOR_RANGE_RESPONSE_NAME "3dm.sensor_range_response"
 
 /** Its wire format. */
@@ -6366,7 +6595,9 @@ struct mip_3dm_get_calibrated_sensor_ranges {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GET_CALIBRATED_SENSOR_RANGES 0x0C53
+/** Its descriptor. */
 #define MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_DESCRIPTOR 0x53
+/** Its name in the specification. */
 #define MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_NAME "3dm.get_calibrated_sensor_ranges"
 
 /** Its wire format. */
@@ -6443,7 +6674,9 @@ struct mip_3dm_get_calibrated_sensor_ranges_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_RESPONSE 0x0CD3
+/** Its descriptor. */
 #define MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_RESPONSE_DESCRIPTOR 0xD3
+/** Its name in the specification. */
 #define MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_RESPONSE_NAME \
     "3dm.get_calibrated_sensor_ranges_response"
 
@@ -6468,15 +6701,17 @@ static inline mip_error mip_3dm_get_calibrated_sensor_ranges_response_encode(
  * Low-pass filter of a data field.
  *
  * Also called `lowpass_filter`. Functions: write, read, save, load and default. Answered by
- * mip_3dm_low_pass_filter_response. Supported by 3DM-CV7-GNSS/INS. May be supported by
- * 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-GQ7-GNSS/INS.
+ * mip_3dm_low_pass_filter_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * Except for read, a field descriptor of 0 means all fields of the set, and both 0 mean all sets.
  *
  * - 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54)
  */
 struct mip_3dm_low_pass_filter {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -6500,7 +6735,9 @@ struct mip_3dm_low_pass_filter {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_LOW_PASS_FILTER 0x0C54
+/** Its descriptor. */
 #define MIP_3DM_LOW_PASS_FILTER_DESCRIPTOR 0x54
+/** Its name in the specification. */
 #define MIP_3DM_LOW_PASS_FILTER_NAME "3dm.low_pass_filter"
 
 /** Its wire format. */
@@ -6590,7 +6827,7 @@ static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_default(
  * Low-Pass Anti-Aliasing Filter response: response (0x0C,0xD4).
  *
  * Also called `lowpass_filter_response`. Answers mip_3dm_low_pass_filter. Supported by
- * 3DM-CV7-GNSS/INS. May be supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-GQ7-GNSS/INS.
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54)
  */
@@ -6609,7 +6846,9 @@ struct mip_3dm_low_pass_filter_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_LOW_PASS_FILTER_RESPONSE 0x0CD4
+/** Its descriptor. */
 #define MIP_3DM_LOW_PASS_FILTER_RESPONSE_DESCRIPTOR 0xD4
+/** Its name in the specification. */
 #define MIP_3DM_LOW_PASS_FILTER_RESPONSE_NAME "3dm.low_pass_filter_response"
 
 /** Its wire format. */
@@ -6668,9 +6907,7 @@ static inline mip_error mip_3dm_low_pass_filter_response_encode_inline(
  * mip_3dm_device_status_diagnostic_gnss_response, mip_3dm_device_status_diagnostic_gq4_45_response,
  * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response
  * or mip_3dm_device_status_diagnostic_imu_response. Supported by 3DM-GQ4-45, 3DM-GX5-15,
- * 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-CL5-15,
- * 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
- * 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and 3DM-GX5-25.
+ * 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * The device expects its own model number, which mip_base_get_device_info tells.
  *
@@ -6693,7 +6930,9 @@ struct mip_3dm_device_status {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_DEVICE_STATUS 0x0C64
+/** Its descriptor. */
 #define MIP_3DM_DEVICE_STATUS_DESCRIPTOR 0x64
+/** Its name in the specification. */
 #define MIP_3DM_DEVICE_STATUS_NAME "3dm.device_status"
 
 /** Its wire format. */
@@ -6756,10 +6995,7 @@ mip_3dm_device_status_make(struct mip_3dm_device_status *command, uint16_t model
  *
  * Answers mip_3dm_device_status. Told from mip_3dm_device_status_basic_stateless_response by the
  * size of its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC. Supported by
- * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported
- * by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15,
- * 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and
- * 3DM-GX5-25.
+ * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * On the wire only, without a member:
  * - status_selector: Basic status. Always 1.
@@ -6782,7 +7018,9 @@ struct mip_3dm_device_status_basic_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_DEVICE_STATUS_BASIC_RESPONSE 0x0C90
+/** Its descriptor. */
 #define MIP_3DM_DEVICE_STATUS_BASIC_RESPONSE_DESCRIPTOR 0x90
+/** Its name in the specification. */
 #define MIP_3DM_DEVICE_STATUS_BASIC_RESPONSE_NAME "3dm.device_status_basic_response"
 
 /** Its wire format. */
@@ -6808,12 +7046,10 @@ static inline mip_error mip_3dm_device_status_basic_response_encode(
  *
  * Answers mip_3dm_device_status. Told from mip_3dm_device_status_basic_response by the size of its
  * data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC. Supported by 3DM-GQ4-45,
- * 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
- * 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
- * 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and 3DM-GX5-25. Uncertain:
- * MSCL has it for the 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10. Uncertain: The
- * manual of the 3DM-GX5-45 prints it too, but for the model number of another device; MSCL has the
- * layout with a state for that device.
+ * 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Uncertain: MSCL has it for
+ * the 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10. Uncertain: The manual of the
+ * 3DM-GX5-45 prints it too, but for the model number of another device; MSCL has the layout with a
+ * state for that device.
  *
  * On the wire only, without a member:
  * - status_selector: Basic status. Always 1.
@@ -6834,7 +7070,9 @@ struct mip_3dm_device_status_basic_stateless_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_DEVICE_STATUS_BASIC_STATELESS_RESPONSE 0x0C90
+/** Its descriptor. */
 #define MIP_3DM_DEVICE_STATUS_BASIC_STATELESS_RESPONSE_DESCRIPTOR 0x90
+/** Its name in the specification. */
 #define MIP_3DM_DEVICE_STATUS_BASIC_STATELESS_RESPONSE_NAME \
     "3dm.device_status_basic_without_state_response"
 
@@ -6863,9 +7101,7 @@ static inline mip_error mip_3dm_device_status_basic_stateless_response_encode(
  * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response
  * and mip_3dm_device_status_diagnostic_imu_response by the size of its data. Sent if
  * status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Supported by 3DM-GQ4-45,
- * 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
- * 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
- * 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and 3DM-GX5-25.
+ * 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * On the wire only, without a member:
  * - status_selector: Diagnostic status. Always 2.
@@ -6910,7 +7146,9 @@ struct mip_3dm_device_status_diagnostic_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RESPONSE 0x0C90
+/** Its descriptor. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RESPONSE_DESCRIPTOR 0x90
+/** Its name in the specification. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RESPONSE_NAME "3dm.device_status_diagnostic_response"
 
 /** Its wire format. */
@@ -6937,12 +7175,10 @@ static inline mip_error mip_3dm_device_status_diagnostic_response_encode(
  * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response
  * and mip_3dm_device_status_diagnostic_imu_response by the size of its data. Sent if
  * status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Supported by 3DM-GQ4-45,
- * 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
- * 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
- * 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and 3DM-GX5-25. Uncertain:
- * MSCL has it for the 3DM-GX4-45 and the -35 and -45 of GX5 and CX5; its length is that of a
- * manual. Uncertain: MSCL names the values only; the descriptions follow from the names, and times
- * in ms from the system timer.
+ * 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Uncertain: MSCL has it for
+ * the 3DM-GX4-45 and the -35 and -45 of GX5 and CX5; its length is that of a manual. Uncertain:
+ * MSCL names the values only; the descriptions follow from the names, and times in ms from the
+ * system timer.
  *
  * On the wire only, without a member:
  * - status_selector: Diagnostic status. Always 2.
@@ -7003,7 +7239,9 @@ struct mip_3dm_device_status_diagnostic_gnss_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GNSS_RESPONSE 0x0C90
+/** Its descriptor. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GNSS_RESPONSE_DESCRIPTOR 0x90
+/** Its name in the specification. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GNSS_RESPONSE_NAME \
     "3dm.device_status_diagnostic_gnss_response"
 
@@ -7031,11 +7269,9 @@ static inline mip_error mip_3dm_device_status_diagnostic_gnss_response_encode(
  * mip_3dm_device_status_diagnostic_gnss_response, mip_3dm_device_status_diagnostic_rq1_45_response,
  * mip_3dm_device_status_diagnostic_gx4_response and mip_3dm_device_status_diagnostic_imu_response
  * by the size of its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC.
- * Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May
- * be supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10,
- * 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10
- * and 3DM-GX5-25. Uncertain: No manual is known that prints it. Uncertain: MSCL names the values
- * only; the descriptions follow from the names, and times in ms from the system timer.
+ * Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Uncertain: No manual is known that prints it. Uncertain: MSCL names the values only; the
+ * descriptions follow from the names, and times in ms from the system timer.
  *
  * On the wire only, without a member:
  * - status_selector: Diagnostic status. Always 2.
@@ -7102,7 +7338,9 @@ struct mip_3dm_device_status_diagnostic_gq4_45_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GQ4_45_RESPONSE 0x0C90
+/** Its descriptor. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GQ4_45_RESPONSE_DESCRIPTOR 0x90
+/** Its name in the specification. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GQ4_45_RESPONSE_NAME \
     "3dm.device_status_diagnostic_gq4_45_response"
 
@@ -7130,11 +7368,9 @@ static inline mip_error mip_3dm_device_status_diagnostic_gq4_45_response_encode(
  * mip_3dm_device_status_diagnostic_gnss_response, mip_3dm_device_status_diagnostic_gq4_45_response,
  * mip_3dm_device_status_diagnostic_gx4_response and mip_3dm_device_status_diagnostic_imu_response
  * by the size of its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC.
- * Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May
- * be supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10,
- * 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10
- * and 3DM-GX5-25. Uncertain: No manual is known that prints it. Uncertain: MSCL names the values
- * only; the descriptions follow from the names, and times in ms from the system timer.
+ * Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Uncertain: No manual is known that prints it. Uncertain: MSCL names the values only; the
+ * descriptions follow from the names, and times in ms from the system timer.
  *
  * On the wire only, without a member:
  * - status_selector: Diagnostic status. Always 2.
@@ -7201,7 +7437,9 @@ struct mip_3dm_device_status_diagnostic_rq1_45_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RQ1_45_RESPONSE 0x0C90
+/** Its descriptor. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RQ1_45_RESPONSE_DESCRIPTOR 0x90
+/** Its name in the specification. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RQ1_45_RESPONSE_NAME \
     "3dm.device_status_diagnostic_rq1_45_response"
 
@@ -7230,12 +7468,9 @@ static inline mip_error mip_3dm_device_status_diagnostic_rq1_45_response_encode(
  * mip_3dm_device_status_diagnostic_rq1_45_response and
  * mip_3dm_device_status_diagnostic_imu_response by the size of its data. Sent if status_selector is
  * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
- * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-CL5-15, 3DM-CL5-25,
- * 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45,
- * 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and 3DM-GX5-25. Uncertain: No manual is known that
- * prints it for these devices; the offsets 49 to 69 of that of the 3DM-GX5-45 agree. Uncertain:
- * MSCL names the values only; the descriptions follow from the names, and times in ms from the
- * system timer.
+ * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Uncertain: No manual is known that prints it for
+ * these devices; the offsets 49 to 69 of that of the 3DM-GX5-45 agree. Uncertain: MSCL names the
+ * values only; the descriptions follow from the names, and times in ms from the system timer.
  *
  * On the wire only, without a member:
  * - status_selector: Diagnostic status. Always 2.
@@ -7290,7 +7525,9 @@ struct mip_3dm_device_status_diagnostic_gx4_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX4_RESPONSE 0x0C90
+/** Its descriptor. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX4_RESPONSE_DESCRIPTOR 0x90
+/** Its name in the specification. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX4_RESPONSE_NAME \
     "3dm.device_status_diagnostic_gx4_response"
 
@@ -7319,12 +7556,10 @@ static inline mip_error mip_3dm_device_status_diagnostic_gx4_response_encode(
  * mip_3dm_device_status_diagnostic_rq1_45_response and
  * mip_3dm_device_status_diagnostic_gx4_response by the size of its data. Sent if status_selector is
  * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
- * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-CL5-15, 3DM-CL5-25,
- * 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45,
- * 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and 3DM-GX5-25. Uncertain: MSCL has it for the
- * 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10; no manual is known that prints it. Uncertain: MSCL names
- * the values only; the descriptions follow from the names, and times in ms from the system timer.
- * Uncertain: The units of the ranges are open.
+ * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Uncertain: MSCL has it for the 3DM-GX5-10,
+ * 3DM-CX5-10 and 3DM-CV5-10; no manual is known that prints it. Uncertain: MSCL names the values
+ * only; the descriptions follow from the names, and times in ms from the system timer. Uncertain:
+ * The units of the ranges are open.
  *
  * On the wire only, without a member:
  * - status_selector: Diagnostic status. Always 2.
@@ -7379,7 +7614,9 @@ struct mip_3dm_device_status_diagnostic_imu_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_IMU_RESPONSE 0x0C90
+/** Its descriptor. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_IMU_RESPONSE_DESCRIPTOR 0x90
+/** Its name in the specification. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_IMU_RESPONSE_NAME \
     "3dm.device_status_diagnostic_imu_response"
 

@@ -122,7 +122,10 @@ union mip_aiding_frame_config_rotation {
  * - 3dm-cv7-gnss-ins: Aiding Frames
  */
 struct mip_aiding_frame_config {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -146,7 +149,9 @@ struct mip_aiding_frame_config {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_AIDING_FRAME_CONFIG 0x1301
+/** Its descriptor. */
 #define MIP_AIDING_FRAME_CONFIG_DESCRIPTOR 0x01
+/** Its name in the specification. */
 #define MIP_AIDING_FRAME_CONFIG_NAME "aiding.frame_config"
 
 /** Its wire format. */
@@ -270,7 +275,9 @@ struct mip_aiding_frame_config_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_AIDING_FRAME_CONFIG_RESPONSE 0x1381
+/** Its descriptor. */
 #define MIP_AIDING_FRAME_CONFIG_RESPONSE_DESCRIPTOR 0x81
+/** Its name in the specification. */
 #define MIP_AIDING_FRAME_CONFIG_RESPONSE_NAME "aiding.frame_config_response"
 
 /** Its wire format. */
@@ -301,7 +308,10 @@ static inline mip_error mip_aiding_frame_config_response_encode(
  * - 3dm-cv7-gnss-ins: Aiding Command Echo Control
  */
 struct mip_aiding_echo_control {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -311,7 +321,9 @@ struct mip_aiding_echo_control {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_AIDING_ECHO_CONTROL 0x131F
+/** Its descriptor. */
 #define MIP_AIDING_ECHO_CONTROL_DESCRIPTOR 0x1F
+/** Its name in the specification. */
 #define MIP_AIDING_ECHO_CONTROL_NAME "aiding.echo_control"
 
 /** Its wire format. */
@@ -399,7 +411,9 @@ struct mip_aiding_echo_control_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_AIDING_ECHO_CONTROL_RESPONSE 0x139F
+/** Its descriptor. */
 #define MIP_AIDING_ECHO_CONTROL_RESPONSE_DESCRIPTOR 0x9F
+/** Its name in the specification. */
 #define MIP_AIDING_ECHO_CONTROL_RESPONSE_NAME "aiding.echo_control_response"
 
 /** Its wire format. */
@@ -479,7 +493,9 @@ struct mip_aiding_ecef_position {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_AIDING_ECEF_POSITION 0x1321
+/** Its descriptor. */
 #define MIP_AIDING_ECEF_POSITION_DESCRIPTOR 0x21
+/** Its name in the specification. */
 #define MIP_AIDING_ECEF_POSITION_NAME "aiding.ecef_position"
 
 /** Its wire format. */
@@ -606,7 +622,9 @@ struct mip_aiding_llh_position {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_AIDING_LLH_POSITION 0x1322
+/** Its descriptor. */
 #define MIP_AIDING_LLH_POSITION_DESCRIPTOR 0x22
+/** Its name in the specification. */
 #define MIP_AIDING_LLH_POSITION_NAME "aiding.llh_position"
 
 /** Its wire format. */
@@ -714,7 +732,9 @@ struct mip_aiding_height_above_ellipsoid {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_AIDING_HEIGHT_ABOVE_ELLIPSOID 0x1323
+/** Its descriptor. */
 #define MIP_AIDING_HEIGHT_ABOVE_ELLIPSOID_DESCRIPTOR 0x23
+/** Its name in the specification. */
 #define MIP_AIDING_HEIGHT_ABOVE_ELLIPSOID_NAME "aiding.height_above_ellipsoid"
 
 /** Its wire format. */
@@ -825,7 +845,9 @@ struct mip_aiding_ecef_velocity {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_AIDING_ECEF_VELOCITY 0x1328
+/** Its descriptor. */
 #define MIP_AIDING_ECEF_VELOCITY_DESCRIPTOR 0x28
+/** Its name in the specification. */
 #define MIP_AIDING_ECEF_VELOCITY_NAME "aiding.ecef_velocity"
 
 /** Its wire format. */
@@ -944,7 +966,9 @@ struct mip_aiding_ned_velocity {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_AIDING_NED_VELOCITY 0x1329
+/** Its descriptor. */
 #define MIP_AIDING_NED_VELOCITY_DESCRIPTOR 0x29
+/** Its name in the specification. */
 #define MIP_AIDING_NED_VELOCITY_NAME "aiding.ned_velocity"
 
 /** Its wire format. */
@@ -1071,7 +1095,9 @@ struct mip_aiding_body_frame_velocity {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_AIDING_BODY_FRAME_VELOCITY 0x132A
+/** Its descriptor. */
 #define MIP_AIDING_BODY_FRAME_VELOCITY_DESCRIPTOR 0x2A
+/** Its name in the specification. */
 #define MIP_AIDING_BODY_FRAME_VELOCITY_NAME "aiding.body_frame_velocity"
 
 /** Its wire format. */
@@ -1178,7 +1204,9 @@ struct mip_aiding_true_heading {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_AIDING_TRUE_HEADING 0x1331
+/** Its descriptor. */
 #define MIP_AIDING_TRUE_HEADING_DESCRIPTOR 0x31
+/** Its name in the specification. */
 #define MIP_AIDING_TRUE_HEADING_NAME "aiding.true_heading"
 
 /** Its wire format. */
@@ -1287,7 +1315,9 @@ struct mip_aiding_magnetic_field {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_AIDING_MAGNETIC_FIELD 0x1332
+/** Its descriptor. */
 #define MIP_AIDING_MAGNETIC_FIELD_DESCRIPTOR 0x32
+/** Its name in the specification. */
 #define MIP_AIDING_MAGNETIC_FIELD_NAME "aiding.magnetic_field"
 
 /** Its wire format. */
@@ -1394,7 +1424,9 @@ struct mip_aiding_pressure {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_AIDING_PRESSURE 0x1333
+/** Its descriptor. */
 #define MIP_AIDING_PRESSURE_DESCRIPTOR 0x33
+/** Its name in the specification. */
 #define MIP_AIDING_PRESSURE_NAME "aiding.pressure"
 
 /** Its wire format. */

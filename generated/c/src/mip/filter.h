@@ -2,6 +2,8 @@
  * @file
  *
  * Filter commands (0x0D). Commands that set up, start and aid the navigation filter.
+ *
+ * Devices that may support a field, though it is not certain, are in mip/profiles.h only.
  */
 #ifndef MIP_FILTER_H
 #define MIP_FILTER_H
@@ -319,7 +321,7 @@ MIP_API const char *mip_filter_reference_point_name(uint8_t value);
  * Puts the filter back into its initialization state.
  *
  * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-RQ1-45-LT and
- * 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
+ * 3DM-RQ1-45-ST.
  *
  * If automatic initialization is off, the attitude or heading must be set before the filter runs
  * again.
@@ -336,7 +338,9 @@ struct mip_filter_reset {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_RESET 0x0D01
+/** Its descriptor. */
 #define MIP_FILTER_RESET_DESCRIPTOR 0x01
+/** Its name in the specification. */
 #define MIP_FILTER_RESET_NAME "filter.reset"
 
 /** Its wire format. */
@@ -358,7 +362,7 @@ static inline mip_error mip_filter_reset_encode(const struct mip_filter_reset *v
  *
  * Gives the filter its initial attitude, the orientation of the sensor frame in the NED frame.
  *
- * Supported by 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
+ * Supported by 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * Accepted only in the initialization state.
  *
@@ -377,7 +381,9 @@ struct mip_filter_set_initial_attitude {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_SET_INITIAL_ATTITUDE 0x0D02
+/** Its descriptor. */
 #define MIP_FILTER_SET_INITIAL_ATTITUDE_DESCRIPTOR 0x02
+/** Its name in the specification. */
 #define MIP_FILTER_SET_INITIAL_ATTITUDE_NAME "filter.set_initial_attitude"
 
 /** Its wire format. */
@@ -458,7 +464,9 @@ struct mip_filter_set_initial_heading {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_SET_INITIAL_HEADING 0x0D03
+/** Its descriptor. */
 #define MIP_FILTER_SET_INITIAL_HEADING_DESCRIPTOR 0x03
+/** Its name in the specification. */
 #define MIP_FILTER_SET_INITIAL_HEADING_NAME "filter.set_initial_heading"
 
 /** Its wire format. */
@@ -529,7 +537,9 @@ struct mip_filter_run {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_RUN 0x0D05
+/** Its descriptor. */
 #define MIP_FILTER_RUN_DESCRIPTOR 0x05
+/** Its name in the specification. */
 #define MIP_FILTER_RUN_NAME "filter.run"
 
 /** Its wire format. */
@@ -552,13 +562,16 @@ static inline mip_error mip_filter_run_encode(const struct mip_filter_run *value
  * Kind of vehicle that the filter is tuned for.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_vehicle_dynamics_mode_response. Supported by 3DM-GX5-45. May be supported by
- * 3DM-GX3-45. Known from the MicroStrain MIP SDK only.
+ * mip_filter_vehicle_dynamics_mode_response. Supported by 3DM-GX5-45. Known from the MicroStrain
+ * MIP SDK only.
  *
  * - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
  */
 struct mip_filter_vehicle_dynamics_mode {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -572,7 +585,9 @@ struct mip_filter_vehicle_dynamics_mode {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_VEHICLE_DYNAMICS_MODE 0x0D10
+/** Its descriptor. */
 #define MIP_FILTER_VEHICLE_DYNAMICS_MODE_DESCRIPTOR 0x10
+/** Its name in the specification. */
 #define MIP_FILTER_VEHICLE_DYNAMICS_MODE_NAME "filter.vehicle_dynamics_mode"
 
 /** Its wire format. */
@@ -648,8 +663,8 @@ mip_filter_vehicle_dynamics_mode_default(struct mip_filter_vehicle_dynamics_mode
 /**
  * Vehicle dynamics mode response: response (0x0D,0x80).
  *
- * Answers mip_filter_vehicle_dynamics_mode. Supported by 3DM-GX5-45. May be supported by
- * 3DM-GX3-45. Known from the MicroStrain MIP SDK only.
+ * Answers mip_filter_vehicle_dynamics_mode. Supported by 3DM-GX5-45. Known from the MicroStrain MIP
+ * SDK only.
  *
  * - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
  */
@@ -660,7 +675,9 @@ struct mip_filter_vehicle_dynamics_mode_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_VEHICLE_DYNAMICS_MODE_RESPONSE 0x0D80
+/** Its descriptor. */
 #define MIP_FILTER_VEHICLE_DYNAMICS_MODE_RESPONSE_DESCRIPTOR 0x80
+/** Its name in the specification. */
 #define MIP_FILTER_VEHICLE_DYNAMICS_MODE_RESPONSE_NAME "filter.vehicle_dynamics_mode_response"
 
 /** Its wire format. */
@@ -720,7 +737,10 @@ static inline mip_error mip_filter_vehicle_dynamics_mode_response_encode_inline(
  * - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
  */
 struct mip_filter_sensor_to_vehicle_euler {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -734,7 +754,9 @@ struct mip_filter_sensor_to_vehicle_euler {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_EULER 0x0D11
+/** Its descriptor. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_EULER_DESCRIPTOR 0x11
+/** Its name in the specification. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_EULER_NAME "filter.sensor_to_vehicle_rotation_euler"
 
 /** Its wire format. */
@@ -829,7 +851,9 @@ struct mip_filter_sensor_to_vehicle_euler_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_EULER_RESPONSE 0x0D81
+/** Its descriptor. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_EULER_RESPONSE_DESCRIPTOR 0x81
+/** Its name in the specification. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_EULER_RESPONSE_NAME \
     "filter.sensor_to_vehicle_rotation_euler_response"
 
@@ -892,7 +916,10 @@ static inline mip_error mip_filter_sensor_to_vehicle_euler_response_encode_inlin
  * - mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12)
  */
 struct mip_filter_sensor_to_vehicle_offset {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -905,7 +932,9 @@ struct mip_filter_sensor_to_vehicle_offset {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET 0x0D12
+/** Its descriptor. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET_DESCRIPTOR 0x12
+/** Its name in the specification. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET_NAME "filter.sensor_to_vehicle_offset"
 
 /** Its wire format. */
@@ -996,7 +1025,9 @@ struct mip_filter_sensor_to_vehicle_offset_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET_RESPONSE 0x0D82
+/** Its descriptor. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET_RESPONSE_DESCRIPTOR 0x82
+/** Its name in the specification. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET_RESPONSE_NAME "filter.sensor_to_vehicle_offset_response"
 
 /** Its wire format. */
@@ -1057,7 +1088,10 @@ static inline mip_error mip_filter_sensor_to_vehicle_offset_response_encode_inli
  * - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
  */
 struct mip_filter_antenna_offset {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -1070,7 +1104,9 @@ struct mip_filter_antenna_offset {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_ANTENNA_OFFSET 0x0D13
+/** Its descriptor. */
 #define MIP_FILTER_ANTENNA_OFFSET_DESCRIPTOR 0x13
+/** Its name in the specification. */
 #define MIP_FILTER_ANTENNA_OFFSET_NAME "filter.antenna_offset"
 
 /** Its wire format. */
@@ -1160,7 +1196,9 @@ struct mip_filter_antenna_offset_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_ANTENNA_OFFSET_RESPONSE 0x0D83
+/** Its descriptor. */
 #define MIP_FILTER_ANTENNA_OFFSET_RESPONSE_DESCRIPTOR 0x83
+/** Its name in the specification. */
 #define MIP_FILTER_ANTENNA_OFFSET_RESPONSE_NAME "filter.antenna_offset_response"
 
 /** Its wire format. */
@@ -1211,14 +1249,15 @@ static inline mip_error mip_filter_antenna_offset_response_encode_inline(
  * Which states the filter estimates.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_estimation_control_response. Supported by 3DM-GX5-15 and 3DM-GX5-45. May be supported
- * by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15,
- * 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * mip_filter_estimation_control_response. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
  */
 struct mip_filter_estimation_control {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -1237,7 +1276,9 @@ struct mip_filter_estimation_control {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_ESTIMATION_CONTROL 0x0D14
+/** Its descriptor. */
 #define MIP_FILTER_ESTIMATION_CONTROL_DESCRIPTOR 0x14
+/** Its name in the specification. */
 #define MIP_FILTER_ESTIMATION_CONTROL_NAME "filter.estimation_control"
 
 /** Its wire format. */
@@ -1313,9 +1354,7 @@ mip_filter_estimation_control_default(struct mip_filter_estimation_control *comm
 /**
  * Estimation control flags response: response (0x0D,0x84).
  *
- * Answers mip_filter_estimation_control. Supported by 3DM-GX5-15 and 3DM-GX5-45. May be supported
- * by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15,
- * 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Answers mip_filter_estimation_control. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
  */
@@ -1326,7 +1365,9 @@ struct mip_filter_estimation_control_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_ESTIMATION_CONTROL_RESPONSE 0x0D84
+/** Its descriptor. */
 #define MIP_FILTER_ESTIMATION_CONTROL_RESPONSE_DESCRIPTOR 0x84
+/** Its name in the specification. */
 #define MIP_FILTER_ESTIMATION_CONTROL_RESPONSE_NAME "filter.estimation_control_response"
 
 /** Its wire format. */
@@ -1381,7 +1422,10 @@ static inline mip_error mip_filter_estimation_control_response_encode_inline(
  * - 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
  */
 struct mip_filter_gnss_source {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -1393,7 +1437,9 @@ struct mip_filter_gnss_source {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_GNSS_SOURCE 0x0D15
+/** Its descriptor. */
 #define MIP_FILTER_GNSS_SOURCE_DESCRIPTOR 0x15
+/** Its name in the specification. */
 #define MIP_FILTER_GNSS_SOURCE_NAME "filter.gnss_source"
 
 /** Its wire format. */
@@ -1480,7 +1526,9 @@ struct mip_filter_gnss_source_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_GNSS_SOURCE_RESPONSE 0x0D86
+/** Its descriptor. */
 #define MIP_FILTER_GNSS_SOURCE_RESPONSE_DESCRIPTOR 0x86
+/** Its name in the specification. */
 #define MIP_FILTER_GNSS_SOURCE_RESPONSE_NAME "filter.gnss_source_response"
 
 /** Its wire format. */
@@ -1555,7 +1603,9 @@ struct mip_filter_external_gnss_update {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_EXTERNAL_GNSS_UPDATE 0x0D16
+/** Its descriptor. */
 #define MIP_FILTER_EXTERNAL_GNSS_UPDATE_DESCRIPTOR 0x16
+/** Its name in the specification. */
 #define MIP_FILTER_EXTERNAL_GNSS_UPDATE_NAME "filter.external_gnss_update"
 
 /** Its wire format. */
@@ -1679,7 +1729,9 @@ struct mip_filter_external_heading_update {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_EXTERNAL_HEADING_UPDATE 0x0D17
+/** Its descriptor. */
 #define MIP_FILTER_EXTERNAL_HEADING_UPDATE_DESCRIPTOR 0x17
+/** Its name in the specification. */
 #define MIP_FILTER_EXTERNAL_HEADING_UPDATE_NAME "filter.external_heading_update"
 
 /** Its wire format. */
@@ -1744,14 +1796,15 @@ static inline struct mip_filter_external_heading_update *mip_filter_external_hea
  * Source of the heading that aids the filter.
  *
  * Functions: write, read, save, load and default. Answered by mip_filter_heading_source_response.
- * Supported by 3DM-GX5-15 and 3DM-GX5-45. May be supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15,
- * 3DM-CV5-25, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and
- * 3DM-RQ1-45-ST.
+ * Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
  */
 struct mip_filter_heading_source {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -1771,7 +1824,9 @@ struct mip_filter_heading_source {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_HEADING_SOURCE 0x0D18
+/** Its descriptor. */
 #define MIP_FILTER_HEADING_SOURCE_DESCRIPTOR 0x18
+/** Its name in the specification. */
 #define MIP_FILTER_HEADING_SOURCE_NAME "filter.heading_source"
 
 /** Its wire format. */
@@ -1847,9 +1902,7 @@ mip_filter_heading_source_default(struct mip_filter_heading_source *command) {
 /**
  * Heading update control response: response (0x0D,0x87).
  *
- * Answers mip_filter_heading_source. Supported by 3DM-GX5-15 and 3DM-GX5-45. May be supported by
- * 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-25, 3DM-GX4-45,
- * 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Answers mip_filter_heading_source. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
  */
@@ -1860,7 +1913,9 @@ struct mip_filter_heading_source_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_HEADING_SOURCE_RESPONSE 0x0D87
+/** Its descriptor. */
 #define MIP_FILTER_HEADING_SOURCE_RESPONSE_DESCRIPTOR 0x87
+/** Its name in the specification. */
 #define MIP_FILTER_HEADING_SOURCE_RESPONSE_NAME "filter.heading_source_response"
 
 /** Its wire format. */
@@ -1914,7 +1969,10 @@ static inline mip_error mip_filter_heading_source_response_encode_inline(
  * - 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19)
  */
 struct mip_filter_auto_initialization_control {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -1924,7 +1982,9 @@ struct mip_filter_auto_initialization_control {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_AUTO_INITIALIZATION_CONTROL 0x0D19
+/** Its descriptor. */
 #define MIP_FILTER_AUTO_INITIALIZATION_CONTROL_DESCRIPTOR 0x19
+/** Its name in the specification. */
 #define MIP_FILTER_AUTO_INITIALIZATION_CONTROL_NAME "filter.auto_initialization_control"
 
 /** Its wire format. */
@@ -2017,7 +2077,9 @@ struct mip_filter_auto_initialization_control_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_AUTO_INITIALIZATION_CONTROL_RESPONSE 0x0D88
+/** Its descriptor. */
 #define MIP_FILTER_AUTO_INITIALIZATION_CONTROL_RESPONSE_DESCRIPTOR 0x88
+/** Its name in the specification. */
 #define MIP_FILTER_AUTO_INITIALIZATION_CONTROL_RESPONSE_NAME \
     "filter.auto_initialization_control_response"
 
@@ -2075,7 +2137,10 @@ static inline mip_error mip_filter_auto_initialization_control_response_encode_i
  * - 3dm-gx5-15: 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A)
  */
 struct mip_filter_accel_noise {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -2088,7 +2153,9 @@ struct mip_filter_accel_noise {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_ACCEL_NOISE 0x0D1A
+/** Its descriptor. */
 #define MIP_FILTER_ACCEL_NOISE_DESCRIPTOR 0x1A
+/** Its name in the specification. */
 #define MIP_FILTER_ACCEL_NOISE_NAME "filter.accel_noise"
 
 /** Its wire format. */
@@ -2176,7 +2243,9 @@ struct mip_filter_accel_noise_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_ACCEL_NOISE_RESPONSE 0x0D89
+/** Its descriptor. */
 #define MIP_FILTER_ACCEL_NOISE_RESPONSE_DESCRIPTOR 0x89
+/** Its name in the specification. */
 #define MIP_FILTER_ACCEL_NOISE_RESPONSE_NAME "filter.accel_noise_response"
 
 /** Its wire format. */
@@ -2235,7 +2304,10 @@ static inline mip_error mip_filter_accel_noise_response_encode_inline(
  * - 3dm-gx5-15: 4.3.13 Gyroscope Noise Standard Deviation (0x0D, 0x1B)
  */
 struct mip_filter_gyro_noise {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -2248,7 +2320,9 @@ struct mip_filter_gyro_noise {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_GYRO_NOISE 0x0D1B
+/** Its descriptor. */
 #define MIP_FILTER_GYRO_NOISE_DESCRIPTOR 0x1B
+/** Its name in the specification. */
 #define MIP_FILTER_GYRO_NOISE_NAME "filter.gyro_noise"
 
 /** Its wire format. */
@@ -2336,7 +2410,9 @@ struct mip_filter_gyro_noise_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_GYRO_NOISE_RESPONSE 0x0D8A
+/** Its descriptor. */
 #define MIP_FILTER_GYRO_NOISE_RESPONSE_DESCRIPTOR 0x8A
+/** Its name in the specification. */
 #define MIP_FILTER_GYRO_NOISE_RESPONSE_NAME "filter.gyro_noise_response"
 
 /** Its wire format. */
@@ -2392,7 +2468,10 @@ static inline mip_error mip_filter_gyro_noise_response_encode_inline(
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
  */
 struct mip_filter_accel_bias_model {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -2410,7 +2489,9 @@ struct mip_filter_accel_bias_model {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_ACCEL_BIAS_MODEL 0x0D1C
+/** Its descriptor. */
 #define MIP_FILTER_ACCEL_BIAS_MODEL_DESCRIPTOR 0x1C
+/** Its name in the specification. */
 #define MIP_FILTER_ACCEL_BIAS_MODEL_NAME "filter.accel_bias_model"
 
 /** Its wire format. */
@@ -2503,7 +2584,9 @@ struct mip_filter_accel_bias_model_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_ACCEL_BIAS_MODEL_RESPONSE 0x0D8B
+/** Its descriptor. */
 #define MIP_FILTER_ACCEL_BIAS_MODEL_RESPONSE_DESCRIPTOR 0x8B
+/** Its name in the specification. */
 #define MIP_FILTER_ACCEL_BIAS_MODEL_RESPONSE_NAME "filter.accel_bias_model_response"
 
 /** Its wire format. */
@@ -2566,7 +2649,10 @@ static inline mip_error mip_filter_accel_bias_model_response_encode_inline(
  * - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
  */
 struct mip_filter_gyro_bias_model {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -2584,7 +2670,9 @@ struct mip_filter_gyro_bias_model {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_GYRO_BIAS_MODEL 0x0D1D
+/** Its descriptor. */
 #define MIP_FILTER_GYRO_BIAS_MODEL_DESCRIPTOR 0x1D
+/** Its name in the specification. */
 #define MIP_FILTER_GYRO_BIAS_MODEL_NAME "filter.gyro_bias_model"
 
 /** Its wire format. */
@@ -2678,7 +2766,9 @@ struct mip_filter_gyro_bias_model_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_GYRO_BIAS_MODEL_RESPONSE 0x0D8C
+/** Its descriptor. */
 #define MIP_FILTER_GYRO_BIAS_MODEL_RESPONSE_DESCRIPTOR 0x8C
+/** Its name in the specification. */
 #define MIP_FILTER_GYRO_BIAS_MODEL_RESPONSE_NAME "filter.gyro_bias_model_response"
 
 /** Its wire format. */
@@ -2742,7 +2832,10 @@ static inline mip_error mip_filter_gyro_bias_model_response_encode_inline(
  * - mip-sdk-4: Auto Zupt (0x0D,0x1E)
  */
 struct mip_filter_auto_zupt {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -2754,7 +2847,9 @@ struct mip_filter_auto_zupt {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_AUTO_ZUPT 0x0D1E
+/** Its descriptor. */
 #define MIP_FILTER_AUTO_ZUPT_DESCRIPTOR 0x1E
+/** Its name in the specification. */
 #define MIP_FILTER_AUTO_ZUPT_NAME "filter.auto_zupt"
 
 /** Its wire format. */
@@ -2845,7 +2940,9 @@ struct mip_filter_auto_zupt_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_AUTO_ZUPT_RESPONSE 0x0D8D
+/** Its descriptor. */
 #define MIP_FILTER_AUTO_ZUPT_RESPONSE_DESCRIPTOR 0x8D
+/** Its name in the specification. */
 #define MIP_FILTER_AUTO_ZUPT_RESPONSE_NAME "filter.auto_zupt_response"
 
 /** Its wire format. */
@@ -2930,7 +3027,9 @@ struct mip_filter_external_heading_update_with_time {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_EXTERNAL_HEADING_UPDATE_WITH_TIME 0x0D1F
+/** Its descriptor. */
 #define MIP_FILTER_EXTERNAL_HEADING_UPDATE_WITH_TIME_DESCRIPTOR 0x1F
+/** Its name in the specification. */
 #define MIP_FILTER_EXTERNAL_HEADING_UPDATE_WITH_TIME_NAME "filter.external_heading_update_with_time"
 
 /** Its wire format. */
@@ -3011,7 +3110,10 @@ mip_filter_external_heading_update_with_time_make(
  * - 3dm-gx5-15: 4.3.15 Zero Angular Rate Update Control (0x0D, 0x20)
  */
 struct mip_filter_auto_angular_zupt {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -3026,7 +3128,9 @@ struct mip_filter_auto_angular_zupt {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_AUTO_ANGULAR_ZUPT 0x0D20
+/** Its descriptor. */
 #define MIP_FILTER_AUTO_ANGULAR_ZUPT_DESCRIPTOR 0x20
+/** Its name in the specification. */
 #define MIP_FILTER_AUTO_ANGULAR_ZUPT_NAME "filter.auto_angular_zupt"
 
 /** Its wire format. */
@@ -3118,7 +3222,9 @@ struct mip_filter_auto_angular_zupt_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_AUTO_ANGULAR_ZUPT_RESPONSE 0x0D8E
+/** Its descriptor. */
 #define MIP_FILTER_AUTO_ANGULAR_ZUPT_RESPONSE_DESCRIPTOR 0x8E
+/** Its name in the specification. */
 #define MIP_FILTER_AUTO_ANGULAR_ZUPT_RESPONSE_NAME "filter.auto_angular_zupt_response"
 
 /** Its wire format. */
@@ -3176,7 +3282,10 @@ static inline mip_error mip_filter_auto_angular_zupt_response_encode_inline(
  * - mip-sdk-4: Tare Orientation (0x0D,0x21)
  */
 struct mip_filter_tare_orientation {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -3186,7 +3295,9 @@ struct mip_filter_tare_orientation {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_TARE_ORIENTATION 0x0D21
+/** Its descriptor. */
 #define MIP_FILTER_TARE_ORIENTATION_DESCRIPTOR 0x21
+/** Its name in the specification. */
 #define MIP_FILTER_TARE_ORIENTATION_NAME "filter.tare_orientation"
 
 /** Its wire format. */
@@ -3276,7 +3387,9 @@ struct mip_filter_tare_orientation_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_TARE_ORIENTATION_RESPONSE 0x0DA1
+/** Its descriptor. */
 #define MIP_FILTER_TARE_ORIENTATION_RESPONSE_DESCRIPTOR 0xA1
+/** Its name in the specification. */
 #define MIP_FILTER_TARE_ORIENTATION_RESPONSE_NAME "filter.tare_orientation_response"
 
 /** Its wire format. */
@@ -3335,7 +3448,9 @@ struct mip_filter_commanded_zupt {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_COMMANDED_ZUPT 0x0D22
+/** Its descriptor. */
 #define MIP_FILTER_COMMANDED_ZUPT_DESCRIPTOR 0x22
+/** Its name in the specification. */
 #define MIP_FILTER_COMMANDED_ZUPT_NAME "filter.commanded_zupt"
 
 /** Its wire format. */
@@ -3370,7 +3485,9 @@ struct mip_filter_commanded_angular_zupt {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_COMMANDED_ANGULAR_ZUPT 0x0D23
+/** Its descriptor. */
 #define MIP_FILTER_COMMANDED_ANGULAR_ZUPT_DESCRIPTOR 0x23
+/** Its name in the specification. */
 #define MIP_FILTER_COMMANDED_ANGULAR_ZUPT_NAME "filter.commanded_angular_zupt"
 
 /** Its wire format. */
@@ -3398,7 +3515,10 @@ static inline mip_error mip_filter_commanded_angular_zupt_encode(
  * - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
  */
 struct mip_filter_reference_position {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -3414,7 +3534,9 @@ struct mip_filter_reference_position {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_REFERENCE_POSITION 0x0D26
+/** Its descriptor. */
 #define MIP_FILTER_REFERENCE_POSITION_DESCRIPTOR 0x26
+/** Its name in the specification. */
 #define MIP_FILTER_REFERENCE_POSITION_NAME "filter.reference_position"
 
 /** Its wire format. */
@@ -3511,7 +3633,9 @@ struct mip_filter_reference_position_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_REFERENCE_POSITION_RESPONSE 0x0D90
+/** Its descriptor. */
 #define MIP_FILTER_REFERENCE_POSITION_RESPONSE_DESCRIPTOR 0x90
+/** Its name in the specification. */
 #define MIP_FILTER_REFERENCE_POSITION_RESPONSE_NAME "filter.reference_position_response"
 
 /** Its wire format. */
@@ -3580,7 +3704,9 @@ struct mip_filter_mag_capture_auto_calibration {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_MAG_CAPTURE_AUTO_CALIBRATION 0x0D27
+/** Its descriptor. */
 #define MIP_FILTER_MAG_CAPTURE_AUTO_CALIBRATION_DESCRIPTOR 0x27
+/** Its name in the specification. */
 #define MIP_FILTER_MAG_CAPTURE_AUTO_CALIBRATION_NAME "filter.mag_capture_auto_calibration"
 
 /** Its wire format. */
@@ -3659,7 +3785,10 @@ mip_filter_mag_capture_auto_calibration_save(
  * - 3dm-gx5-15: 4.3.11 Gravity Noise Standard Deviation (0x0D, 0x28)
  */
 struct mip_filter_gravity_noise {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -3672,7 +3801,9 @@ struct mip_filter_gravity_noise {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_GRAVITY_NOISE 0x0D28
+/** Its descriptor. */
 #define MIP_FILTER_GRAVITY_NOISE_DESCRIPTOR 0x28
+/** Its name in the specification. */
 #define MIP_FILTER_GRAVITY_NOISE_NAME "filter.gravity_noise"
 
 /** Its wire format. */
@@ -3760,7 +3891,9 @@ struct mip_filter_gravity_noise_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_GRAVITY_NOISE_RESPONSE 0x0D93
+/** Its descriptor. */
 #define MIP_FILTER_GRAVITY_NOISE_RESPONSE_DESCRIPTOR 0x93
+/** Its name in the specification. */
 #define MIP_FILTER_GRAVITY_NOISE_RESPONSE_NAME "filter.gravity_noise_response"
 
 /** Its wire format. */
@@ -3819,7 +3952,10 @@ static inline mip_error mip_filter_gravity_noise_response_encode_inline(
  * - mip-sdk-4: Pressure Altitude Noise (0x0D,0x29)
  */
 struct mip_filter_pressure_altitude_noise {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -3829,7 +3965,9 @@ struct mip_filter_pressure_altitude_noise {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_PRESSURE_ALTITUDE_NOISE 0x0D29
+/** Its descriptor. */
 #define MIP_FILTER_PRESSURE_ALTITUDE_NOISE_DESCRIPTOR 0x29
+/** Its name in the specification. */
 #define MIP_FILTER_PRESSURE_ALTITUDE_NOISE_NAME "filter.pressure_altitude_noise"
 
 /** Its wire format. */
@@ -3917,7 +4055,9 @@ struct mip_filter_pressure_altitude_noise_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_PRESSURE_ALTITUDE_NOISE_RESPONSE 0x0D94
+/** Its descriptor. */
 #define MIP_FILTER_PRESSURE_ALTITUDE_NOISE_RESPONSE_DESCRIPTOR 0x94
+/** Its name in the specification. */
 #define MIP_FILTER_PRESSURE_ALTITUDE_NOISE_RESPONSE_NAME "filter.pressure_altitude_noise_response"
 
 /** Its wire format. */
@@ -3970,7 +4110,10 @@ static inline mip_error mip_filter_pressure_altitude_noise_response_encode_inlin
  * - mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B)
  */
 struct mip_filter_hard_iron_offset_noise {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -3983,7 +4126,9 @@ struct mip_filter_hard_iron_offset_noise {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_HARD_IRON_OFFSET_NOISE 0x0D2B
+/** Its descriptor. */
 #define MIP_FILTER_HARD_IRON_OFFSET_NOISE_DESCRIPTOR 0x2B
+/** Its name in the specification. */
 #define MIP_FILTER_HARD_IRON_OFFSET_NOISE_NAME "filter.hard_iron_offset_noise"
 
 /** Its wire format. */
@@ -4071,7 +4216,9 @@ struct mip_filter_hard_iron_offset_noise_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_HARD_IRON_OFFSET_NOISE_RESPONSE 0x0D96
+/** Its descriptor. */
 #define MIP_FILTER_HARD_IRON_OFFSET_NOISE_RESPONSE_DESCRIPTOR 0x96
+/** Its name in the specification. */
 #define MIP_FILTER_HARD_IRON_OFFSET_NOISE_RESPONSE_NAME "filter.hard_iron_offset_noise_response"
 
 /** Its wire format. */
@@ -4128,7 +4275,10 @@ static inline mip_error mip_filter_hard_iron_offset_noise_response_encode_inline
  * - mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C)
  */
 struct mip_filter_soft_iron_matrix_noise {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -4141,7 +4291,9 @@ struct mip_filter_soft_iron_matrix_noise {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_SOFT_IRON_MATRIX_NOISE 0x0D2C
+/** Its descriptor. */
 #define MIP_FILTER_SOFT_IRON_MATRIX_NOISE_DESCRIPTOR 0x2C
+/** Its name in the specification. */
 #define MIP_FILTER_SOFT_IRON_MATRIX_NOISE_NAME "filter.soft_iron_matrix_noise"
 
 /** Its wire format. */
@@ -4232,7 +4384,9 @@ struct mip_filter_soft_iron_matrix_noise_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_SOFT_IRON_MATRIX_NOISE_RESPONSE 0x0D97
+/** Its descriptor. */
 #define MIP_FILTER_SOFT_IRON_MATRIX_NOISE_RESPONSE_DESCRIPTOR 0x97
+/** Its name in the specification. */
 #define MIP_FILTER_SOFT_IRON_MATRIX_NOISE_RESPONSE_NAME "filter.soft_iron_matrix_noise_response"
 
 /** Its wire format. */
@@ -4288,7 +4442,10 @@ static inline mip_error mip_filter_soft_iron_matrix_noise_response_encode_inline
  * - 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
  */
 struct mip_filter_enable_measurements {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -4298,7 +4455,9 @@ struct mip_filter_enable_measurements {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_ENABLE_MEASUREMENTS 0x0D41
+/** Its descriptor. */
 #define MIP_FILTER_ENABLE_MEASUREMENTS_DESCRIPTOR 0x41
+/** Its name in the specification. */
 #define MIP_FILTER_ENABLE_MEASUREMENTS_NAME "filter.enable_measurements"
 
 /** Its wire format. */
@@ -4385,7 +4544,9 @@ struct mip_filter_enable_measurements_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_ENABLE_MEASUREMENTS_RESPONSE 0x0DB0
+/** Its descriptor. */
 #define MIP_FILTER_ENABLE_MEASUREMENTS_RESPONSE_DESCRIPTOR 0xB0
+/** Its name in the specification. */
 #define MIP_FILTER_ENABLE_MEASUREMENTS_RESPONSE_NAME "filter.enable_measurements_response"
 
 /** Its wire format. */
@@ -4438,7 +4599,10 @@ static inline mip_error mip_filter_enable_measurements_response_encode_inline(
  * - mip-sdk-4: Mag Noise (0x0D,0x42)
  */
 struct mip_filter_mag_noise {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -4451,7 +4615,9 @@ struct mip_filter_mag_noise {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_MAG_NOISE 0x0D42
+/** Its descriptor. */
 #define MIP_FILTER_MAG_NOISE_DESCRIPTOR 0x42
+/** Its name in the specification. */
 #define MIP_FILTER_MAG_NOISE_NAME "filter.mag_noise"
 
 /** Its wire format. */
@@ -4538,7 +4704,9 @@ struct mip_filter_mag_noise_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_MAG_NOISE_RESPONSE 0x0DB1
+/** Its descriptor. */
 #define MIP_FILTER_MAG_NOISE_RESPONSE_DESCRIPTOR 0xB1
+/** Its name in the specification. */
 #define MIP_FILTER_MAG_NOISE_RESPONSE_NAME "filter.mag_noise_response"
 
 /** Its wire format. */
@@ -4597,7 +4765,10 @@ static inline mip_error mip_filter_mag_noise_response_encode_inline(
  * - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
  */
 struct mip_filter_magnetic_declination_source {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -4613,7 +4784,9 @@ struct mip_filter_magnetic_declination_source {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_MAGNETIC_DECLINATION_SOURCE 0x0D43
+/** Its descriptor. */
 #define MIP_FILTER_MAGNETIC_DECLINATION_SOURCE_DESCRIPTOR 0x43
+/** Its name in the specification. */
 #define MIP_FILTER_MAGNETIC_DECLINATION_SOURCE_NAME "filter.magnetic_declination_source"
 
 /** Its wire format. */
@@ -4710,7 +4883,9 @@ struct mip_filter_magnetic_declination_source_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_MAGNETIC_DECLINATION_SOURCE_RESPONSE 0x0DB2
+/** Its descriptor. */
 #define MIP_FILTER_MAGNETIC_DECLINATION_SOURCE_RESPONSE_DESCRIPTOR 0xB2
+/** Its name in the specification. */
 #define MIP_FILTER_MAGNETIC_DECLINATION_SOURCE_RESPONSE_NAME \
     "filter.magnetic_declination_source_response"
 
@@ -4764,9 +4939,7 @@ static inline mip_error mip_filter_magnetic_declination_source_response_encode_i
  * In full: filter.accel_magnitude_error_adaptive_measurement.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_accel_magnitude_adaptive_response. Supported by 3DM-GX5-15 and 3DM-GX5-45. May be
- * supported by 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and
- * 3DM-RQ1-45-ST.
+ * mip_filter_accel_magnitude_adaptive_response. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * Also called accelerometer magnitude error adaptive measurement.
  *
@@ -4780,7 +4953,11 @@ static inline mip_error mip_filter_magnetic_declination_source_response_encode_i
  * - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
  */
 struct mip_filter_accel_magnitude_adaptive {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required; with a ..._WITH_... constant, all up to that
+     * one.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -4807,7 +4984,9 @@ struct mip_filter_accel_magnitude_adaptive {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE 0x0D44
+/** Its descriptor. */
 #define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_DESCRIPTOR 0x44
+/** Its name in the specification. */
 #define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_NAME "filter.accel_magnitude_error_adaptive_measurement"
 /** The value of `present` if frequency is the last parameter that is there. */
 #define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_WITH_FREQUENCY 2
@@ -4898,9 +5077,7 @@ mip_filter_accel_magnitude_adaptive_default(struct mip_filter_accel_magnitude_ad
  *
  * In full: filter.accel_magnitude_error_adaptive_measurement_response.
  *
- * Answers mip_filter_accel_magnitude_adaptive. Supported by 3DM-GX5-15 and 3DM-GX5-45. May be
- * supported by 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and
- * 3DM-RQ1-45-ST.
+ * Answers mip_filter_accel_magnitude_adaptive. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
  */
@@ -4923,7 +5100,9 @@ struct mip_filter_accel_magnitude_adaptive_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_RESPONSE 0x0DB3
+/** Its descriptor. */
 #define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_RESPONSE_DESCRIPTOR 0xB3
+/** Its name in the specification. */
 #define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_RESPONSE_NAME \
     "filter.accel_magnitude_error_adaptive_measurement_response"
 
@@ -4985,10 +5164,9 @@ static inline mip_error mip_filter_accel_magnitude_adaptive_response_encode_inli
  * In full: filter.mag_magnitude_error_adaptive_measurement.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_mag_magnitude_adaptive_response. Supported by 3DM-GX5-45. May be supported by
- * 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
- * Known from the MicroStrain MIP SDK only. Uncertain: Whether the parameters behind the selector
- * may be left out on write, as those of mip_filter_accel_magnitude_adaptive may.
+ * mip_filter_mag_magnitude_adaptive_response. Supported by 3DM-GX5-45. Known from the MicroStrain
+ * MIP SDK only. Uncertain: Whether the parameters behind the selector may be left out on write, as
+ * those of mip_filter_accel_magnitude_adaptive may.
  *
  * The limits and the low-pass filter take effect only with `fixed`; with `auto` the device finds
  * limits.
@@ -4999,7 +5177,10 @@ static inline mip_error mip_filter_accel_magnitude_adaptive_response_encode_inli
  * - mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
  */
 struct mip_filter_mag_magnitude_adaptive {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -5046,7 +5227,9 @@ struct mip_filter_mag_magnitude_adaptive {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_MAG_MAGNITUDE_ADAPTIVE 0x0D45
+/** Its descriptor. */
 #define MIP_FILTER_MAG_MAGNITUDE_ADAPTIVE_DESCRIPTOR 0x45
+/** Its name in the specification. */
 #define MIP_FILTER_MAG_MAGNITUDE_ADAPTIVE_NAME "filter.mag_magnitude_error_adaptive_measurement"
 
 /** Its wire format. */
@@ -5133,9 +5316,8 @@ mip_filter_mag_magnitude_adaptive_default(struct mip_filter_mag_magnitude_adapti
  *
  * In full: filter.mag_magnitude_error_adaptive_measurement_response.
  *
- * Answers mip_filter_mag_magnitude_adaptive. Supported by 3DM-GX5-45. May be supported by
- * 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
- * Known from the MicroStrain MIP SDK only.
+ * Answers mip_filter_mag_magnitude_adaptive. Supported by 3DM-GX5-45. Known from the MicroStrain
+ * MIP SDK only.
  *
  * - mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
  */
@@ -5173,7 +5355,9 @@ struct mip_filter_mag_magnitude_adaptive_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_MAG_MAGNITUDE_ADAPTIVE_RESPONSE 0x0DB4
+/** Its descriptor. */
 #define MIP_FILTER_MAG_MAGNITUDE_ADAPTIVE_RESPONSE_DESCRIPTOR 0xB4
+/** Its name in the specification. */
 #define MIP_FILTER_MAG_MAGNITUDE_ADAPTIVE_RESPONSE_NAME \
     "filter.mag_magnitude_error_adaptive_measurement_response"
 
@@ -5247,7 +5431,10 @@ static inline mip_error mip_filter_mag_magnitude_adaptive_response_encode_inline
  * - mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
  */
 struct mip_filter_mag_dip_angle_adaptive {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -5274,7 +5461,9 @@ struct mip_filter_mag_dip_angle_adaptive {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_MAG_DIP_ANGLE_ADAPTIVE 0x0D46
+/** Its descriptor. */
 #define MIP_FILTER_MAG_DIP_ANGLE_ADAPTIVE_DESCRIPTOR 0x46
+/** Its name in the specification. */
 #define MIP_FILTER_MAG_DIP_ANGLE_ADAPTIVE_NAME "filter.mag_dip_angle_error_adaptive_measurement"
 
 /** Its wire format. */
@@ -5386,7 +5575,9 @@ struct mip_filter_mag_dip_angle_adaptive_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_MAG_DIP_ANGLE_ADAPTIVE_RESPONSE 0x0DB5
+/** Its descriptor. */
 #define MIP_FILTER_MAG_DIP_ANGLE_ADAPTIVE_RESPONSE_DESCRIPTOR 0xB5
+/** Its name in the specification. */
 #define MIP_FILTER_MAG_DIP_ANGLE_ADAPTIVE_RESPONSE_NAME \
     "filter.mag_dip_angle_error_adaptive_measurement_response"
 
@@ -5451,7 +5642,10 @@ static inline mip_error mip_filter_mag_dip_angle_adaptive_response_encode_inline
  * - mip-sdk-4: Altitude Aiding (0x0D,0x47)
  */
 struct mip_filter_altitude_aiding {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -5463,7 +5657,9 @@ struct mip_filter_altitude_aiding {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_ALTITUDE_AIDING 0x0D47
+/** Its descriptor. */
 #define MIP_FILTER_ALTITUDE_AIDING_DESCRIPTOR 0x47
+/** Its name in the specification. */
 #define MIP_FILTER_ALTITUDE_AIDING_NAME "filter.altitude_aiding"
 
 /** Its wire format. */
@@ -5551,7 +5747,9 @@ struct mip_filter_altitude_aiding_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_ALTITUDE_AIDING_RESPONSE 0x0DB7
+/** Its descriptor. */
 #define MIP_FILTER_ALTITUDE_AIDING_RESPONSE_DESCRIPTOR 0xB7
+/** Its name in the specification. */
 #define MIP_FILTER_ALTITUDE_AIDING_RESPONSE_NAME "filter.altitude_aiding_response"
 
 /** Its wire format. */
@@ -5603,7 +5801,10 @@ static inline mip_error mip_filter_altitude_aiding_response_encode_inline(
  * - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
  */
 struct mip_filter_pitch_roll_aiding {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -5616,7 +5817,9 @@ struct mip_filter_pitch_roll_aiding {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_PITCH_ROLL_AIDING 0x0D4B
+/** Its descriptor. */
 #define MIP_FILTER_PITCH_ROLL_AIDING_DESCRIPTOR 0x4B
+/** Its name in the specification. */
 #define MIP_FILTER_PITCH_ROLL_AIDING_NAME "filter.pitch_roll_aiding"
 
 /** Its wire format. */
@@ -5703,7 +5906,9 @@ struct mip_filter_pitch_roll_aiding_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_PITCH_ROLL_AIDING_RESPONSE 0x0DBB
+/** Its descriptor. */
 #define MIP_FILTER_PITCH_ROLL_AIDING_RESPONSE_DESCRIPTOR 0xBB
+/** Its name in the specification. */
 #define MIP_FILTER_PITCH_ROLL_AIDING_RESPONSE_NAME "filter.pitch_roll_aiding_response"
 
 /** Its wire format. */
@@ -5758,7 +5963,10 @@ static inline mip_error mip_filter_pitch_roll_aiding_response_encode_inline(
  * - mip-sdk-4: Inclination Source (0x0D,0x4C)
  */
 struct mip_filter_magnetic_inclination_source {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -5776,7 +5984,9 @@ struct mip_filter_magnetic_inclination_source {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_MAGNETIC_INCLINATION_SOURCE 0x0D4C
+/** Its descriptor. */
 #define MIP_FILTER_MAGNETIC_INCLINATION_SOURCE_DESCRIPTOR 0x4C
+/** Its name in the specification. */
 #define MIP_FILTER_MAGNETIC_INCLINATION_SOURCE_NAME "filter.magnetic_inclination_source"
 
 /** Its wire format. */
@@ -5876,7 +6086,9 @@ struct mip_filter_magnetic_inclination_source_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_MAGNETIC_INCLINATION_SOURCE_RESPONSE 0x0DBC
+/** Its descriptor. */
 #define MIP_FILTER_MAGNETIC_INCLINATION_SOURCE_RESPONSE_DESCRIPTOR 0xBC
+/** Its name in the specification. */
 #define MIP_FILTER_MAGNETIC_INCLINATION_SOURCE_RESPONSE_NAME \
     "filter.magnetic_inclination_source_response"
 
@@ -5938,7 +6150,10 @@ static inline mip_error mip_filter_magnetic_inclination_source_response_encode_i
  * - mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D)
  */
 struct mip_filter_magnetic_magnitude_source {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -5955,7 +6170,9 @@ struct mip_filter_magnetic_magnitude_source {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_MAGNETIC_MAGNITUDE_SOURCE 0x0D4D
+/** Its descriptor. */
 #define MIP_FILTER_MAGNETIC_MAGNITUDE_SOURCE_DESCRIPTOR 0x4D
+/** Its name in the specification. */
 #define MIP_FILTER_MAGNETIC_MAGNITUDE_SOURCE_NAME "filter.magnetic_magnitude_source"
 
 /** Its wire format. */
@@ -6051,7 +6268,9 @@ struct mip_filter_magnetic_magnitude_source_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_MAGNETIC_MAGNITUDE_SOURCE_RESPONSE 0x0DBD
+/** Its descriptor. */
 #define MIP_FILTER_MAGNETIC_MAGNITUDE_SOURCE_RESPONSE_DESCRIPTOR 0xBD
+/** Its name in the specification. */
 #define MIP_FILTER_MAGNETIC_MAGNITUDE_SOURCE_RESPONSE_NAME \
     "filter.magnetic_magnitude_source_response"
 
@@ -6121,7 +6340,10 @@ static inline mip_error mip_filter_magnetic_magnitude_source_response_encode_inl
  * - mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E)
  */
 struct mip_filter_sensor_to_vehicle_dcm {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -6134,7 +6356,9 @@ struct mip_filter_sensor_to_vehicle_dcm {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_DCM 0x0D4E
+/** Its descriptor. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_DCM_DESCRIPTOR 0x4E
+/** Its name in the specification. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_DCM_NAME "filter.sensor_to_vehicle_rotation_dcm"
 
 /** Its wire format. */
@@ -6226,7 +6450,9 @@ struct mip_filter_sensor_to_vehicle_dcm_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_DCM_RESPONSE 0x0DBE
+/** Its descriptor. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_DCM_RESPONSE_DESCRIPTOR 0xBE
+/** Its name in the specification. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_DCM_RESPONSE_NAME \
     "filter.sensor_to_vehicle_rotation_dcm_response"
 
@@ -6294,7 +6520,10 @@ static inline mip_error mip_filter_sensor_to_vehicle_dcm_response_encode_inline(
  * - mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F)
  */
 struct mip_filter_sensor_to_vehicle_quaternion {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -6307,7 +6536,9 @@ struct mip_filter_sensor_to_vehicle_quaternion {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_QUATERNION 0x0D4F
+/** Its descriptor. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_QUATERNION_DESCRIPTOR 0x4F
+/** Its name in the specification. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_QUATERNION_NAME "filter.sensor_to_vehicle_rotation_quaternion"
 
 /** Its wire format. */
@@ -6404,7 +6635,9 @@ struct mip_filter_sensor_to_vehicle_quaternion_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_QUATERNION_RESPONSE 0x0DBF
+/** Its descriptor. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_QUATERNION_RESPONSE_DESCRIPTOR 0xBF
+/** Its name in the specification. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_QUATERNION_RESPONSE_NAME \
     "filter.sensor_to_vehicle_rotation_quaternion_response"
 
@@ -6458,13 +6691,15 @@ static inline mip_error mip_filter_sensor_to_vehicle_quaternion_response_encode_
  * Enables or disables one source of aiding measurements.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_aiding_measurement_enable_response. Supported by 3DM-CV7-GNSS/INS. May be supported by
- * 3DM-CV7-AHRS and 3DM-CV7-AR.
+ * mip_filter_aiding_measurement_enable_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
  */
 struct mip_filter_aiding_measurement_enable {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -6481,7 +6716,9 @@ struct mip_filter_aiding_measurement_enable {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_AIDING_MEASUREMENT_ENABLE 0x0D50
+/** Its descriptor. */
 #define MIP_FILTER_AIDING_MEASUREMENT_ENABLE_DESCRIPTOR 0x50
+/** Its name in the specification. */
 #define MIP_FILTER_AIDING_MEASUREMENT_ENABLE_NAME "filter.aiding_measurement_enable"
 
 /** Its wire format. */
@@ -6568,8 +6805,7 @@ mip_filter_aiding_measurement_enable_default(struct mip_filter_aiding_measuremen
 /**
  * Aiding measurement control response: response (0x0D,0xD0).
  *
- * Answers mip_filter_aiding_measurement_enable. Supported by 3DM-CV7-GNSS/INS. May be supported by
- * 3DM-CV7-AHRS and 3DM-CV7-AR.
+ * Answers mip_filter_aiding_measurement_enable. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
  */
@@ -6584,7 +6820,9 @@ struct mip_filter_aiding_measurement_enable_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_AIDING_MEASUREMENT_ENABLE_RESPONSE 0x0DD0
+/** Its descriptor. */
 #define MIP_FILTER_AIDING_MEASUREMENT_ENABLE_RESPONSE_DESCRIPTOR 0xD0
+/** Its name in the specification. */
 #define MIP_FILTER_AIDING_MEASUREMENT_ENABLE_RESPONSE_NAME \
     "filter.aiding_measurement_enable_response"
 
@@ -6643,7 +6881,10 @@ static inline mip_error mip_filter_aiding_measurement_enable_response_encode_inl
  * - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
  */
 struct mip_filter_kinematic_constraint {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -6666,7 +6907,9 @@ struct mip_filter_kinematic_constraint {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_KINEMATIC_CONSTRAINT 0x0D51
+/** Its descriptor. */
 #define MIP_FILTER_KINEMATIC_CONSTRAINT_DESCRIPTOR 0x51
+/** Its name in the specification. */
 #define MIP_FILTER_KINEMATIC_CONSTRAINT_NAME "filter.kinematic_constraint"
 
 /** Its wire format. */
@@ -6771,7 +7014,9 @@ struct mip_filter_kinematic_constraint_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_KINEMATIC_CONSTRAINT_RESPONSE 0x0DD1
+/** Its descriptor. */
 #define MIP_FILTER_KINEMATIC_CONSTRAINT_RESPONSE_DESCRIPTOR 0xD1
+/** Its name in the specification. */
 #define MIP_FILTER_KINEMATIC_CONSTRAINT_RESPONSE_NAME "filter.kinematic_constraint_response"
 
 /** Its wire format. */
@@ -6835,7 +7080,10 @@ static inline mip_error mip_filter_kinematic_constraint_response_encode_inline(
  * - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
  */
 struct mip_filter_initialization_config {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -6878,7 +7126,9 @@ struct mip_filter_initialization_config {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_INITIALIZATION_CONFIG 0x0D52
+/** Its descriptor. */
 #define MIP_FILTER_INITIALIZATION_CONFIG_DESCRIPTOR 0x52
+/** Its name in the specification. */
 #define MIP_FILTER_INITIALIZATION_CONFIG_NAME "filter.initialization_config"
 
 /** Its wire format. */
@@ -7005,7 +7255,9 @@ struct mip_filter_initialization_config_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_INITIALIZATION_CONFIG_RESPONSE 0x0DD2
+/** Its descriptor. */
 #define MIP_FILTER_INITIALIZATION_CONFIG_RESPONSE_DESCRIPTOR 0xD2
+/** Its name in the specification. */
 #define MIP_FILTER_INITIALIZATION_CONFIG_RESPONSE_NAME "filter.initialization_config_response"
 
 /** Its wire format. */
@@ -7076,13 +7328,15 @@ static inline mip_error mip_filter_initialization_config_response_encode_inline(
  * How the filter adapts to measurements that do not fit its model.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_adaptive_filter_options_response. Supported by 3DM-CV7-GNSS/INS. May be supported by
- * 3DM-GX5-45.
+ * mip_filter_adaptive_filter_options_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
  */
 struct mip_filter_adaptive_filter_options {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -7101,7 +7355,9 @@ struct mip_filter_adaptive_filter_options {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_ADAPTIVE_FILTER_OPTIONS 0x0D53
+/** Its descriptor. */
 #define MIP_FILTER_ADAPTIVE_FILTER_OPTIONS_DESCRIPTOR 0x53
+/** Its name in the specification. */
 #define MIP_FILTER_ADAPTIVE_FILTER_OPTIONS_NAME "filter.adaptive_filter_options"
 
 /** Its wire format. */
@@ -7179,8 +7435,7 @@ mip_filter_adaptive_filter_options_default(struct mip_filter_adaptive_filter_opt
 /**
  * Adaptive filter control response: response (0x0D,0xD3).
  *
- * Answers mip_filter_adaptive_filter_options. Supported by 3DM-CV7-GNSS/INS. May be supported by
- * 3DM-GX5-45.
+ * Answers mip_filter_adaptive_filter_options. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
  */
@@ -7193,7 +7448,9 @@ struct mip_filter_adaptive_filter_options_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_ADAPTIVE_FILTER_OPTIONS_RESPONSE 0x0DD3
+/** Its descriptor. */
 #define MIP_FILTER_ADAPTIVE_FILTER_OPTIONS_RESPONSE_DESCRIPTOR 0xD3
+/** Its name in the specification. */
 #define MIP_FILTER_ADAPTIVE_FILTER_OPTIONS_RESPONSE_NAME "filter.adaptive_filter_options_response"
 
 /** Its wire format. */
@@ -7247,7 +7504,10 @@ static inline mip_error mip_filter_adaptive_filter_options_response_encode_inlin
  * - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
  */
 struct mip_filter_multi_antenna_offset {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -7262,7 +7522,9 @@ struct mip_filter_multi_antenna_offset {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_MULTI_ANTENNA_OFFSET 0x0D54
+/** Its descriptor. */
 #define MIP_FILTER_MULTI_ANTENNA_OFFSET_DESCRIPTOR 0x54
+/** Its name in the specification. */
 #define MIP_FILTER_MULTI_ANTENNA_OFFSET_NAME "filter.multi_antenna_offset"
 
 /** Its wire format. */
@@ -7360,7 +7622,9 @@ struct mip_filter_multi_antenna_offset_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_MULTI_ANTENNA_OFFSET_RESPONSE 0x0DD4
+/** Its descriptor. */
 #define MIP_FILTER_MULTI_ANTENNA_OFFSET_RESPONSE_DESCRIPTOR 0xD4
+/** Its name in the specification. */
 #define MIP_FILTER_MULTI_ANTENNA_OFFSET_RESPONSE_NAME "filter.multi_antenna_offset_response"
 
 /** Its wire format. */
@@ -7418,7 +7682,10 @@ static inline mip_error mip_filter_multi_antenna_offset_response_encode_inline(
  * - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
  */
 struct mip_filter_relative_position_config {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -7439,7 +7706,9 @@ struct mip_filter_relative_position_config {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_RELATIVE_POSITION_CONFIG 0x0D55
+/** Its descriptor. */
 #define MIP_FILTER_RELATIVE_POSITION_CONFIG_DESCRIPTOR 0x55
+/** Its name in the specification. */
 #define MIP_FILTER_RELATIVE_POSITION_CONFIG_NAME "filter.relative_position_config"
 
 /** Its wire format. */
@@ -7541,7 +7810,9 @@ struct mip_filter_relative_position_config_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_RELATIVE_POSITION_CONFIG_RESPONSE 0x0DD5
+/** Its descriptor. */
 #define MIP_FILTER_RELATIVE_POSITION_CONFIG_RESPONSE_DESCRIPTOR 0xD5
+/** Its name in the specification. */
 #define MIP_FILTER_RELATIVE_POSITION_CONFIG_RESPONSE_NAME "filter.relative_position_config_response"
 
 /** Its wire format. */
@@ -7606,7 +7877,10 @@ static inline mip_error mip_filter_relative_position_config_response_encode_inli
  * - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
  */
 struct mip_filter_reference_point_lever_arm {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -7623,7 +7897,9 @@ struct mip_filter_reference_point_lever_arm {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_REFERENCE_POINT_LEVER_ARM 0x0D56
+/** Its descriptor. */
 #define MIP_FILTER_REFERENCE_POINT_LEVER_ARM_DESCRIPTOR 0x56
+/** Its name in the specification. */
 #define MIP_FILTER_REFERENCE_POINT_LEVER_ARM_NAME "filter.reference_point_lever_arm"
 
 /** Its wire format. */
@@ -7719,7 +7995,9 @@ struct mip_filter_reference_point_lever_arm_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_REFERENCE_POINT_LEVER_ARM_RESPONSE 0x0DD6
+/** Its descriptor. */
 #define MIP_FILTER_REFERENCE_POINT_LEVER_ARM_RESPONSE_DESCRIPTOR 0xD6
+/** Its name in the specification. */
 #define MIP_FILTER_REFERENCE_POINT_LEVER_ARM_RESPONSE_NAME \
     "filter.reference_point_lever_arm_response"
 
@@ -7796,7 +8074,9 @@ struct mip_filter_speed_measurement {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_SPEED_MEASUREMENT 0x0D60
+/** Its descriptor. */
 #define MIP_FILTER_SPEED_MEASUREMENT_DESCRIPTOR 0x60
+/** Its name in the specification. */
 #define MIP_FILTER_SPEED_MEASUREMENT_NAME "filter.speed_measurement"
 
 /** Its wire format. */
@@ -7870,7 +8150,10 @@ static inline struct mip_filter_speed_measurement *mip_filter_speed_measurement_
  * - 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61)
  */
 struct mip_filter_speed_lever_arm {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -7885,7 +8168,9 @@ struct mip_filter_speed_lever_arm {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_SPEED_LEVER_ARM 0x0D61
+/** Its descriptor. */
 #define MIP_FILTER_SPEED_LEVER_ARM_DESCRIPTOR 0x61
+/** Its name in the specification. */
 #define MIP_FILTER_SPEED_LEVER_ARM_NAME "filter.speed_lever_arm"
 
 /** Its wire format. */
@@ -7979,7 +8264,9 @@ struct mip_filter_speed_lever_arm_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_SPEED_LEVER_ARM_RESPONSE 0x0DE1
+/** Its descriptor. */
 #define MIP_FILTER_SPEED_LEVER_ARM_RESPONSE_DESCRIPTOR 0xE1
+/** Its name in the specification. */
 #define MIP_FILTER_SPEED_LEVER_ARM_RESPONSE_NAME "filter.speed_lever_arm_response"
 
 /** Its wire format. */
@@ -8042,7 +8329,10 @@ static inline mip_error mip_filter_speed_lever_arm_response_encode_inline(
  * - mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62)
  */
 struct mip_filter_vertical_gyro_constraint {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -8052,7 +8342,9 @@ struct mip_filter_vertical_gyro_constraint {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT 0x0D62
+/** Its descriptor. */
 #define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_DESCRIPTOR 0x62
+/** Its name in the specification. */
 #define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_NAME "filter.vertical_gyro_constraint_control"
 
 /** Its wire format. */
@@ -8141,7 +8433,9 @@ struct mip_filter_vertical_gyro_constraint_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_RESPONSE 0x0DE2
+/** Its descriptor. */
 #define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_RESPONSE_DESCRIPTOR 0xE2
+/** Its name in the specification. */
 #define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_RESPONSE_NAME \
     "filter.vertical_gyro_constraint_control_response"
 
@@ -8199,7 +8493,10 @@ static inline mip_error mip_filter_vertical_gyro_constraint_response_encode_inli
  * - 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63)
  */
 struct mip_filter_wheeled_vehicle_constraint {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -8209,7 +8506,9 @@ struct mip_filter_wheeled_vehicle_constraint {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT 0x0D63
+/** Its descriptor. */
 #define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_DESCRIPTOR 0x63
+/** Its name in the specification. */
 #define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_NAME "filter.wheeled_vehicle_constraint_control"
 
 /** Its wire format. */
@@ -8300,7 +8599,9 @@ struct mip_filter_wheeled_vehicle_constraint_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_RESPONSE 0x0DE3
+/** Its descriptor. */
 #define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_RESPONSE_DESCRIPTOR 0xE3
+/** Its name in the specification. */
 #define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_RESPONSE_NAME \
     "filter.wheeled_vehicle_constraint_control_response"
 
@@ -8359,7 +8660,10 @@ static inline mip_error mip_filter_wheeled_vehicle_constraint_response_encode_in
  * - 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration
  */
 struct mip_filter_gnss_antenna_calibration {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -8374,7 +8678,9 @@ struct mip_filter_gnss_antenna_calibration {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_GNSS_ANTENNA_CALIBRATION 0x0D64
+/** Its descriptor. */
 #define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_DESCRIPTOR 0x64
+/** Its name in the specification. */
 #define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_NAME "filter.gnss_antenna_calibration_control"
 
 /** Its wire format. */
@@ -8471,7 +8777,9 @@ struct mip_filter_gnss_antenna_calibration_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_RESPONSE 0x0DE4
+/** Its descriptor. */
 #define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_RESPONSE_DESCRIPTOR 0xE4
+/** Its name in the specification. */
 #define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_RESPONSE_NAME \
     "filter.gnss_antenna_calibration_control_response"
 

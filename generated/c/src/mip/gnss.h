@@ -91,7 +91,9 @@ struct mip_gnss_receiver_info {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_RECEIVER_INFO 0x0E01
+/** Its descriptor. */
 #define MIP_GNSS_RECEIVER_INFO_DESCRIPTOR 0x01
+/** Its name in the specification. */
 #define MIP_GNSS_RECEIVER_INFO_NAME "gnss.receiver_info"
 
 /** Its wire format. */
@@ -124,7 +126,9 @@ struct mip_gnss_receiver_info_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_RECEIVER_INFO_RESPONSE 0x0E81
+/** Its descriptor. */
 #define MIP_GNSS_RECEIVER_INFO_RESPONSE_DESCRIPTOR 0x81
+/** Its name in the specification. */
 #define MIP_GNSS_RECEIVER_INFO_RESPONSE_NAME "gnss.receiver_info_response"
 
 /** Its wire format. */
@@ -158,7 +162,10 @@ static inline mip_error mip_gnss_receiver_info_response_encode(
  * - 3dm-cv7-gnss-ins: GNSS
  */
 struct mip_gnss_signal_config {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -176,7 +183,9 @@ struct mip_gnss_signal_config {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_SIGNAL_CONFIG 0x0E02
+/** Its descriptor. */
 #define MIP_GNSS_SIGNAL_CONFIG_DESCRIPTOR 0x02
+/** Its name in the specification. */
 #define MIP_GNSS_SIGNAL_CONFIG_NAME "gnss.signal_config"
 
 /** Its wire format. */
@@ -278,7 +287,9 @@ struct mip_gnss_signal_config_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_SIGNAL_CONFIG_RESPONSE 0x0E82
+/** Its descriptor. */
 #define MIP_GNSS_SIGNAL_CONFIG_RESPONSE_DESCRIPTOR 0x82
+/** Its name in the specification. */
 #define MIP_GNSS_SIGNAL_CONFIG_RESPONSE_NAME "gnss.signal_config_response"
 
 /** Its wire format. */
@@ -339,7 +350,10 @@ static inline mip_error mip_gnss_signal_config_response_encode_inline(
  * - mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)
  */
 struct mip_gnss_rtk_dongle_config {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -351,7 +365,9 @@ struct mip_gnss_rtk_dongle_config {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_RTK_DONGLE_CONFIG 0x0E10
+/** Its descriptor. */
 #define MIP_GNSS_RTK_DONGLE_CONFIG_DESCRIPTOR 0x10
+/** Its name in the specification. */
 #define MIP_GNSS_RTK_DONGLE_CONFIG_NAME "gnss.rtk_dongle_config"
 
 /** Its wire format. */
@@ -441,7 +457,9 @@ struct mip_gnss_rtk_dongle_config_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_RTK_DONGLE_CONFIG_RESPONSE 0x0E90
+/** Its descriptor. */
 #define MIP_GNSS_RTK_DONGLE_CONFIG_RESPONSE_DESCRIPTOR 0x90
+/** Its name in the specification. */
 #define MIP_GNSS_RTK_DONGLE_CONFIG_RESPONSE_NAME "gnss.rtk_dongle_config_response"
 
 /** Its wire format. */
@@ -506,7 +524,10 @@ static inline mip_error mip_gnss_rtk_dongle_config_response_encode_inline(
  * - 3dm-cv7-gnss-ins: SPARTN Corrections via UART
  */
 struct mip_gnss_spartn_config {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -530,7 +551,9 @@ struct mip_gnss_spartn_config {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_SPARTN_CONFIG 0x0E20
+/** Its descriptor. */
 #define MIP_GNSS_SPARTN_CONFIG_DESCRIPTOR 0x20
+/** Its name in the specification. */
 #define MIP_GNSS_SPARTN_CONFIG_NAME "gnss.spartn_config"
 
 /** Its wire format. */
@@ -643,7 +666,9 @@ struct mip_gnss_spartn_config_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_SPARTN_CONFIG_RESPONSE 0x0EA0
+/** Its descriptor. */
 #define MIP_GNSS_SPARTN_CONFIG_RESPONSE_DESCRIPTOR 0xA0
+/** Its name in the specification. */
 #define MIP_GNSS_SPARTN_CONFIG_RESPONSE_NAME "gnss.spartn_config_response"
 
 /** Its wire format. */

@@ -70,7 +70,9 @@ struct mip_gnss_external_2_llh_position {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_LLH_POSITION 0x9503
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_LLH_POSITION_DESCRIPTOR 0x03
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_LLH_POSITION_NAME "gnss_external_2.llh_position"
 
 /** Its wire format. */
@@ -150,7 +152,9 @@ struct mip_gnss_external_2_ecef_position {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_ECEF_POSITION 0x9504
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_ECEF_POSITION_DESCRIPTOR 0x04
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_ECEF_POSITION_NAME "gnss_external_2.ecef_position"
 
 /** Its wire format. */
@@ -246,7 +250,9 @@ struct mip_gnss_external_2_ned_velocity {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_NED_VELOCITY 0x9505
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_NED_VELOCITY_DESCRIPTOR 0x05
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_NED_VELOCITY_NAME "gnss_external_2.ned_velocity"
 
 /** Its wire format. */
@@ -330,7 +336,9 @@ struct mip_gnss_external_2_ecef_velocity {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_ECEF_VELOCITY 0x9506
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_ECEF_VELOCITY_DESCRIPTOR 0x06
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_ECEF_VELOCITY_NAME "gnss_external_2.ecef_velocity"
 
 /** Its wire format. */
@@ -410,7 +418,9 @@ struct mip_gnss_external_2_dop {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_DOP 0x9507
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_DOP_DESCRIPTOR 0x07
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_DOP_NAME "gnss_external_2.dop"
 
 /** Its wire format. */
@@ -514,7 +524,9 @@ struct mip_gnss_external_2_utc_time {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_UTC_TIME 0x9508
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_UTC_TIME_DESCRIPTOR 0x08
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_UTC_TIME_NAME "gnss_external_2.utc_time"
 
 /** Its wire format. */
@@ -593,7 +605,9 @@ struct mip_gnss_external_2_gps_time {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_GPS_TIME 0x9509
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_GPS_TIME_DESCRIPTOR 0x09
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_GPS_TIME_NAME "gnss_external_2.gps_time"
 
 /** Its wire format. */
@@ -671,7 +685,9 @@ struct mip_gnss_external_2_clock_info {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_CLOCK_INFO 0x950A
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_CLOCK_INFO_DESCRIPTOR 0x0A
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_CLOCK_INFO_NAME "gnss_external_2.clock_info"
 
 /** Its wire format. */
@@ -747,7 +763,9 @@ struct mip_gnss_external_2_fix_info {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_FIX_INFO 0x950B
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_FIX_INFO_DESCRIPTOR 0x0B
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_FIX_INFO_NAME "gnss_external_2.fix_info"
 
 /** Its wire format. */
@@ -834,7 +852,9 @@ struct mip_gnss_external_2_sv_info {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_SV_INFO 0x950C
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_SV_INFO_DESCRIPTOR 0x0C
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_SV_INFO_NAME "gnss_external_2.sv_info"
 
 /** Its wire format. */
@@ -919,7 +939,9 @@ struct mip_gnss_external_2_hardware_status {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_HARDWARE_STATUS 0x950D
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_HARDWARE_STATUS_DESCRIPTOR 0x0D
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_HARDWARE_STATUS_NAME "gnss_external_2.hardware_status"
 
 /** Its wire format. */
@@ -1007,7 +1029,9 @@ struct mip_gnss_external_2_dgps_info {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_DGPS_INFO 0x950E
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_DGPS_INFO_DESCRIPTOR 0x0E
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_DGPS_INFO_NAME "gnss_external_2.dgps_info"
 
 /** Its wire format. */
@@ -1095,7 +1119,9 @@ struct mip_gnss_external_2_dgps_channel {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_DGPS_CHANNEL 0x950F
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_DGPS_CHANNEL_DESCRIPTOR 0x0F
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_DGPS_CHANNEL_NAME "gnss_external_2.dgps_channel"
 
 /** Its wire format. */
@@ -1183,7 +1209,9 @@ struct mip_gnss_external_2_clock_info_2 {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_CLOCK_INFO_2 0x9510
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_CLOCK_INFO_2_DESCRIPTOR 0x10
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_CLOCK_INFO_2_NAME "gnss_external_2.clock_info_2"
 
 /** Its wire format. */
@@ -1254,7 +1282,9 @@ struct mip_gnss_external_2_gps_leap_seconds {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_GPS_LEAP_SECONDS 0x9511
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_GPS_LEAP_SECONDS_DESCRIPTOR 0x11
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_GPS_LEAP_SECONDS_NAME "gnss_external_2.gps_leap_seconds"
 
 /** Its wire format. */
@@ -1337,7 +1367,9 @@ struct mip_gnss_external_2_sbas_info {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_SBAS_INFO 0x9512
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_SBAS_INFO_DESCRIPTOR 0x12
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_SBAS_INFO_NAME "gnss_external_2.sbas_info"
 
 /** Its wire format. */
@@ -1440,7 +1472,9 @@ struct mip_gnss_external_2_sbas_correction {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_SBAS_CORRECTION 0x9513
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_SBAS_CORRECTION_DESCRIPTOR 0x13
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_SBAS_CORRECTION_NAME "gnss_external_2.sbas_correction"
 
 /** Its wire format. */
@@ -1533,7 +1567,9 @@ struct mip_gnss_external_2_rf_error_detection {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_RF_ERROR_DETECTION 0x9514
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_RF_ERROR_DETECTION_DESCRIPTOR 0x14
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_RF_ERROR_DETECTION_NAME "gnss_external_2.rf_error_detection"
 
 /** Its wire format. */
@@ -1640,7 +1676,9 @@ struct mip_gnss_external_2_satellite_status {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_SATELLITE_STATUS 0x9520
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_SATELLITE_STATUS_DESCRIPTOR 0x20
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_SATELLITE_STATUS_NAME "gnss_external_2.satellite_status"
 
 /** Its wire format. */
@@ -1794,7 +1832,9 @@ struct mip_gnss_external_2_raw {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_RAW 0x9522
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_RAW_DESCRIPTOR 0x22
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_RAW_NAME "gnss_external_2.raw"
 
 /** Its wire format. */
@@ -1918,7 +1958,9 @@ struct mip_gnss_external_2_base_station_info {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_BASE_STATION_INFO 0x9530
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_BASE_STATION_INFO_DESCRIPTOR 0x30
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_BASE_STATION_INFO_NAME "gnss_external_2.base_station_info"
 
 /** Its wire format. */
@@ -2036,7 +2078,9 @@ struct mip_gnss_external_2_rtk_corrections_status {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_RTK_CORRECTIONS_STATUS 0x9531
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_RTK_CORRECTIONS_STATUS_DESCRIPTOR 0x31
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_RTK_CORRECTIONS_STATUS_NAME "gnss_external_2.rtk_corrections_status"
 
 /** Its wire format. */
@@ -2259,7 +2303,9 @@ struct mip_gnss_external_2_gps_ephemeris {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_GPS_EPHEMERIS 0x9561
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_GPS_EPHEMERIS_DESCRIPTOR 0x61
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_GPS_EPHEMERIS_NAME "gnss_external_2.gps_ephemeris"
 
 /** Its wire format. */
@@ -2492,7 +2538,9 @@ struct mip_gnss_external_2_glonass_ephemeris {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_GLONASS_EPHEMERIS 0x9562
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_GLONASS_EPHEMERIS_DESCRIPTOR 0x62
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_GLONASS_EPHEMERIS_NAME "gnss_external_2.glonass_ephemeris"
 
 /** Its wire format. */
@@ -2756,7 +2804,9 @@ struct mip_gnss_external_2_galileo_ephemeris {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_GALILEO_EPHEMERIS 0x9563
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_GALILEO_EPHEMERIS_DESCRIPTOR 0x63
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_GALILEO_EPHEMERIS_NAME "gnss_external_2.galileo_ephemeris"
 
 /** Its wire format. */
@@ -3026,7 +3076,9 @@ struct mip_gnss_external_2_beidou_ephemeris {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_BEIDOU_EPHEMERIS 0x9564
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_BEIDOU_EPHEMERIS_DESCRIPTOR 0x64
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_BEIDOU_EPHEMERIS_NAME "gnss_external_2.beidou_ephemeris"
 
 /** Its wire format. */
@@ -3170,7 +3222,9 @@ struct mip_gnss_external_2_gps_iono_correction {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_GPS_IONO_CORRECTION 0x9571
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_GPS_IONO_CORRECTION_DESCRIPTOR 0x71
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_GPS_IONO_CORRECTION_NAME "gnss_external_2.gps_iono_correction"
 
 /** Its wire format. */
@@ -3265,7 +3319,9 @@ struct mip_gnss_external_2_galileo_iono_correction {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_GALILEO_IONO_CORRECTION 0x9573
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_GALILEO_IONO_CORRECTION_DESCRIPTOR 0x73
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_GALILEO_IONO_CORRECTION_NAME "gnss_external_2.galileo_iono_correction"
 
 /** Its wire format. */
@@ -3361,7 +3417,9 @@ struct mip_gnss_external_2_beidou_iono_correction {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_BEIDOU_IONO_CORRECTION 0x9574
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_BEIDOU_IONO_CORRECTION_DESCRIPTOR 0x74
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_BEIDOU_IONO_CORRECTION_NAME "gnss_external_2.beidou_iono_correction"
 
 /** Its wire format. */

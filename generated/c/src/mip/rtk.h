@@ -94,7 +94,9 @@ struct mip_rtk_get_status_flags {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_RTK_GET_STATUS_FLAGS 0x0F01
+/** Its descriptor. */
 #define MIP_RTK_GET_STATUS_FLAGS_DESCRIPTOR 0x01
+/** Its name in the specification. */
 #define MIP_RTK_GET_STATUS_FLAGS_NAME "rtk.get_status_flags"
 
 /** Its wire format. */
@@ -125,7 +127,9 @@ struct mip_rtk_get_status_flags_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_RTK_GET_STATUS_FLAGS_RESPONSE 0x0F81
+/** Its descriptor. */
 #define MIP_RTK_GET_STATUS_FLAGS_RESPONSE_DESCRIPTOR 0x81
+/** Its name in the specification. */
 #define MIP_RTK_GET_STATUS_FLAGS_RESPONSE_NAME "rtk.get_status_flags_response"
 
 /** Its wire format. */
@@ -183,7 +187,9 @@ struct mip_rtk_get_imei {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_RTK_GET_IMEI 0x0F02
+/** Its descriptor. */
 #define MIP_RTK_GET_IMEI_DESCRIPTOR 0x02
+/** Its name in the specification. */
 #define MIP_RTK_GET_IMEI_NAME "rtk.get_imei"
 
 /** Its wire format. */
@@ -214,7 +220,9 @@ struct mip_rtk_get_imei_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_RTK_GET_IMEI_RESPONSE 0x0F82
+/** Its descriptor. */
 #define MIP_RTK_GET_IMEI_RESPONSE_DESCRIPTOR 0x82
+/** Its name in the specification. */
 #define MIP_RTK_GET_IMEI_RESPONSE_NAME "rtk.get_imei_response"
 
 /** Its wire format. */
@@ -273,7 +281,9 @@ struct mip_rtk_get_imsi {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_RTK_GET_IMSI 0x0F03
+/** Its descriptor. */
 #define MIP_RTK_GET_IMSI_DESCRIPTOR 0x03
+/** Its name in the specification. */
 #define MIP_RTK_GET_IMSI_NAME "rtk.get_imsi"
 
 /** Its wire format. */
@@ -304,7 +314,9 @@ struct mip_rtk_get_imsi_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_RTK_GET_IMSI_RESPONSE 0x0F83
+/** Its descriptor. */
 #define MIP_RTK_GET_IMSI_RESPONSE_DESCRIPTOR 0x83
+/** Its name in the specification. */
 #define MIP_RTK_GET_IMSI_RESPONSE_NAME "rtk.get_imsi_response"
 
 /** Its wire format. */
@@ -363,7 +375,9 @@ struct mip_rtk_get_iccid {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_RTK_GET_ICCID 0x0F04
+/** Its descriptor. */
 #define MIP_RTK_GET_ICCID_DESCRIPTOR 0x04
+/** Its name in the specification. */
 #define MIP_RTK_GET_ICCID_NAME "rtk.get_iccid"
 
 /** Its wire format. */
@@ -394,7 +408,9 @@ struct mip_rtk_get_iccid_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_RTK_GET_ICCID_RESPONSE 0x0F84
+/** Its descriptor. */
 #define MIP_RTK_GET_ICCID_RESPONSE_DESCRIPTOR 0x84
+/** Its name in the specification. */
 #define MIP_RTK_GET_ICCID_RESPONSE_NAME "rtk.get_iccid_response"
 
 /** Its wire format. */
@@ -453,7 +469,9 @@ struct mip_rtk_get_rssi {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_RTK_GET_RSSI 0x0F05
+/** Its descriptor. */
 #define MIP_RTK_GET_RSSI_DESCRIPTOR 0x05
+/** Its name in the specification. */
 #define MIP_RTK_GET_RSSI_NAME "rtk.get_rssi"
 
 /** Its wire format. */
@@ -489,7 +507,9 @@ struct mip_rtk_get_rssi_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_RTK_GET_RSSI_RESPONSE 0x0F85
+/** Its descriptor. */
 #define MIP_RTK_GET_RSSI_RESPONSE_DESCRIPTOR 0x85
+/** Its name in the specification. */
 #define MIP_RTK_GET_RSSI_RESPONSE_NAME "rtk.get_rssi_response"
 
 /** Its wire format. */
@@ -546,7 +566,10 @@ static inline mip_error mip_rtk_get_rssi_response_encode_inline(
  * - mip-sdk-4: Connected Device Type (0x0F,0x06)
  */
 struct mip_rtk_connected_device_type {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -556,7 +579,9 @@ struct mip_rtk_connected_device_type {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_RTK_CONNECTED_DEVICE_TYPE 0x0F06
+/** Its descriptor. */
 #define MIP_RTK_CONNECTED_DEVICE_TYPE_DESCRIPTOR 0x06
+/** Its name in the specification. */
 #define MIP_RTK_CONNECTED_DEVICE_TYPE_NAME "rtk.connected_device_type"
 
 /** Its wire format. */
@@ -643,7 +668,9 @@ struct mip_rtk_connected_device_type_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_RTK_CONNECTED_DEVICE_TYPE_RESPONSE 0x0F86
+/** Its descriptor. */
 #define MIP_RTK_CONNECTED_DEVICE_TYPE_RESPONSE_DESCRIPTOR 0x86
+/** Its name in the specification. */
 #define MIP_RTK_CONNECTED_DEVICE_TYPE_RESPONSE_NAME "rtk.connected_device_type_response"
 
 /** Its wire format. */
@@ -701,7 +728,9 @@ struct mip_rtk_get_activation_code {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_RTK_GET_ACTIVATION_CODE 0x0F07
+/** Its descriptor. */
 #define MIP_RTK_GET_ACTIVATION_CODE_DESCRIPTOR 0x07
+/** Its name in the specification. */
 #define MIP_RTK_GET_ACTIVATION_CODE_NAME "rtk.get_activation_code"
 
 /** Its wire format. */
@@ -733,7 +762,9 @@ struct mip_rtk_get_activation_code_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_RTK_GET_ACTIVATION_CODE_RESPONSE 0x0F87
+/** Its descriptor. */
 #define MIP_RTK_GET_ACTIVATION_CODE_RESPONSE_DESCRIPTOR 0x87
+/** Its name in the specification. */
 #define MIP_RTK_GET_ACTIVATION_CODE_RESPONSE_NAME "rtk.get_activation_code_response"
 
 /** Its wire format. */
@@ -792,7 +823,9 @@ struct mip_rtk_get_modem_firmware_version {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_RTK_GET_MODEM_FIRMWARE_VERSION 0x0F08
+/** Its descriptor. */
 #define MIP_RTK_GET_MODEM_FIRMWARE_VERSION_DESCRIPTOR 0x08
+/** Its name in the specification. */
 #define MIP_RTK_GET_MODEM_FIRMWARE_VERSION_NAME "rtk.get_modem_firmware_version"
 
 /** Its wire format. */
@@ -823,7 +856,9 @@ struct mip_rtk_get_modem_firmware_version_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_RTK_GET_MODEM_FIRMWARE_VERSION_RESPONSE 0x0F88
+/** Its descriptor. */
 #define MIP_RTK_GET_MODEM_FIRMWARE_VERSION_RESPONSE_DESCRIPTOR 0x88
+/** Its name in the specification. */
 #define MIP_RTK_GET_MODEM_FIRMWARE_VERSION_RESPONSE_NAME "rtk.get_modem_firmware_version_response"
 
 /** Its wire format. */
@@ -886,7 +921,9 @@ struct mip_rtk_service_status {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_RTK_SERVICE_STATUS 0x0F0A
+/** Its descriptor. */
 #define MIP_RTK_SERVICE_STATUS_DESCRIPTOR 0x0A
+/** Its name in the specification. */
 #define MIP_RTK_SERVICE_STATUS_NAME "rtk.service_status"
 
 /** Its wire format. */
@@ -952,7 +989,9 @@ struct mip_rtk_service_status_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_RTK_SERVICE_STATUS_RESPONSE 0x0F8A
+/** Its descriptor. */
 #define MIP_RTK_SERVICE_STATUS_RESPONSE_DESCRIPTOR 0x8A
+/** Its name in the specification. */
 #define MIP_RTK_SERVICE_STATUS_RESPONSE_NAME "rtk.service_status_response"
 
 /** Its wire format. */
@@ -1020,7 +1059,9 @@ struct mip_rtk_erase_storage {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_RTK_ERASE_STORAGE 0x0F20
+/** Its descriptor. */
 #define MIP_RTK_ERASE_STORAGE_DESCRIPTOR 0x20
+/** Its name in the specification. */
 #define MIP_RTK_ERASE_STORAGE_NAME "rtk.erase_storage"
 
 /** Its wire format. */
@@ -1096,7 +1137,9 @@ struct mip_rtk_led_control {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_RTK_LED_CONTROL 0x0F21
+/** Its descriptor. */
 #define MIP_RTK_LED_CONTROL_DESCRIPTOR 0x21
+/** Its name in the specification. */
 #define MIP_RTK_LED_CONTROL_NAME "rtk.led_control"
 
 /** Its wire format. */
@@ -1178,7 +1221,9 @@ struct mip_rtk_modem_hard_reset {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_RTK_MODEM_HARD_RESET 0x0F22
+/** Its descriptor. */
 #define MIP_RTK_MODEM_HARD_RESET_DESCRIPTOR 0x22
+/** Its name in the specification. */
 #define MIP_RTK_MODEM_HARD_RESET_NAME "rtk.modem_hard_reset"
 
 /** Its wire format. */

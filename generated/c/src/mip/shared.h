@@ -54,7 +54,9 @@ struct mip_shared_event_source {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SHARED_EVENT_SOURCE 0xFFD0
+/** Its descriptor. */
 #define MIP_SHARED_EVENT_SOURCE_DESCRIPTOR 0xD0
+/** Its name in the specification. */
 #define MIP_SHARED_EVENT_SOURCE_NAME "shared.event_source"
 
 /** Its wire format. */
@@ -115,7 +117,9 @@ struct mip_shared_ticks {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SHARED_TICKS 0xFFD1
+/** Its descriptor. */
 #define MIP_SHARED_TICKS_DESCRIPTOR 0xD1
+/** Its name in the specification. */
 #define MIP_SHARED_TICKS_NAME "shared.ticks"
 
 /** Its wire format. */
@@ -175,7 +179,9 @@ struct mip_shared_delta_ticks {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SHARED_DELTA_TICKS 0xFFD2
+/** Its descriptor. */
 #define MIP_SHARED_DELTA_TICKS_DESCRIPTOR 0xD2
+/** Its name in the specification. */
 #define MIP_SHARED_DELTA_TICKS_NAME "shared.delta_ticks"
 
 /** Its wire format. */
@@ -253,7 +259,9 @@ struct mip_shared_gps_timestamp {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SHARED_GPS_TIMESTAMP 0xFFD3
+/** Its descriptor. */
 #define MIP_SHARED_GPS_TIMESTAMP_DESCRIPTOR 0xD3
+/** Its name in the specification. */
 #define MIP_SHARED_GPS_TIMESTAMP_NAME "shared.gps_timestamp"
 
 /** Its wire format. */
@@ -318,7 +326,9 @@ struct mip_shared_delta_time {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SHARED_DELTA_TIME 0xFFD4
+/** Its descriptor. */
 #define MIP_SHARED_DELTA_TIME_DESCRIPTOR 0xD4
+/** Its name in the specification. */
 #define MIP_SHARED_DELTA_TIME_NAME "shared.delta_time"
 
 /** Its wire format. */
@@ -379,7 +389,9 @@ struct mip_shared_reference_timestamp {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SHARED_REFERENCE_TIMESTAMP 0xFFD5
+/** Its descriptor. */
 #define MIP_SHARED_REFERENCE_TIMESTAMP_DESCRIPTOR 0xD5
+/** Its name in the specification. */
 #define MIP_SHARED_REFERENCE_TIMESTAMP_NAME "shared.reference_timestamp"
 
 /** Its wire format. */
@@ -438,7 +450,9 @@ struct mip_shared_reference_time_delta {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SHARED_REFERENCE_TIME_DELTA 0xFFD6
+/** Its descriptor. */
 #define MIP_SHARED_REFERENCE_TIME_DELTA_DESCRIPTOR 0xD6
+/** Its name in the specification. */
 #define MIP_SHARED_REFERENCE_TIME_DELTA_NAME "shared.reference_time_delta"
 
 /** Its wire format. */
@@ -506,7 +520,9 @@ struct mip_shared_external_timestamp {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SHARED_EXTERNAL_TIMESTAMP 0xFFD7
+/** Its descriptor. */
 #define MIP_SHARED_EXTERNAL_TIMESTAMP_DESCRIPTOR 0xD7
+/** Its name in the specification. */
 #define MIP_SHARED_EXTERNAL_TIMESTAMP_NAME "shared.external_timestamp"
 
 /** Its wire format. */
@@ -574,7 +590,9 @@ struct mip_shared_external_time_delta {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SHARED_EXTERNAL_TIME_DELTA 0xFFD8
+/** Its descriptor. */
 #define MIP_SHARED_EXTERNAL_TIME_DELTA_DESCRIPTOR 0xD8
+/** Its name in the specification. */
 #define MIP_SHARED_EXTERNAL_TIME_DELTA_NAME "shared.external_time_delta"
 
 /** Its wire format. */

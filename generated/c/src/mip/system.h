@@ -2,6 +2,8 @@
  * @file
  *
  * System (0x7F). Advanced commands of devices that are built from several intelligent parts.
+ *
+ * Devices that may support a field, though it is not certain, are in mip/profiles.h only.
  */
 #ifndef MIP_SYSTEM_H
 #define MIP_SYSTEM_H
@@ -74,8 +76,8 @@ MIP_API const char *mip_system_protocol_mode_name(uint8_t value);
  *
  * Protocols that a port takes in and gives out.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_system_interface_control_response. May be supported by 3DM-CV7-GNSS/INS.
+ * No device is certain to support it. Functions: write, read, save, load and default. Answered by
+ * mip_system_interface_control_response.
  *
  * Accepted on the main port only. The main port always keeps MIP in both directions.
  *
@@ -93,7 +95,10 @@ MIP_API const char *mip_system_protocol_mode_name(uint8_t value);
  * - 3dm-cv7-gnss-ins: Ports
  */
 struct mip_system_interface_control {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -110,7 +115,9 @@ struct mip_system_interface_control {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SYSTEM_INTERFACE_CONTROL 0x7F02
+/** Its descriptor. */
 #define MIP_SYSTEM_INTERFACE_CONTROL_DESCRIPTOR 0x02
+/** Its name in the specification. */
 #define MIP_SYSTEM_INTERFACE_CONTROL_NAME "system.interface_control"
 
 /** Its wire format. */
@@ -193,7 +200,7 @@ static inline struct mip_system_interface_control *mip_system_interface_control_
 /**
  * Interface control response: response (0x7F,0x82).
  *
- * Answers mip_system_interface_control. May be supported by 3DM-CV7-GNSS/INS.
+ * No device is certain to support it. Answers mip_system_interface_control.
  *
  * - mip-sdk-4: Interface Control (0x7F,0x02)
  * - 3dm-cv7-gnss-ins: Ports
@@ -212,7 +219,9 @@ struct mip_system_interface_control_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SYSTEM_INTERFACE_CONTROL_RESPONSE 0x7F82
+/** Its descriptor. */
 #define MIP_SYSTEM_INTERFACE_CONTROL_RESPONSE_DESCRIPTOR 0x82
+/** Its name in the specification. */
 #define MIP_SYSTEM_INTERFACE_CONTROL_RESPONSE_NAME "system.interface_control_response"
 
 /** Its wire format. */
@@ -272,7 +281,10 @@ static inline mip_error mip_system_interface_control_response_encode_inline(
  * - 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10)
  */
 struct mip_system_comm_mode {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -286,7 +298,9 @@ struct mip_system_comm_mode {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SYSTEM_COMM_MODE 0x7F10
+/** Its descriptor. */
 #define MIP_SYSTEM_COMM_MODE_DESCRIPTOR 0x10
+/** Its name in the specification. */
 #define MIP_SYSTEM_COMM_MODE_NAME "system.comm_mode"
 
 /** Its wire format. */
@@ -376,7 +390,9 @@ struct mip_system_comm_mode_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SYSTEM_COMM_MODE_RESPONSE 0x7F90
+/** Its descriptor. */
 #define MIP_SYSTEM_COMM_MODE_RESPONSE_DESCRIPTOR 0x90
+/** Its name in the specification. */
 #define MIP_SYSTEM_COMM_MODE_RESPONSE_NAME "system.comm_mode_response"
 
 /** Its wire format. */

@@ -29,6 +29,7 @@ def files(model: m.Model) -> Iterator[File]:
     if taste:
         yield File("taste.c", "verbatim.j2", {"text": taste})
     shown = {"taste": taste.partition("*/\n")[2].rstrip(), "client": model.taste("client.c").rstrip()}
+    shown["present"] = model.taste("present.c").rstrip()
     yield File("README.md", "README.md.j2", shown)
 
 
@@ -70,7 +71,7 @@ def packages(model: m.Model, made: list[File]) -> Iterator[File]:
         "summary": "The MIP protocol of MicroStrain inertial sensors",
     }
     yield File("cmake/sources.cmake", "sources.cmake.j2", facts)
-    for path in ("meson.build", "library.json", "library.properties", "idf_component.yml"):
+    for path in ("meson.build", "library.json", "library.properties", "idf_component.yml", "Doxyfile"):
         yield File(path, f"{path}.j2", facts)
 
 
@@ -151,6 +152,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "device_doc": docs.device,
         "set_doc": docs.set,
         "field_doc": docs.field,
+        "present_doc": docs.present,
         "type_doc": docs.type,
         "member_doc": docs.member,
         "case_doc": docs.case,

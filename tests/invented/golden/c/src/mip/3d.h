@@ -43,7 +43,9 @@ struct mip_3d_default {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3D_DEFAULT 0x0C10
+/** Its descriptor. */
 #define MIP_3D_DEFAULT_DESCRIPTOR 0x10
+/** Its name in the specification. */
 #define MIP_3D_DEFAULT_NAME "3d.default"
 
 /** Its wire format. */

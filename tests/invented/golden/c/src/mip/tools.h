@@ -2,6 +2,8 @@
  * @file
  *
  * Tools (0x01). Commands of every shape.
+ *
+ * Devices that may support a field, though it is not certain, are in mip/profiles.h only.
  */
 #ifndef MIP_TOOLS_H
 #define MIP_TOOLS_H
@@ -21,10 +23,15 @@ extern "C" {
 
 /** Which member the union has. */
 enum mip_tools_shape {
+    /** The value `none`. */
     MIP_TOOLS_SHAPE_NONE = 0,
+    /** The value `circle`. */
     MIP_TOOLS_SHAPE_CIRCLE = 1,
+    /** The value `path`. */
     MIP_TOOLS_SHAPE_PATH = 2,
+    /** The value `turn`. */
     MIP_TOOLS_SHAPE_TURN = 3,
+    /** The value `label`. */
     MIP_TOOLS_SHAPE_LABEL = 4
 };
 
@@ -32,8 +39,11 @@ enum mip_tools_shape {
 MIP_API const char *mip_tools_shape_name(uint8_t value);
 /** How a circle is filled. */
 enum mip_tools_fill {
+    /** The value `empty`. */
     MIP_TOOLS_FILL_EMPTY = 0,
+    /** The value `solid`. */
     MIP_TOOLS_FILL_SOLID = 1,
+    /** The value `striped`. */
     MIP_TOOLS_FILL_STRIPED = 2
 };
 
@@ -77,20 +87,33 @@ struct mip_tools_path {
 
 /** What drives a pin. */
 enum mip_tools_drive {
+    /** The value `off`. */
     MIP_TOOLS_DRIVE_OFF = 0,
+    /** The value `pulse`. */
     MIP_TOOLS_DRIVE_PULSE = 1,
+    /** The value `serial`. */
     MIP_TOOLS_DRIVE_SERIAL = 2
 };
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_tools_drive_name(uint8_t value);
 /** Of a pulse. In full: pulse_use. */
-enum mip_tools_pulse { MIP_TOOLS_PULSE_INPUT = 1, MIP_TOOLS_PULSE_OUTPUT = 2 };
+enum mip_tools_pulse {
+    /** The value `input`. */
+    MIP_TOOLS_PULSE_INPUT = 1,
+    /** The value `output`. */
+    MIP_TOOLS_PULSE_OUTPUT = 2
+};
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_tools_pulse_name(uint8_t value);
 /** Of a serial line. */
-enum mip_tools_serial_use { MIP_TOOLS_SERIAL_USE_RECEIVE = 1, MIP_TOOLS_SERIAL_USE_TRANSMIT = 33 };
+enum mip_tools_serial_use {
+    /** The value `receive`. */
+    MIP_TOOLS_SERIAL_USE_RECEIVE = 1,
+    /** The value `transmit`. */
+    MIP_TOOLS_SERIAL_USE_TRANSMIT = 33
+};
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_tools_serial_use_name(uint8_t value);
@@ -123,7 +146,7 @@ typedef uint32_t mip_tools_model_b_faults;
  *
  * Tests the line.
  *
- * Supported by Model A, Model B, Model C and Old 1. May be supported by Old 2.
+ * Supported by Model A, Model B, Model C and Old 1.
  *
  * - guide: Ping
  * - leaflet: Ping
@@ -135,7 +158,9 @@ struct mip_tools_ping {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_PING 0x0101
+/** Its descriptor. */
 #define MIP_TOOLS_PING_DESCRIPTOR 0x01
+/** Its name in the specification. */
 #define MIP_TOOLS_PING_NAME "tools.ping"
 
 /** Its wire format. */
@@ -165,7 +190,11 @@ static inline mip_error mip_tools_ping_encode(const struct mip_tools_ping *value
  * - leaflet: Settings
  */
 struct mip_tools_settings {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required; with a ..._WITH_... constant, all up to that
+     * one.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -189,7 +218,9 @@ struct mip_tools_settings {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_SETTINGS 0x0102
+/** Its descriptor. */
 #define MIP_TOOLS_SETTINGS_DESCRIPTOR 0x02
+/** Its name in the specification. */
 #define MIP_TOOLS_SETTINGS_NAME "tools.settings"
 /** The value of `present` if limit is the last parameter that is there. */
 #define MIP_TOOLS_SETTINGS_WITH_LIMIT 4
@@ -319,7 +350,9 @@ struct mip_tools_settings_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_SETTINGS_RESPONSE 0x0182
+/** Its descriptor. */
 #define MIP_TOOLS_SETTINGS_RESPONSE_DESCRIPTOR 0x82
+/** Its name in the specification. */
 #define MIP_TOOLS_SETTINGS_RESPONSE_NAME "tools.settings_response"
 
 /** Its wire format. */
@@ -381,7 +414,10 @@ static inline mip_error mip_tools_settings_response_encode_inline(
  * - guide: Set time
  */
 struct mip_tools_set_time {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -393,7 +429,9 @@ struct mip_tools_set_time {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_SET_TIME 0x0103
+/** Its descriptor. */
 #define MIP_TOOLS_SET_TIME_DESCRIPTOR 0x03
+/** Its name in the specification. */
 #define MIP_TOOLS_SET_TIME_NAME "tools.set_time"
 
 /** Its wire format. */
@@ -462,7 +500,9 @@ struct mip_tools_set_time_fast_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_SET_TIME_FAST_RESPONSE 0x0183
+/** Its descriptor. */
 #define MIP_TOOLS_SET_TIME_FAST_RESPONSE_DESCRIPTOR 0x83
+/** Its name in the specification. */
 #define MIP_TOOLS_SET_TIME_FAST_RESPONSE_NAME "tools.set_time_fast_response"
 
 /** Its wire format. */
@@ -517,7 +557,9 @@ struct mip_tools_set_time_slow_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_SET_TIME_SLOW_RESPONSE 0x0184
+/** Its descriptor. */
 #define MIP_TOOLS_SET_TIME_SLOW_RESPONSE_DESCRIPTOR 0x84
+/** Its name in the specification. */
 #define MIP_TOOLS_SET_TIME_SLOW_RESPONSE_NAME "tools.set_time_slow_response"
 
 /** Its wire format. */
@@ -579,7 +621,9 @@ struct mip_tools_status {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_STATUS 0x0104
+/** Its descriptor. */
 #define MIP_TOOLS_STATUS_DESCRIPTOR 0x04
+/** Its name in the specification. */
 #define MIP_TOOLS_STATUS_NAME "tools.status"
 
 /** Its wire format. */
@@ -628,7 +672,9 @@ struct mip_tools_status_short {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_STATUS_SHORT 0x0190
+/** Its descriptor. */
 #define MIP_TOOLS_STATUS_SHORT_DESCRIPTOR 0x90
+/** Its name in the specification. */
 #define MIP_TOOLS_STATUS_SHORT_NAME "tools.status_short"
 
 /** Its wire format. */
@@ -669,7 +715,9 @@ struct mip_tools_status_long {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_STATUS_LONG 0x0190
+/** Its descriptor. */
 #define MIP_TOOLS_STATUS_LONG_DESCRIPTOR 0x90
+/** Its name in the specification. */
 #define MIP_TOOLS_STATUS_LONG_NAME "tools.status_long"
 
 /** Its wire format. */
@@ -707,7 +755,9 @@ struct mip_tools_status_old {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_STATUS_OLD 0x0190
+/** Its descriptor. */
 #define MIP_TOOLS_STATUS_OLD_DESCRIPTOR 0x90
+/** Its name in the specification. */
 #define MIP_TOOLS_STATUS_OLD_NAME "tools.status_old"
 
 /** Its wire format. */
@@ -749,7 +799,9 @@ struct mip_tools_full {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_FULL 0x0190
+/** Its descriptor. */
 #define MIP_TOOLS_FULL_DESCRIPTOR 0x90
+/** Its name in the specification. */
 #define MIP_TOOLS_FULL_NAME "tools.status_full"
 
 /** Its wire format. */
@@ -778,7 +830,10 @@ static inline mip_error mip_tools_full_encode(const struct mip_tools_full *value
  * - leaflet: Bias
  */
 struct mip_tools_bias {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -788,7 +843,9 @@ struct mip_tools_bias {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_BIAS 0x0105
+/** Its descriptor. */
 #define MIP_TOOLS_BIAS_DESCRIPTOR 0x05
+/** Its name in the specification. */
 #define MIP_TOOLS_BIAS_NAME "tools.bias"
 
 /** Its wire format. */
@@ -872,7 +929,9 @@ struct mip_tools_bias_vector {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_BIAS_VECTOR 0x019B
+/** Its descriptor. */
 #define MIP_TOOLS_BIAS_VECTOR_DESCRIPTOR 0x9B
+/** Its name in the specification. */
 #define MIP_TOOLS_BIAS_VECTOR_NAME "tools.bias_vector"
 
 /** Its wire format. */
@@ -934,7 +993,9 @@ struct mip_tools_capture_bias {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_CAPTURE_BIAS 0x0106
+/** Its descriptor. */
 #define MIP_TOOLS_CAPTURE_BIAS_DESCRIPTOR 0x06
+/** Its name in the specification. */
 #define MIP_TOOLS_CAPTURE_BIAS_NAME "tools.capture_bias"
 
 /** Its wire format. */
@@ -1008,7 +1069,9 @@ struct mip_tools_formats {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_FORMATS 0x0107
+/** Its descriptor. */
 #define MIP_TOOLS_FORMATS_DESCRIPTOR 0x07
+/** Its name in the specification. */
 #define MIP_TOOLS_FORMATS_NAME "tools.formats"
 
 /** Its wire format. */
@@ -1063,7 +1126,10 @@ union mip_tools_choice_parameters {
  * - guide: Choice
  */
 struct mip_tools_choice {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -1079,7 +1145,9 @@ struct mip_tools_choice {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_CHOICE 0x0108
+/** Its descriptor. */
 #define MIP_TOOLS_CHOICE_DESCRIPTOR 0x08
+/** Its name in the specification. */
 #define MIP_TOOLS_CHOICE_NAME "tools.choice"
 
 /** Its wire format. */
@@ -1155,7 +1223,9 @@ struct mip_tools_choice_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_CHOICE_RESPONSE 0x0188
+/** Its descriptor. */
 #define MIP_TOOLS_CHOICE_RESPONSE_DESCRIPTOR 0x88
+/** Its name in the specification. */
 #define MIP_TOOLS_CHOICE_RESPONSE_NAME "tools.choice_response"
 
 /** Its wire format. */
@@ -1183,7 +1253,10 @@ static inline mip_error mip_tools_choice_response_encode(
  * - guide: List
  */
 struct mip_tools_list {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -1195,7 +1268,9 @@ struct mip_tools_list {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_LIST 0x0109
+/** Its descriptor. */
 #define MIP_TOOLS_LIST_DESCRIPTOR 0x09
+/** Its name in the specification. */
 #define MIP_TOOLS_LIST_NAME "tools.list"
 
 /** Its wire format. */
@@ -1261,7 +1336,9 @@ struct mip_tools_list_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_LIST_RESPONSE 0x0189
+/** Its descriptor. */
 #define MIP_TOOLS_LIST_RESPONSE_DESCRIPTOR 0x89
+/** Its name in the specification. */
 #define MIP_TOOLS_LIST_RESPONSE_NAME "tools.list_response"
 
 /** Its wire format. */
@@ -1296,7 +1373,9 @@ struct mip_tools_stock {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_STOCK 0x010A
+/** Its descriptor. */
 #define MIP_TOOLS_STOCK_DESCRIPTOR 0x0A
+/** Its name in the specification. */
 #define MIP_TOOLS_STOCK_NAME "tools.inventory"
 
 /** Its wire format. */
@@ -1331,7 +1410,9 @@ struct mip_tools_stock_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_STOCK_RESPONSE 0x018A
+/** Its descriptor. */
 #define MIP_TOOLS_STOCK_RESPONSE_DESCRIPTOR 0x8A
+/** Its name in the specification. */
 #define MIP_TOOLS_STOCK_RESPONSE_NAME "tools.inventory_response"
 
 /** Its wire format. */
@@ -1358,7 +1439,10 @@ static inline mip_error mip_tools_stock_response_encode(
  * - guide: Pin
  */
 struct mip_tools_pin {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -1373,7 +1457,9 @@ struct mip_tools_pin {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_PIN 0x010B
+/** Its descriptor. */
 #define MIP_TOOLS_PIN_DESCRIPTOR 0x0B
+/** Its name in the specification. */
 #define MIP_TOOLS_PIN_NAME "tools.pin"
 
 /** Its wire format. */
@@ -1434,7 +1520,9 @@ struct mip_tools_pin_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_PIN_RESPONSE 0x018B
+/** Its descriptor. */
 #define MIP_TOOLS_PIN_RESPONSE_DESCRIPTOR 0x8B
+/** Its name in the specification. */
 #define MIP_TOOLS_PIN_RESPONSE_NAME "tools.pin_response"
 
 /** Its wire format. */
@@ -1482,13 +1570,17 @@ static inline mip_error mip_tools_pin_response_encode_inline(
  *
  * The device asks and a host answers.
  *
- * Also called `keep_alive`. Answered by mip_tools_hello_response. The device sends it, and the host
- * answers. May be supported by Model C. Known from the Kit of names only.
+ * No device is certain to support it. Also called `keep_alive`. Answered by
+ * mip_tools_hello_response. The device sends it, and the host answers. Known from the Kit of names
+ * only.
  *
  * - sheet: Hello
  */
 struct mip_tools_hello {
-    /** Parameters that are present; 0: only the required ones. */
+    /**
+     * How many parameters are there. When decoded: as many have come. To send: 0 for those that are
+     * required; with a ..._WITH_... constant, all up to that one.
+     */
     uint8_t present;
     /** Reserved: send 1.0. */
     float reserved;
@@ -1498,7 +1590,9 @@ struct mip_tools_hello {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_HELLO 0x010C
+/** Its descriptor. */
 #define MIP_TOOLS_HELLO_DESCRIPTOR 0x0C
+/** Its name in the specification. */
 #define MIP_TOOLS_HELLO_NAME "tools.hello"
 /** The value of `present` if later is the last parameter that is there. */
 #define MIP_TOOLS_HELLO_WITH_LATER 2
@@ -1520,8 +1614,8 @@ static inline mip_error mip_tools_hello_encode(const struct mip_tools_hello *val
 /**
  * Hello response: response (0x01,0x8C).
  *
- * Also called `keep_alive_response` and `welcome`. Answers mip_tools_hello. May be supported by
- * Model C. Known from the Kit of names only. Uncertain: When it comes.
+ * No device is certain to support it. Also called `keep_alive_response` and `welcome`. Answers
+ * mip_tools_hello. Known from the Kit of names only. Uncertain: When it comes.
  *
  * - sheet: Hello
  */
@@ -1532,7 +1626,9 @@ struct mip_tools_hello_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_HELLO_RESPONSE 0x018C
+/** Its descriptor. */
 #define MIP_TOOLS_HELLO_RESPONSE_DESCRIPTOR 0x8C
+/** Its name in the specification. */
 #define MIP_TOOLS_HELLO_RESPONSE_NAME "tools.hello_response"
 
 /** Its wire format. */
@@ -1589,7 +1685,9 @@ struct mip_tools_readings {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_READINGS 0x010D
+/** Its descriptor. */
 #define MIP_TOOLS_READINGS_DESCRIPTOR 0x0D
+/** Its name in the specification. */
 #define MIP_TOOLS_READINGS_NAME "tools.readings"
 
 /** Its wire format. */
@@ -1667,7 +1765,9 @@ struct mip_tools_readings_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_READINGS_RESPONSE 0x018D
+/** Its descriptor. */
 #define MIP_TOOLS_READINGS_RESPONSE_DESCRIPTOR 0x8D
+/** Its name in the specification. */
 #define MIP_TOOLS_READINGS_RESPONSE_NAME "tools.readings_response"
 
 /** Its wire format. */
