@@ -318,11 +318,7 @@ static inline mip_error mip_3dm_poll_imu_data_encode(const struct mip_3dm_poll_i
                                                      struct mip_builder *builder) {
     return mip_encode(&mip_3dm_poll_imu_data_codec, value, builder);
 }
-/**
- * Poll IMU Data.
- *
- * Fills the structure and returns its address.
- */
+/** Poll IMU Data. Fills the structure and returns its address. */
 static inline struct mip_3dm_poll_imu_data *
 mip_3dm_poll_imu_data_make(struct mip_3dm_poll_imu_data *command, mip_bool suppress_ack,
                            uint8_t num_descriptors, const struct mip_3dm_poll_entry descriptors[]) {
@@ -382,11 +378,7 @@ static inline mip_error mip_3dm_poll_gnss_data_encode(const struct mip_3dm_poll_
                                                       struct mip_builder *builder) {
     return mip_encode(&mip_3dm_poll_gnss_data_codec, value, builder);
 }
-/**
- * Poll GNSS Data.
- *
- * Fills the structure and returns its address.
- */
+/** Poll GNSS Data. Fills the structure and returns its address. */
 static inline struct mip_3dm_poll_gnss_data *mip_3dm_poll_gnss_data_make(
     struct mip_3dm_poll_gnss_data *command, mip_bool suppress_ack, uint8_t num_descriptors,
     const struct mip_3dm_poll_entry descriptors[]) {
@@ -443,11 +435,7 @@ static inline mip_error mip_3dm_poll_filter_data_encode(
     const struct mip_3dm_poll_filter_data *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_poll_filter_data_codec, value, builder);
 }
-/**
- * Poll Estimation Filter Data.
- *
- * Fills the structure and returns its address.
- */
+/** Poll Estimation Filter Data. Fills the structure and returns its address. */
 static inline struct mip_3dm_poll_filter_data *mip_3dm_poll_filter_data_make(
     struct mip_3dm_poll_filter_data *command, mip_bool suppress_ack, uint8_t num_descriptors,
     const struct mip_3dm_poll_entry descriptors[]) {
@@ -505,11 +493,7 @@ static inline mip_error mip_3dm_poll_nmea_data_encode(const struct mip_3dm_poll_
                                                       struct mip_builder *builder) {
     return mip_encode(&mip_3dm_poll_nmea_data_codec, value, builder);
 }
-/**
- * Poll NMEA Data.
- *
- * Fills the structure and returns its address.
- */
+/** Poll NMEA Data. Fills the structure and returns its address. */
 static inline struct mip_3dm_poll_nmea_data *
 mip_3dm_poll_nmea_data_make(struct mip_3dm_poll_nmea_data *command, mip_bool suppress_ack,
                             uint8_t count, const struct mip_nmea_message format_entries[]) {
@@ -761,11 +745,7 @@ static inline mip_error mip_3dm_imu_message_format_encode(
     const struct mip_3dm_imu_message_format *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_imu_message_format_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_imu_message_format *mip_3dm_imu_message_format_write(
     struct mip_3dm_imu_message_format *command, uint8_t num_descriptors,
     const struct mip_descriptor_rate descriptors[]) {
@@ -776,44 +756,28 @@ static inline struct mip_3dm_imu_message_format *mip_3dm_imu_message_format_writ
              num_descriptors * sizeof(descriptors[0]));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_imu_message_format *
 mip_3dm_imu_message_format_read(struct mip_3dm_imu_message_format *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_imu_message_format *
 mip_3dm_imu_message_format_save(struct mip_3dm_imu_message_format *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_imu_message_format *
 mip_3dm_imu_message_format_load(struct mip_3dm_imu_message_format *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_imu_message_format *
 mip_3dm_imu_message_format_default(struct mip_3dm_imu_message_format *command) {
     memset(command, 0, sizeof(*command));
@@ -907,11 +871,7 @@ static inline mip_error mip_3dm_gnss_message_format_encode(
     const struct mip_3dm_gnss_message_format *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_message_format_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_gnss_message_format *mip_3dm_gnss_message_format_write(
     struct mip_3dm_gnss_message_format *command, uint8_t num_descriptors,
     const struct mip_descriptor_rate descriptors[]) {
@@ -922,44 +882,28 @@ static inline struct mip_3dm_gnss_message_format *mip_3dm_gnss_message_format_wr
              num_descriptors * sizeof(descriptors[0]));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_gnss_message_format *
 mip_3dm_gnss_message_format_read(struct mip_3dm_gnss_message_format *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_gnss_message_format *
 mip_3dm_gnss_message_format_save(struct mip_3dm_gnss_message_format *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_gnss_message_format *
 mip_3dm_gnss_message_format_load(struct mip_3dm_gnss_message_format *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_gnss_message_format *
 mip_3dm_gnss_message_format_default(struct mip_3dm_gnss_message_format *command) {
     memset(command, 0, sizeof(*command));
@@ -1055,11 +999,7 @@ static inline mip_error mip_3dm_filter_message_format_encode(
     const struct mip_3dm_filter_message_format *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_filter_message_format_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_filter_message_format *mip_3dm_filter_message_format_write(
     struct mip_3dm_filter_message_format *command, uint8_t num_descriptors,
     const struct mip_descriptor_rate descriptors[]) {
@@ -1070,44 +1010,28 @@ static inline struct mip_3dm_filter_message_format *mip_3dm_filter_message_forma
              num_descriptors * sizeof(descriptors[0]));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_filter_message_format *
 mip_3dm_filter_message_format_read(struct mip_3dm_filter_message_format *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_filter_message_format *
 mip_3dm_filter_message_format_save(struct mip_3dm_filter_message_format *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_filter_message_format *
 mip_3dm_filter_message_format_load(struct mip_3dm_filter_message_format *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_filter_message_format *
 mip_3dm_filter_message_format_default(struct mip_3dm_filter_message_format *command) {
     memset(command, 0, sizeof(*command));
@@ -1293,11 +1217,7 @@ static inline mip_error mip_3dm_nmea_message_format_encode(
     const struct mip_3dm_nmea_message_format *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_nmea_message_format_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_nmea_message_format *
 mip_3dm_nmea_message_format_write(struct mip_3dm_nmea_message_format *command, uint8_t count,
                                   const struct mip_nmea_message format_entries[]) {
@@ -1308,44 +1228,28 @@ mip_3dm_nmea_message_format_write(struct mip_3dm_nmea_message_format *command, u
              count * sizeof(format_entries[0]));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_nmea_message_format *
 mip_3dm_nmea_message_format_read(struct mip_3dm_nmea_message_format *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_nmea_message_format *
 mip_3dm_nmea_message_format_save(struct mip_3dm_nmea_message_format *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_nmea_message_format *
 mip_3dm_nmea_message_format_load(struct mip_3dm_nmea_message_format *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_nmea_message_format *
 mip_3dm_nmea_message_format_default(struct mip_3dm_nmea_message_format *command) {
     memset(command, 0, sizeof(*command));
@@ -1436,11 +1340,7 @@ static inline mip_error mip_3dm_poll_data_encode(const struct mip_3dm_poll_data 
                                                  struct mip_builder *builder) {
     return mip_encode(&mip_3dm_poll_data_codec, value, builder);
 }
-/**
- * Poll Data.
- *
- * Fills the structure and returns its address.
- */
+/** Poll Data. Fills the structure and returns its address. */
 static inline struct mip_3dm_poll_data *mip_3dm_poll_data_make(struct mip_3dm_poll_data *command,
                                                                uint8_t descriptor_set,
                                                                mip_bool suppress_ack,
@@ -1513,11 +1413,7 @@ static inline mip_error mip_3dm_get_base_rate_encode_inline(
     mip_put_8(data, value->descriptor_set);
     return MIP_OK;
 }
-/**
- * Get Data Base Rate.
- *
- * Fills the structure and returns its address.
- */
+/** Get Data Base Rate. Fills the structure and returns its address. */
 static inline struct mip_3dm_get_base_rate *
 mip_3dm_get_base_rate_make(struct mip_3dm_get_base_rate *command, uint8_t descriptor_set) {
     memset(command, 0, sizeof(*command));
@@ -1638,11 +1534,7 @@ static inline mip_error mip_3dm_message_format_encode(const struct mip_3dm_messa
                                                       struct mip_builder *builder) {
     return mip_encode(&mip_3dm_message_format_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_message_format *mip_3dm_message_format_write(
     struct mip_3dm_message_format *command, uint8_t descriptor_set, uint8_t num_descriptors,
     const struct mip_descriptor_rate descriptors[]) {
@@ -1654,11 +1546,7 @@ static inline struct mip_3dm_message_format *mip_3dm_message_format_write(
              num_descriptors * sizeof(descriptors[0]));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_message_format *
 mip_3dm_message_format_read(struct mip_3dm_message_format *command, uint8_t descriptor_set) {
     memset(command, 0, sizeof(*command));
@@ -1666,11 +1554,7 @@ mip_3dm_message_format_read(struct mip_3dm_message_format *command, uint8_t desc
     command->descriptor_set = descriptor_set;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_message_format *
 mip_3dm_message_format_save(struct mip_3dm_message_format *command, uint8_t descriptor_set) {
     memset(command, 0, sizeof(*command));
@@ -1678,11 +1562,7 @@ mip_3dm_message_format_save(struct mip_3dm_message_format *command, uint8_t desc
     command->descriptor_set = descriptor_set;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_message_format *
 mip_3dm_message_format_load(struct mip_3dm_message_format *command, uint8_t descriptor_set) {
     memset(command, 0, sizeof(*command));
@@ -1690,11 +1570,7 @@ mip_3dm_message_format_load(struct mip_3dm_message_format *command, uint8_t desc
     command->descriptor_set = descriptor_set;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_message_format *
 mip_3dm_message_format_default(struct mip_3dm_message_format *command, uint8_t descriptor_set) {
     memset(command, 0, sizeof(*command));
@@ -1802,11 +1678,7 @@ static inline mip_error mip_3dm_factory_streaming_encode_inline(
     mip_put_8(data + 1, value->reserved);
     return MIP_OK;
 }
-/**
- * Factory Streaming.
- *
- * Fills the structure and returns its address.
- */
+/** Factory Streaming. Fills the structure and returns its address. */
 static inline struct mip_3dm_factory_streaming *mip_3dm_factory_streaming_make(
     struct mip_3dm_factory_streaming *command, enum mip_3dm_factory_streaming_action action) {
     memset(command, 0, sizeof(*command));
@@ -1870,11 +1742,7 @@ static inline mip_error mip_3dm_data_stream_control_encode(
     const struct mip_3dm_data_stream_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_data_stream_control_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_write(
     struct mip_3dm_data_stream_control *command, uint8_t descriptor_set, mip_bool enable) {
     memset(command, 0, sizeof(*command));
@@ -1883,11 +1751,7 @@ static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_wr
     command->enable = enable;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_read(
     struct mip_3dm_data_stream_control *command, uint8_t descriptor_set) {
     memset(command, 0, sizeof(*command));
@@ -1895,11 +1759,7 @@ static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_re
     command->descriptor_set = descriptor_set;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_save(
     struct mip_3dm_data_stream_control *command, uint8_t descriptor_set) {
     memset(command, 0, sizeof(*command));
@@ -1907,11 +1767,7 @@ static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_sa
     command->descriptor_set = descriptor_set;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_load(
     struct mip_3dm_data_stream_control *command, uint8_t descriptor_set) {
     memset(command, 0, sizeof(*command));
@@ -1919,11 +1775,7 @@ static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_lo
     command->descriptor_set = descriptor_set;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_default(
     struct mip_3dm_data_stream_control *command, uint8_t descriptor_set) {
     memset(command, 0, sizeof(*command));
@@ -2069,11 +1921,7 @@ static inline mip_error mip_3dm_constellation_settings_encode(
     const struct mip_3dm_constellation_settings *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_constellation_settings_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_constellation_settings *mip_3dm_constellation_settings_write(
     struct mip_3dm_constellation_settings *command, uint16_t max_channels, uint8_t config_count,
     const struct mip_3dm_constellation_settings_entry settings[]) {
@@ -2085,44 +1933,28 @@ static inline struct mip_3dm_constellation_settings *mip_3dm_constellation_setti
              config_count * sizeof(settings[0]));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_constellation_settings *
 mip_3dm_constellation_settings_read(struct mip_3dm_constellation_settings *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_constellation_settings *
 mip_3dm_constellation_settings_save(struct mip_3dm_constellation_settings *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_constellation_settings *
 mip_3dm_constellation_settings_load(struct mip_3dm_constellation_settings *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_constellation_settings *
 mip_3dm_constellation_settings_default(struct mip_3dm_constellation_settings *command) {
     memset(command, 0, sizeof(*command));
@@ -2228,11 +2060,7 @@ static inline mip_error mip_3dm_gnss_sbas_settings_encode(
     const struct mip_3dm_gnss_sbas_settings *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_sbas_settings_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_gnss_sbas_settings *mip_3dm_gnss_sbas_settings_write(
     struct mip_3dm_gnss_sbas_settings *command, uint8_t enable_sbas,
     mip_3dm_sbas_options sbas_options, uint8_t num_included_prns, const uint16_t included_prns[]) {
@@ -2245,44 +2073,28 @@ static inline struct mip_3dm_gnss_sbas_settings *mip_3dm_gnss_sbas_settings_writ
              num_included_prns * sizeof(included_prns[0]));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_gnss_sbas_settings *
 mip_3dm_gnss_sbas_settings_read(struct mip_3dm_gnss_sbas_settings *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_gnss_sbas_settings *
 mip_3dm_gnss_sbas_settings_save(struct mip_3dm_gnss_sbas_settings *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_gnss_sbas_settings *
 mip_3dm_gnss_sbas_settings_load(struct mip_3dm_gnss_sbas_settings *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_gnss_sbas_settings *
 mip_3dm_gnss_sbas_settings_default(struct mip_3dm_gnss_sbas_settings *command) {
     memset(command, 0, sizeof(*command));
@@ -2387,11 +2199,7 @@ static inline mip_error mip_3dm_gnss_assisted_fix_encode(
     const struct mip_3dm_gnss_assisted_fix *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_assisted_fix_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_gnss_assisted_fix *mip_3dm_gnss_assisted_fix_write(
     struct mip_3dm_gnss_assisted_fix *command, enum mip_3dm_assisted_fix_option option) {
     memset(command, 0, sizeof(*command));
@@ -2400,11 +2208,7 @@ static inline struct mip_3dm_gnss_assisted_fix *mip_3dm_gnss_assisted_fix_write(
     command->flags = 255;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_gnss_assisted_fix *
 mip_3dm_gnss_assisted_fix_read(struct mip_3dm_gnss_assisted_fix *command) {
     memset(command, 0, sizeof(*command));
@@ -2412,11 +2216,7 @@ mip_3dm_gnss_assisted_fix_read(struct mip_3dm_gnss_assisted_fix *command) {
     command->flags = 255;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_gnss_assisted_fix *
 mip_3dm_gnss_assisted_fix_save(struct mip_3dm_gnss_assisted_fix *command) {
     memset(command, 0, sizeof(*command));
@@ -2424,11 +2224,7 @@ mip_3dm_gnss_assisted_fix_save(struct mip_3dm_gnss_assisted_fix *command) {
     command->flags = 255;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_gnss_assisted_fix *
 mip_3dm_gnss_assisted_fix_load(struct mip_3dm_gnss_assisted_fix *command) {
     memset(command, 0, sizeof(*command));
@@ -2436,11 +2232,7 @@ mip_3dm_gnss_assisted_fix_load(struct mip_3dm_gnss_assisted_fix *command) {
     command->flags = 255;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_gnss_assisted_fix *
 mip_3dm_gnss_assisted_fix_default(struct mip_3dm_gnss_assisted_fix *command) {
     memset(command, 0, sizeof(*command));
@@ -2562,11 +2354,7 @@ static inline mip_error mip_3dm_gnss_time_assistance_encode(
     const struct mip_3dm_gnss_time_assistance *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_time_assistance_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_gnss_time_assistance *
 mip_3dm_gnss_time_assistance_write(struct mip_3dm_gnss_time_assistance *command, double tow,
                                    uint16_t week_number, float accuracy) {
@@ -2577,11 +2365,7 @@ mip_3dm_gnss_time_assistance_write(struct mip_3dm_gnss_time_assistance *command,
     command->accuracy = accuracy;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_gnss_time_assistance *
 mip_3dm_gnss_time_assistance_read(struct mip_3dm_gnss_time_assistance *command) {
     memset(command, 0, sizeof(*command));
@@ -2705,11 +2489,7 @@ static inline mip_error mip_3dm_pps_source_control_encode(
     const struct mip_3dm_pps_source_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_pps_source_control_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_pps_source_control *mip_3dm_pps_source_control_write(
     struct mip_3dm_pps_source_control *command, enum mip_3dm_pps_source source) {
     memset(command, 0, sizeof(*command));
@@ -2717,44 +2497,28 @@ static inline struct mip_3dm_pps_source_control *mip_3dm_pps_source_control_writ
     command->source = (uint8_t)source;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_pps_source_control *
 mip_3dm_pps_source_control_read(struct mip_3dm_pps_source_control *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_pps_source_control *
 mip_3dm_pps_source_control_save(struct mip_3dm_pps_source_control *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_pps_source_control *
 mip_3dm_pps_source_control_load(struct mip_3dm_pps_source_control *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_pps_source_control *
 mip_3dm_pps_source_control_default(struct mip_3dm_pps_source_control *command) {
     memset(command, 0, sizeof(*command));
@@ -2881,11 +2645,7 @@ static inline mip_error mip_3dm_get_event_support_encode_inline(
     mip_put_8(data, value->query);
     return MIP_OK;
 }
-/**
- * Get Supported Events.
- *
- * Fills the structure and returns its address.
- */
+/** Get Supported Events. Fills the structure and returns its address. */
 static inline struct mip_3dm_get_event_support *mip_3dm_get_event_support_make(
     struct mip_3dm_get_event_support *command, enum mip_3dm_event_support_query query) {
     memset(command, 0, sizeof(*command));
@@ -2987,11 +2747,7 @@ static inline mip_error mip_3dm_event_control_encode(const struct mip_3dm_event_
                                                      struct mip_builder *builder) {
     return mip_encode(&mip_3dm_event_control_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_event_control *mip_3dm_event_control_write(
     struct mip_3dm_event_control *command, uint8_t instance, enum mip_event_trigger_mode mode) {
     memset(command, 0, sizeof(*command));
@@ -3000,11 +2756,7 @@ static inline struct mip_3dm_event_control *mip_3dm_event_control_write(
     command->mode = (uint8_t)mode;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_event_control *
 mip_3dm_event_control_read(struct mip_3dm_event_control *command, uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -3012,11 +2764,7 @@ mip_3dm_event_control_read(struct mip_3dm_event_control *command, uint8_t instan
     command->instance = instance;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_event_control *
 mip_3dm_event_control_save(struct mip_3dm_event_control *command, uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -3024,11 +2772,7 @@ mip_3dm_event_control_save(struct mip_3dm_event_control *command, uint8_t instan
     command->instance = instance;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_event_control *
 mip_3dm_event_control_load(struct mip_3dm_event_control *command, uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -3036,11 +2780,7 @@ mip_3dm_event_control_load(struct mip_3dm_event_control *command, uint8_t instan
     command->instance = instance;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_event_control *
 mip_3dm_event_control_default(struct mip_3dm_event_control *command, uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -3151,11 +2891,7 @@ static inline mip_error mip_3dm_get_event_trigger_status_encode(
     const struct mip_3dm_get_event_trigger_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_event_trigger_status_codec, value, builder);
 }
-/**
- * Get Event Trigger Status.
- *
- * Fills the structure and returns its address.
- */
+/** Get Event Trigger Status. Fills the structure and returns its address. */
 static inline struct mip_3dm_get_event_trigger_status *mip_3dm_get_event_trigger_status_make(
     struct mip_3dm_get_event_trigger_status *command, uint8_t requested_count,
     const uint8_t requested_instances[]) {
@@ -3240,11 +2976,7 @@ static inline mip_error mip_3dm_get_event_action_status_encode(
     const struct mip_3dm_get_event_action_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_event_action_status_codec, value, builder);
 }
-/**
- * Get Event Action Status.
- *
- * Fills the structure and returns its address.
- */
+/** Get Event Action Status. Fills the structure and returns its address. */
 static inline struct mip_3dm_get_event_action_status *
 mip_3dm_get_event_action_status_make(struct mip_3dm_get_event_action_status *command,
                                      uint8_t requested_count, const uint8_t requested_instances[]) {
@@ -3362,11 +3094,7 @@ static inline mip_error mip_3dm_event_trigger_config_encode(
     const struct mip_3dm_event_trigger_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_event_trigger_config_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_event_trigger_config *mip_3dm_event_trigger_config_write(
     struct mip_3dm_event_trigger_config *command, uint8_t instance,
     enum mip_event_trigger_type type,
@@ -3380,11 +3108,7 @@ static inline struct mip_3dm_event_trigger_config *mip_3dm_event_trigger_config_
     }
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_event_trigger_config *
 mip_3dm_event_trigger_config_read(struct mip_3dm_event_trigger_config *command, uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -3392,11 +3116,7 @@ mip_3dm_event_trigger_config_read(struct mip_3dm_event_trigger_config *command, 
     command->instance = instance;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_event_trigger_config *
 mip_3dm_event_trigger_config_save(struct mip_3dm_event_trigger_config *command, uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -3404,11 +3124,7 @@ mip_3dm_event_trigger_config_save(struct mip_3dm_event_trigger_config *command, 
     command->instance = instance;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_event_trigger_config *
 mip_3dm_event_trigger_config_load(struct mip_3dm_event_trigger_config *command, uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -3416,11 +3132,7 @@ mip_3dm_event_trigger_config_load(struct mip_3dm_event_trigger_config *command, 
     command->instance = instance;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_event_trigger_config *mip_3dm_event_trigger_config_default(
     struct mip_3dm_event_trigger_config *command, uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -3552,11 +3264,7 @@ static inline mip_error mip_3dm_event_action_config_encode(
     const struct mip_3dm_event_action_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_event_action_config_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_event_action_config *
 mip_3dm_event_action_config_write(struct mip_3dm_event_action_config *command, uint8_t instance,
                                   uint8_t trigger, enum mip_event_action_type type,
@@ -3571,11 +3279,7 @@ mip_3dm_event_action_config_write(struct mip_3dm_event_action_config *command, u
     }
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_event_action_config *
 mip_3dm_event_action_config_read(struct mip_3dm_event_action_config *command, uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -3583,11 +3287,7 @@ mip_3dm_event_action_config_read(struct mip_3dm_event_action_config *command, ui
     command->instance = instance;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_event_action_config *
 mip_3dm_event_action_config_save(struct mip_3dm_event_action_config *command, uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -3595,11 +3295,7 @@ mip_3dm_event_action_config_save(struct mip_3dm_event_action_config *command, ui
     command->instance = instance;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_event_action_config *
 mip_3dm_event_action_config_load(struct mip_3dm_event_action_config *command, uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -3607,11 +3303,7 @@ mip_3dm_event_action_config_load(struct mip_3dm_event_action_config *command, ui
     command->instance = instance;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_event_action_config *
 mip_3dm_event_action_config_default(struct mip_3dm_event_action_config *command, uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -3733,33 +3425,21 @@ static inline mip_error mip_3dm_device_settings_encode_inline(
     mip_put_8(data, value->function);
     return MIP_OK;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_device_settings *
 mip_3dm_device_settings_save(struct mip_3dm_device_settings *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_device_settings *
 mip_3dm_device_settings_load(struct mip_3dm_device_settings *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_device_settings *
 mip_3dm_device_settings_default(struct mip_3dm_device_settings *command) {
     memset(command, 0, sizeof(*command));
@@ -3831,11 +3511,7 @@ static inline mip_error mip_3dm_sensor_to_vehicle_euler_encode(
     const struct mip_3dm_sensor_to_vehicle_euler *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_sensor_to_vehicle_euler_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_to_vehicle_euler *mip_3dm_sensor_to_vehicle_euler_write(
     struct mip_3dm_sensor_to_vehicle_euler *command, float roll, float pitch, float yaw) {
     memset(command, 0, sizeof(*command));
@@ -3845,44 +3521,28 @@ static inline struct mip_3dm_sensor_to_vehicle_euler *mip_3dm_sensor_to_vehicle_
     command->yaw = yaw;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_to_vehicle_euler *
 mip_3dm_sensor_to_vehicle_euler_read(struct mip_3dm_sensor_to_vehicle_euler *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_to_vehicle_euler *
 mip_3dm_sensor_to_vehicle_euler_save(struct mip_3dm_sensor_to_vehicle_euler *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_to_vehicle_euler *
 mip_3dm_sensor_to_vehicle_euler_load(struct mip_3dm_sensor_to_vehicle_euler *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_to_vehicle_euler *
 mip_3dm_sensor_to_vehicle_euler_default(struct mip_3dm_sensor_to_vehicle_euler *command) {
     memset(command, 0, sizeof(*command));
@@ -4015,11 +3675,7 @@ static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_encode(
     const struct mip_3dm_sensor_to_vehicle_quaternion *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_sensor_to_vehicle_quaternion_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_to_vehicle_quaternion *
 mip_3dm_sensor_to_vehicle_quaternion_write(struct mip_3dm_sensor_to_vehicle_quaternion *command,
                                            const float q[4]) {
@@ -4028,44 +3684,28 @@ mip_3dm_sensor_to_vehicle_quaternion_write(struct mip_3dm_sensor_to_vehicle_quat
     memcpy(command->q, q, sizeof(command->q));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_to_vehicle_quaternion *
 mip_3dm_sensor_to_vehicle_quaternion_read(struct mip_3dm_sensor_to_vehicle_quaternion *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_to_vehicle_quaternion *
 mip_3dm_sensor_to_vehicle_quaternion_save(struct mip_3dm_sensor_to_vehicle_quaternion *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_to_vehicle_quaternion *
 mip_3dm_sensor_to_vehicle_quaternion_load(struct mip_3dm_sensor_to_vehicle_quaternion *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_to_vehicle_quaternion *
 mip_3dm_sensor_to_vehicle_quaternion_default(struct mip_3dm_sensor_to_vehicle_quaternion *command) {
     memset(command, 0, sizeof(*command));
@@ -4198,11 +3838,7 @@ static inline mip_error mip_3dm_sensor_to_vehicle_dcm_encode(
     const struct mip_3dm_sensor_to_vehicle_dcm *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_sensor_to_vehicle_dcm_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_to_vehicle_dcm *mip_3dm_sensor_to_vehicle_dcm_write(
     struct mip_3dm_sensor_to_vehicle_dcm *command, const float dcm[9]) {
     memset(command, 0, sizeof(*command));
@@ -4210,44 +3846,28 @@ static inline struct mip_3dm_sensor_to_vehicle_dcm *mip_3dm_sensor_to_vehicle_dc
     memcpy(command->dcm, dcm, sizeof(command->dcm));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_to_vehicle_dcm *
 mip_3dm_sensor_to_vehicle_dcm_read(struct mip_3dm_sensor_to_vehicle_dcm *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_to_vehicle_dcm *
 mip_3dm_sensor_to_vehicle_dcm_save(struct mip_3dm_sensor_to_vehicle_dcm *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_to_vehicle_dcm *
 mip_3dm_sensor_to_vehicle_dcm_load(struct mip_3dm_sensor_to_vehicle_dcm *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_to_vehicle_dcm *
 mip_3dm_sensor_to_vehicle_dcm_default(struct mip_3dm_sensor_to_vehicle_dcm *command) {
     memset(command, 0, sizeof(*command));
@@ -4369,11 +3989,7 @@ static inline mip_error mip_3dm_accel_bias_encode(const struct mip_3dm_accel_bia
                                                   struct mip_builder *builder) {
     return mip_encode(&mip_3dm_accel_bias_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_accel_bias *
 mip_3dm_accel_bias_write(struct mip_3dm_accel_bias *command, const float bias[3]) {
     memset(command, 0, sizeof(*command));
@@ -4381,44 +3997,28 @@ mip_3dm_accel_bias_write(struct mip_3dm_accel_bias *command, const float bias[3]
     memcpy(command->bias, bias, sizeof(command->bias));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_accel_bias *
 mip_3dm_accel_bias_read(struct mip_3dm_accel_bias *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_accel_bias *
 mip_3dm_accel_bias_save(struct mip_3dm_accel_bias *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_accel_bias *
 mip_3dm_accel_bias_load(struct mip_3dm_accel_bias *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_accel_bias *
 mip_3dm_accel_bias_default(struct mip_3dm_accel_bias *command) {
     memset(command, 0, sizeof(*command));
@@ -4426,9 +4026,8 @@ mip_3dm_accel_bias_default(struct mip_3dm_accel_bias *command) {
     return command;
 }
 /**
- * Apply the new setting and send no acknowledge (5-series devices).
- *
- * Fills the structure and returns its address.
+ * Apply the new setting and send no acknowledge (5-series devices). Fills the structure and returns
+ * its address.
  */
 static inline struct mip_3dm_accel_bias *
 mip_3dm_accel_bias_apply(struct mip_3dm_accel_bias *command, const float bias[3]) {
@@ -4549,11 +4148,7 @@ static inline mip_error mip_3dm_gyro_bias_encode(const struct mip_3dm_gyro_bias 
                                                  struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gyro_bias_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_gyro_bias *mip_3dm_gyro_bias_write(struct mip_3dm_gyro_bias *command,
                                                                 const float bias[3]) {
     memset(command, 0, sizeof(*command));
@@ -4561,41 +4156,25 @@ static inline struct mip_3dm_gyro_bias *mip_3dm_gyro_bias_write(struct mip_3dm_g
     memcpy(command->bias, bias, sizeof(command->bias));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_gyro_bias *mip_3dm_gyro_bias_read(struct mip_3dm_gyro_bias *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_gyro_bias *mip_3dm_gyro_bias_save(struct mip_3dm_gyro_bias *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_gyro_bias *mip_3dm_gyro_bias_load(struct mip_3dm_gyro_bias *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_gyro_bias *
 mip_3dm_gyro_bias_default(struct mip_3dm_gyro_bias *command) {
     memset(command, 0, sizeof(*command));
@@ -4603,9 +4182,8 @@ mip_3dm_gyro_bias_default(struct mip_3dm_gyro_bias *command) {
     return command;
 }
 /**
- * Apply the new setting and send no acknowledge (5-series devices).
- *
- * Fills the structure and returns its address.
+ * Apply the new setting and send no acknowledge (5-series devices). Fills the structure and returns
+ * its address.
  */
 static inline struct mip_3dm_gyro_bias *mip_3dm_gyro_bias_apply(struct mip_3dm_gyro_bias *command,
                                                                 const float bias[3]) {
@@ -4750,11 +4328,7 @@ static inline mip_error mip_3dm_capture_gyro_bias_encode_inline(
     mip_put_16(data, value->averaging_time_ms);
     return MIP_OK;
 }
-/**
- * Capture Gyroscope Bias.
- *
- * Fills the structure and returns its address.
- */
+/** Capture Gyroscope Bias. Fills the structure and returns its address. */
 static inline struct mip_3dm_capture_gyro_bias *mip_3dm_capture_gyro_bias_make(
     struct mip_3dm_capture_gyro_bias *command, uint16_t averaging_time_ms) {
     memset(command, 0, sizeof(*command));
@@ -4813,11 +4387,7 @@ static inline mip_error mip_3dm_mag_hard_iron_offset_encode(
     const struct mip_3dm_mag_hard_iron_offset *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_mag_hard_iron_offset_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_mag_hard_iron_offset *mip_3dm_mag_hard_iron_offset_write(
     struct mip_3dm_mag_hard_iron_offset *command, const float offset[3]) {
     memset(command, 0, sizeof(*command));
@@ -4825,44 +4395,28 @@ static inline struct mip_3dm_mag_hard_iron_offset *mip_3dm_mag_hard_iron_offset_
     memcpy(command->offset, offset, sizeof(command->offset));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_mag_hard_iron_offset *
 mip_3dm_mag_hard_iron_offset_read(struct mip_3dm_mag_hard_iron_offset *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_mag_hard_iron_offset *
 mip_3dm_mag_hard_iron_offset_save(struct mip_3dm_mag_hard_iron_offset *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_mag_hard_iron_offset *
 mip_3dm_mag_hard_iron_offset_load(struct mip_3dm_mag_hard_iron_offset *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_mag_hard_iron_offset *
 mip_3dm_mag_hard_iron_offset_default(struct mip_3dm_mag_hard_iron_offset *command) {
     memset(command, 0, sizeof(*command));
@@ -4870,9 +4424,8 @@ mip_3dm_mag_hard_iron_offset_default(struct mip_3dm_mag_hard_iron_offset *comman
     return command;
 }
 /**
- * Apply the new setting and send no acknowledge (5-series devices).
- *
- * Fills the structure and returns its address.
+ * Apply the new setting and send no acknowledge (5-series devices). Fills the structure and returns
+ * its address.
  */
 static inline struct mip_3dm_mag_hard_iron_offset *mip_3dm_mag_hard_iron_offset_apply(
     struct mip_3dm_mag_hard_iron_offset *command, const float offset[3]) {
@@ -4996,11 +4549,7 @@ static inline mip_error mip_3dm_mag_soft_iron_matrix_encode(
     const struct mip_3dm_mag_soft_iron_matrix *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_mag_soft_iron_matrix_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_mag_soft_iron_matrix *mip_3dm_mag_soft_iron_matrix_write(
     struct mip_3dm_mag_soft_iron_matrix *command, const float matrix[9]) {
     memset(command, 0, sizeof(*command));
@@ -5008,44 +4557,28 @@ static inline struct mip_3dm_mag_soft_iron_matrix *mip_3dm_mag_soft_iron_matrix_
     memcpy(command->matrix, matrix, sizeof(command->matrix));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_mag_soft_iron_matrix *
 mip_3dm_mag_soft_iron_matrix_read(struct mip_3dm_mag_soft_iron_matrix *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_mag_soft_iron_matrix *
 mip_3dm_mag_soft_iron_matrix_save(struct mip_3dm_mag_soft_iron_matrix *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_mag_soft_iron_matrix *
 mip_3dm_mag_soft_iron_matrix_load(struct mip_3dm_mag_soft_iron_matrix *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_mag_soft_iron_matrix *
 mip_3dm_mag_soft_iron_matrix_default(struct mip_3dm_mag_soft_iron_matrix *command) {
     memset(command, 0, sizeof(*command));
@@ -5053,9 +4586,8 @@ mip_3dm_mag_soft_iron_matrix_default(struct mip_3dm_mag_soft_iron_matrix *comman
     return command;
 }
 /**
- * Apply the new setting and send no acknowledge (5-series devices).
- *
- * Fills the structure and returns its address.
+ * Apply the new setting and send no acknowledge (5-series devices). Fills the structure and returns
+ * its address.
  */
 static inline struct mip_3dm_mag_soft_iron_matrix *mip_3dm_mag_soft_iron_matrix_apply(
     struct mip_3dm_mag_soft_iron_matrix *command, const float matrix[9]) {
@@ -5174,11 +4706,7 @@ static inline mip_error mip_3dm_coning_sculling_enable_encode(
     const struct mip_3dm_coning_sculling_enable *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_coning_sculling_enable_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_coning_sculling_enable *mip_3dm_coning_sculling_enable_write(
     struct mip_3dm_coning_sculling_enable *command, mip_bool enable) {
     memset(command, 0, sizeof(*command));
@@ -5186,44 +4714,28 @@ static inline struct mip_3dm_coning_sculling_enable *mip_3dm_coning_sculling_ena
     command->enable = enable;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_coning_sculling_enable *
 mip_3dm_coning_sculling_enable_read(struct mip_3dm_coning_sculling_enable *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_coning_sculling_enable *
 mip_3dm_coning_sculling_enable_save(struct mip_3dm_coning_sculling_enable *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_coning_sculling_enable *
 mip_3dm_coning_sculling_enable_load(struct mip_3dm_coning_sculling_enable *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_coning_sculling_enable *
 mip_3dm_coning_sculling_enable_default(struct mip_3dm_coning_sculling_enable *command) {
     memset(command, 0, sizeof(*command));
@@ -5342,11 +4854,7 @@ static inline mip_error mip_3dm_uart_baud_rate_encode(const struct mip_3dm_uart_
                                                       struct mip_builder *builder) {
     return mip_encode(&mip_3dm_uart_baud_rate_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_uart_baud_rate *
 mip_3dm_uart_baud_rate_write(struct mip_3dm_uart_baud_rate *command, uint32_t baud) {
     memset(command, 0, sizeof(*command));
@@ -5354,44 +4862,28 @@ mip_3dm_uart_baud_rate_write(struct mip_3dm_uart_baud_rate *command, uint32_t ba
     command->baud = baud;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_uart_baud_rate *
 mip_3dm_uart_baud_rate_read(struct mip_3dm_uart_baud_rate *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_uart_baud_rate *
 mip_3dm_uart_baud_rate_save(struct mip_3dm_uart_baud_rate *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_uart_baud_rate *
 mip_3dm_uart_baud_rate_load(struct mip_3dm_uart_baud_rate *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_uart_baud_rate *
 mip_3dm_uart_baud_rate_default(struct mip_3dm_uart_baud_rate *command) {
     memset(command, 0, sizeof(*command));
@@ -5527,11 +5019,7 @@ static inline mip_error mip_3dm_gpio_config_encode(const struct mip_3dm_gpio_con
                                                    struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gpio_config_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_gpio_config *mip_3dm_gpio_config_write(
     struct mip_3dm_gpio_config *command, uint8_t pin, enum mip_gpio_feature feature,
     uint8_t behavior, mip_gpio_pin_mode pin_mode) {
@@ -5543,11 +5031,7 @@ static inline struct mip_3dm_gpio_config *mip_3dm_gpio_config_write(
     command->pin_mode = pin_mode;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_gpio_config *
 mip_3dm_gpio_config_read(struct mip_3dm_gpio_config *command, uint8_t pin) {
     memset(command, 0, sizeof(*command));
@@ -5555,11 +5039,7 @@ mip_3dm_gpio_config_read(struct mip_3dm_gpio_config *command, uint8_t pin) {
     command->pin = pin;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_gpio_config *
 mip_3dm_gpio_config_save(struct mip_3dm_gpio_config *command, uint8_t pin) {
     memset(command, 0, sizeof(*command));
@@ -5567,11 +5047,7 @@ mip_3dm_gpio_config_save(struct mip_3dm_gpio_config *command, uint8_t pin) {
     command->pin = pin;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_gpio_config *
 mip_3dm_gpio_config_load(struct mip_3dm_gpio_config *command, uint8_t pin) {
     memset(command, 0, sizeof(*command));
@@ -5579,11 +5055,7 @@ mip_3dm_gpio_config_load(struct mip_3dm_gpio_config *command, uint8_t pin) {
     command->pin = pin;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_gpio_config *
 mip_3dm_gpio_config_default(struct mip_3dm_gpio_config *command, uint8_t pin) {
     memset(command, 0, sizeof(*command));
@@ -5723,11 +5195,7 @@ static inline mip_error mip_3dm_gpio_state_encode(const struct mip_3dm_gpio_stat
                                                   struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gpio_state_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_gpio_state *
 mip_3dm_gpio_state_write(struct mip_3dm_gpio_state *command, uint8_t pin, mip_bool state) {
     memset(command, 0, sizeof(*command));
@@ -5736,11 +5204,7 @@ mip_3dm_gpio_state_write(struct mip_3dm_gpio_state *command, uint8_t pin, mip_bo
     command->state = state;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_gpio_state *mip_3dm_gpio_state_read(struct mip_3dm_gpio_state *command,
                                                                  uint8_t pin) {
     memset(command, 0, sizeof(*command));
@@ -5861,11 +5325,7 @@ static inline mip_error mip_3dm_odometer_config_encode(const struct mip_3dm_odom
                                                        struct mip_builder *builder) {
     return mip_encode(&mip_3dm_odometer_config_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_odometer_config *
 mip_3dm_odometer_config_write(struct mip_3dm_odometer_config *command,
                               enum mip_3dm_odometer_mode mode, float scaling, float uncertainty) {
@@ -5876,44 +5336,28 @@ mip_3dm_odometer_config_write(struct mip_3dm_odometer_config *command,
     command->uncertainty = uncertainty;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_odometer_config *
 mip_3dm_odometer_config_read(struct mip_3dm_odometer_config *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_odometer_config *
 mip_3dm_odometer_config_save(struct mip_3dm_odometer_config *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_odometer_config *
 mip_3dm_odometer_config_load(struct mip_3dm_odometer_config *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_odometer_config *
 mip_3dm_odometer_config_default(struct mip_3dm_odometer_config *command) {
     memset(command, 0, sizeof(*command));
@@ -6059,11 +5503,7 @@ static inline mip_error mip_3dm_imu_low_pass_filter_encode(
     const struct mip_3dm_imu_low_pass_filter *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_imu_low_pass_filter_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_write(
     struct mip_3dm_imu_low_pass_filter *command, uint8_t target_descriptor, mip_bool enable,
     mip_bool manual, uint16_t frequency) {
@@ -6075,11 +5515,7 @@ static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_wr
     command->frequency = frequency;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_read(
     struct mip_3dm_imu_low_pass_filter *command, uint8_t target_descriptor) {
     memset(command, 0, sizeof(*command));
@@ -6087,11 +5523,7 @@ static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_re
     command->target_descriptor = target_descriptor;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_save(
     struct mip_3dm_imu_low_pass_filter *command, uint8_t target_descriptor) {
     memset(command, 0, sizeof(*command));
@@ -6099,11 +5531,7 @@ static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_sa
     command->target_descriptor = target_descriptor;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_load(
     struct mip_3dm_imu_low_pass_filter *command, uint8_t target_descriptor) {
     memset(command, 0, sizeof(*command));
@@ -6111,11 +5539,7 @@ static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_lo
     command->target_descriptor = target_descriptor;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_default(
     struct mip_3dm_imu_low_pass_filter *command, uint8_t target_descriptor) {
     memset(command, 0, sizeof(*command));
@@ -6275,11 +5699,7 @@ static inline mip_error mip_3dm_complementary_filter_encode(
     const struct mip_3dm_complementary_filter *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_complementary_filter_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_complementary_filter *mip_3dm_complementary_filter_write(
     struct mip_3dm_complementary_filter *command, mip_bool pitch_roll_enable,
     mip_bool heading_enable, float pitch_roll_time_constant, float heading_time_constant) {
@@ -6291,44 +5711,28 @@ static inline struct mip_3dm_complementary_filter *mip_3dm_complementary_filter_
     command->heading_time_constant = heading_time_constant;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_complementary_filter *
 mip_3dm_complementary_filter_read(struct mip_3dm_complementary_filter *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_complementary_filter *
 mip_3dm_complementary_filter_save(struct mip_3dm_complementary_filter *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_complementary_filter *
 mip_3dm_complementary_filter_load(struct mip_3dm_complementary_filter *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_complementary_filter *
 mip_3dm_complementary_filter_default(struct mip_3dm_complementary_filter *command) {
     memset(command, 0, sizeof(*command));
@@ -6456,11 +5860,7 @@ static inline mip_error mip_3dm_sensor_range_encode(const struct mip_3dm_sensor_
                                                     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_sensor_range_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_write(
     struct mip_3dm_sensor_range *command, enum mip_3dm_sensor_range_type sensor, uint8_t setting) {
     memset(command, 0, sizeof(*command));
@@ -6469,11 +5869,7 @@ static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_write(
     command->setting = setting;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_read(
     struct mip_3dm_sensor_range *command, enum mip_3dm_sensor_range_type sensor) {
     memset(command, 0, sizeof(*command));
@@ -6481,11 +5877,7 @@ static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_read(
     command->sensor = (uint8_t)sensor;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_save(
     struct mip_3dm_sensor_range *command, enum mip_3dm_sensor_range_type sensor) {
     memset(command, 0, sizeof(*command));
@@ -6493,11 +5885,7 @@ static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_save(
     command->sensor = (uint8_t)sensor;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_load(
     struct mip_3dm_sensor_range *command, enum mip_3dm_sensor_range_type sensor) {
     memset(command, 0, sizeof(*command));
@@ -6505,11 +5893,7 @@ static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_load(
     command->sensor = (uint8_t)sensor;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_default(
     struct mip_3dm_sensor_range *command, enum mip_3dm_sensor_range_type sensor) {
     memset(command, 0, sizeof(*command));
@@ -6638,11 +6022,7 @@ static inline mip_error mip_3dm_get_calibrated_sensor_ranges_encode_inline(
     mip_put_8(data, value->sensor);
     return MIP_OK;
 }
-/**
- * Get Calibrated Sensor Ranges.
- *
- * Fills the structure and returns its address.
- */
+/** Get Calibrated Sensor Ranges. Fills the structure and returns its address. */
 static inline struct mip_3dm_get_calibrated_sensor_ranges *
 mip_3dm_get_calibrated_sensor_ranges_make(struct mip_3dm_get_calibrated_sensor_ranges *command,
                                           enum mip_3dm_sensor_range_type sensor) {
@@ -6754,11 +6134,7 @@ static inline mip_error mip_3dm_low_pass_filter_encode(const struct mip_3dm_low_
                                                        struct mip_builder *builder) {
     return mip_encode(&mip_3dm_low_pass_filter_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_write(
     struct mip_3dm_low_pass_filter *command, uint8_t descriptor_set, uint8_t field_descriptor,
     mip_bool enable, mip_bool manual, float frequency) {
@@ -6771,11 +6147,7 @@ static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_write(
     command->frequency = frequency;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_read(
     struct mip_3dm_low_pass_filter *command, uint8_t descriptor_set, uint8_t field_descriptor) {
     memset(command, 0, sizeof(*command));
@@ -6784,11 +6156,7 @@ static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_read(
     command->field_descriptor = field_descriptor;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_save(
     struct mip_3dm_low_pass_filter *command, uint8_t descriptor_set, uint8_t field_descriptor) {
     memset(command, 0, sizeof(*command));
@@ -6797,11 +6165,7 @@ static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_save(
     command->field_descriptor = field_descriptor;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_load(
     struct mip_3dm_low_pass_filter *command, uint8_t descriptor_set, uint8_t field_descriptor) {
     memset(command, 0, sizeof(*command));
@@ -6810,11 +6174,7 @@ static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_load(
     command->field_descriptor = field_descriptor;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_default(
     struct mip_3dm_low_pass_filter *command, uint8_t descriptor_set, uint8_t field_descriptor) {
     memset(command, 0, sizeof(*command));
@@ -6975,11 +6335,7 @@ static inline mip_error mip_3dm_device_status_encode_inline(
     mip_put_8(data + 2, value->status_selector);
     return MIP_OK;
 }
-/**
- * Device Status.
- *
- * Fills the structure and returns its address.
- */
+/** Device Status. Fills the structure and returns its address. */
 static inline struct mip_3dm_device_status *
 mip_3dm_device_status_make(struct mip_3dm_device_status *command, uint16_t model_number,
                            enum mip_3dm_device_status_selector status_selector) {

@@ -168,11 +168,7 @@ static inline mip_error mip_aiding_frame_config_encode(const struct mip_aiding_f
                                                        struct mip_builder *builder) {
     return mip_encode(&mip_aiding_frame_config_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_aiding_frame_config *mip_aiding_frame_config_write(
     struct mip_aiding_frame_config *command, uint8_t frame_id, enum mip_aiding_frame_format format,
     mip_bool tracking_enabled, const float translation[3],
@@ -188,11 +184,7 @@ static inline struct mip_aiding_frame_config *mip_aiding_frame_config_write(
     }
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_aiding_frame_config *
 mip_aiding_frame_config_read(struct mip_aiding_frame_config *command, uint8_t frame_id,
                              enum mip_aiding_frame_format format) {
@@ -202,11 +194,7 @@ mip_aiding_frame_config_read(struct mip_aiding_frame_config *command, uint8_t fr
     command->format = (uint8_t)format;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_aiding_frame_config *
 mip_aiding_frame_config_save(struct mip_aiding_frame_config *command, uint8_t frame_id) {
     memset(command, 0, sizeof(*command));
@@ -214,11 +202,7 @@ mip_aiding_frame_config_save(struct mip_aiding_frame_config *command, uint8_t fr
     command->frame_id = frame_id;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_aiding_frame_config *
 mip_aiding_frame_config_load(struct mip_aiding_frame_config *command, uint8_t frame_id) {
     memset(command, 0, sizeof(*command));
@@ -226,11 +210,7 @@ mip_aiding_frame_config_load(struct mip_aiding_frame_config *command, uint8_t fr
     command->frame_id = frame_id;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_aiding_frame_config *
 mip_aiding_frame_config_default(struct mip_aiding_frame_config *command, uint8_t frame_id) {
     memset(command, 0, sizeof(*command));
@@ -340,11 +320,7 @@ static inline mip_error mip_aiding_echo_control_encode(const struct mip_aiding_e
                                                        struct mip_builder *builder) {
     return mip_encode(&mip_aiding_echo_control_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_aiding_echo_control *mip_aiding_echo_control_write(
     struct mip_aiding_echo_control *command, enum mip_aiding_echo_mode mode) {
     memset(command, 0, sizeof(*command));
@@ -352,44 +328,28 @@ static inline struct mip_aiding_echo_control *mip_aiding_echo_control_write(
     command->mode = (uint8_t)mode;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_aiding_echo_control *
 mip_aiding_echo_control_read(struct mip_aiding_echo_control *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_aiding_echo_control *
 mip_aiding_echo_control_save(struct mip_aiding_echo_control *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_aiding_echo_control *
 mip_aiding_echo_control_load(struct mip_aiding_echo_control *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_aiding_echo_control *
 mip_aiding_echo_control_default(struct mip_aiding_echo_control *command) {
     memset(command, 0, sizeof(*command));
@@ -556,11 +516,7 @@ static inline mip_error mip_aiding_ecef_position_encode_inline(
     mip_put_16(data + 47, value->valid_flags);
     return MIP_OK;
 }
-/**
- * ECEF position.
- *
- * Fills the structure and returns its address.
- */
+/** ECEF position. Fills the structure and returns its address. */
 static inline struct mip_aiding_ecef_position *mip_aiding_ecef_position_make(
     struct mip_aiding_ecef_position *command, const struct mip_aiding_measurement_time *time,
     uint8_t frame_id, const double position[3], const float uncertainty[3],
@@ -685,11 +641,7 @@ static inline mip_error mip_aiding_llh_position_encode_inline(
     mip_put_16(data + 47, value->valid_flags);
     return MIP_OK;
 }
-/**
- * LLH position.
- *
- * Fills the structure and returns its address.
- */
+/** LLH position. Fills the structure and returns its address. */
 static inline struct mip_aiding_llh_position *mip_aiding_llh_position_make(
     struct mip_aiding_llh_position *command, const struct mip_aiding_measurement_time *time,
     uint8_t frame_id, double latitude, double longitude, double height, const float uncertainty[3],
@@ -787,11 +739,7 @@ static inline mip_error mip_aiding_height_above_ellipsoid_encode_inline(
     mip_put_16(data + 19, value->valid_flags);
     return MIP_OK;
 }
-/**
- * Height above ellipsoid.
- *
- * Fills the structure and returns its address.
- */
+/** Height above ellipsoid. Fills the structure and returns its address. */
 static inline struct mip_aiding_height_above_ellipsoid *mip_aiding_height_above_ellipsoid_make(
     struct mip_aiding_height_above_ellipsoid *command,
     const struct mip_aiding_measurement_time *time, uint8_t frame_id, float height,
@@ -908,11 +856,7 @@ static inline mip_error mip_aiding_ecef_velocity_encode_inline(
     mip_put_16(data + 35, value->valid_flags);
     return MIP_OK;
 }
-/**
- * ECEF velocity.
- *
- * Fills the structure and returns its address.
- */
+/** ECEF velocity. Fills the structure and returns its address. */
 static inline struct mip_aiding_ecef_velocity *mip_aiding_ecef_velocity_make(
     struct mip_aiding_ecef_velocity *command, const struct mip_aiding_measurement_time *time,
     uint8_t frame_id, const float velocity[3], const float uncertainty[3],
@@ -1029,11 +973,7 @@ static inline mip_error mip_aiding_ned_velocity_encode_inline(
     mip_put_16(data + 35, value->valid_flags);
     return MIP_OK;
 }
-/**
- * NED velocity.
- *
- * Fills the structure and returns its address.
- */
+/** NED velocity. Fills the structure and returns its address. */
 static inline struct mip_aiding_ned_velocity *mip_aiding_ned_velocity_make(
     struct mip_aiding_ned_velocity *command, const struct mip_aiding_measurement_time *time,
     uint8_t frame_id, const float velocity[3], const float uncertainty[3],
@@ -1158,11 +1098,7 @@ static inline mip_error mip_aiding_body_frame_velocity_encode_inline(
     mip_put_16(data + 35, value->valid_flags);
     return MIP_OK;
 }
-/**
- * Body frame velocity.
- *
- * Fills the structure and returns its address.
- */
+/** Body frame velocity. Fills the structure and returns its address. */
 static inline struct mip_aiding_body_frame_velocity *mip_aiding_body_frame_velocity_make(
     struct mip_aiding_body_frame_velocity *command, const struct mip_aiding_measurement_time *time,
     uint8_t frame_id, const float velocity[3], const float uncertainty[3],
@@ -1259,11 +1195,7 @@ static inline mip_error mip_aiding_true_heading_encode_inline(
     mip_put_16(data + 19, value->valid_flags);
     return MIP_OK;
 }
-/**
- * True heading.
- *
- * Fills the structure and returns its address.
- */
+/** True heading. Fills the structure and returns its address. */
 static inline struct mip_aiding_true_heading *mip_aiding_true_heading_make(
     struct mip_aiding_true_heading *command, const struct mip_aiding_measurement_time *time,
     uint8_t frame_id, float heading, float uncertainty, uint16_t valid_flags) {
@@ -1378,11 +1310,7 @@ static inline mip_error mip_aiding_magnetic_field_encode_inline(
     mip_put_16(data + 35, value->valid_flags);
     return MIP_OK;
 }
-/**
- * Magnetic field.
- *
- * Fills the structure and returns its address.
- */
+/** Magnetic field. Fills the structure and returns its address. */
 static inline struct mip_aiding_magnetic_field *mip_aiding_magnetic_field_make(
     struct mip_aiding_magnetic_field *command, const struct mip_aiding_measurement_time *time,
     uint8_t frame_id, const float magnetic_field[3], const float uncertainty[3],
@@ -1479,11 +1407,7 @@ static inline mip_error mip_aiding_pressure_encode_inline(const struct mip_aidin
     mip_put_16(data + 19, value->valid_flags);
     return MIP_OK;
 }
-/**
- * Pressure.
- *
- * Fills the structure and returns its address.
- */
+/** Pressure. Fills the structure and returns its address. */
 static inline struct mip_aiding_pressure *mip_aiding_pressure_make(
     struct mip_aiding_pressure *command, const struct mip_aiding_measurement_time *time,
     uint8_t frame_id, float pressure, float uncertainty, uint16_t valid_flags) {

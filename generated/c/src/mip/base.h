@@ -706,11 +706,7 @@ static inline mip_error mip_base_comm_speed_encode(const struct mip_base_comm_sp
                                                    struct mip_builder *builder) {
     return mip_encode(&mip_base_comm_speed_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_base_comm_speed *
 mip_base_comm_speed_write(struct mip_base_comm_speed *command, uint8_t port, uint32_t baud) {
     memset(command, 0, sizeof(*command));
@@ -719,11 +715,7 @@ mip_base_comm_speed_write(struct mip_base_comm_speed *command, uint8_t port, uin
     command->baud = baud;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_base_comm_speed *
 mip_base_comm_speed_read(struct mip_base_comm_speed *command, uint8_t port) {
     memset(command, 0, sizeof(*command));
@@ -731,11 +723,7 @@ mip_base_comm_speed_read(struct mip_base_comm_speed *command, uint8_t port) {
     command->port = port;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_base_comm_speed *
 mip_base_comm_speed_save(struct mip_base_comm_speed *command, uint8_t port) {
     memset(command, 0, sizeof(*command));
@@ -743,11 +731,7 @@ mip_base_comm_speed_save(struct mip_base_comm_speed *command, uint8_t port) {
     command->port = port;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_base_comm_speed *
 mip_base_comm_speed_load(struct mip_base_comm_speed *command, uint8_t port) {
     memset(command, 0, sizeof(*command));
@@ -755,11 +739,7 @@ mip_base_comm_speed_load(struct mip_base_comm_speed *command, uint8_t port) {
     command->port = port;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_base_comm_speed *
 mip_base_comm_speed_default(struct mip_base_comm_speed *command, uint8_t port) {
     memset(command, 0, sizeof(*command));
@@ -890,11 +870,7 @@ static inline mip_error mip_base_gps_time_update_encode(
     const struct mip_base_gps_time_update *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_gps_time_update_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_base_gps_time_update *
 mip_base_gps_time_update_write(struct mip_base_gps_time_update *command,
                                enum mip_base_gps_time_field field_id, uint32_t value) {
@@ -904,11 +880,7 @@ mip_base_gps_time_update_write(struct mip_base_gps_time_update *command,
     command->value = value;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_base_gps_time_update *mip_base_gps_time_update_read(
     struct mip_base_gps_time_update *command, enum mip_base_gps_time_field field_id) {
     memset(command, 0, sizeof(*command));
@@ -917,9 +889,8 @@ static inline struct mip_base_gps_time_update *mip_base_gps_time_update_read(
     return command;
 }
 /**
- * Apply the new setting and send no acknowledge (5-series devices).
- *
- * Fills the structure and returns its address.
+ * Apply the new setting and send no acknowledge (5-series devices). Fills the structure and returns
+ * its address.
  */
 static inline struct mip_base_gps_time_update *
 mip_base_gps_time_update_apply(struct mip_base_gps_time_update *command,

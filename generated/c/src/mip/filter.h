@@ -428,11 +428,7 @@ static inline mip_error mip_filter_set_initial_attitude_encode_inline(
     mip_put_float(data + 8, &value->heading);
     return MIP_OK;
 }
-/**
- * Set initial attitude.
- *
- * Fills the structure and returns its address.
- */
+/** Set initial attitude. Fills the structure and returns its address. */
 static inline struct mip_filter_set_initial_attitude *mip_filter_set_initial_attitude_make(
     struct mip_filter_set_initial_attitude *command, float roll, float pitch, float heading) {
     memset(command, 0, sizeof(*command));
@@ -507,11 +503,7 @@ static inline mip_error mip_filter_set_initial_heading_encode_inline(
     mip_put_float(data, &value->heading);
     return MIP_OK;
 }
-/**
- * Set initial heading.
- *
- * Fills the structure and returns its address.
- */
+/** Set initial heading. Fills the structure and returns its address. */
 static inline struct mip_filter_set_initial_heading *
 mip_filter_set_initial_heading_make(struct mip_filter_set_initial_heading *command, float heading) {
     memset(command, 0, sizeof(*command));
@@ -604,11 +596,7 @@ static inline mip_error mip_filter_vehicle_dynamics_mode_encode(
     const struct mip_filter_vehicle_dynamics_mode *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_vehicle_dynamics_mode_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_vehicle_dynamics_mode *mip_filter_vehicle_dynamics_mode_write(
     struct mip_filter_vehicle_dynamics_mode *command, enum mip_filter_dynamics_mode mode) {
     memset(command, 0, sizeof(*command));
@@ -616,44 +604,28 @@ static inline struct mip_filter_vehicle_dynamics_mode *mip_filter_vehicle_dynami
     command->mode = (uint8_t)mode;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_vehicle_dynamics_mode *
 mip_filter_vehicle_dynamics_mode_read(struct mip_filter_vehicle_dynamics_mode *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_vehicle_dynamics_mode *
 mip_filter_vehicle_dynamics_mode_save(struct mip_filter_vehicle_dynamics_mode *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_vehicle_dynamics_mode *
 mip_filter_vehicle_dynamics_mode_load(struct mip_filter_vehicle_dynamics_mode *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_vehicle_dynamics_mode *
 mip_filter_vehicle_dynamics_mode_default(struct mip_filter_vehicle_dynamics_mode *command) {
     memset(command, 0, sizeof(*command));
@@ -773,11 +745,7 @@ static inline mip_error mip_filter_sensor_to_vehicle_euler_encode(
     const struct mip_filter_sensor_to_vehicle_euler *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_sensor_to_vehicle_euler_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_euler *mip_filter_sensor_to_vehicle_euler_write(
     struct mip_filter_sensor_to_vehicle_euler *command, float roll, float pitch, float yaw) {
     memset(command, 0, sizeof(*command));
@@ -787,44 +755,28 @@ static inline struct mip_filter_sensor_to_vehicle_euler *mip_filter_sensor_to_ve
     command->yaw = yaw;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_euler *
 mip_filter_sensor_to_vehicle_euler_read(struct mip_filter_sensor_to_vehicle_euler *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_euler *
 mip_filter_sensor_to_vehicle_euler_save(struct mip_filter_sensor_to_vehicle_euler *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_euler *
 mip_filter_sensor_to_vehicle_euler_load(struct mip_filter_sensor_to_vehicle_euler *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_euler *
 mip_filter_sensor_to_vehicle_euler_default(struct mip_filter_sensor_to_vehicle_euler *command) {
     memset(command, 0, sizeof(*command));
@@ -951,11 +903,7 @@ static inline mip_error mip_filter_sensor_to_vehicle_offset_encode(
     const struct mip_filter_sensor_to_vehicle_offset *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_sensor_to_vehicle_offset_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_offset *mip_filter_sensor_to_vehicle_offset_write(
     struct mip_filter_sensor_to_vehicle_offset *command, const float offset[3]) {
     memset(command, 0, sizeof(*command));
@@ -963,44 +911,28 @@ static inline struct mip_filter_sensor_to_vehicle_offset *mip_filter_sensor_to_v
     memcpy(command->offset, offset, sizeof(command->offset));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_offset *
 mip_filter_sensor_to_vehicle_offset_read(struct mip_filter_sensor_to_vehicle_offset *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_offset *
 mip_filter_sensor_to_vehicle_offset_save(struct mip_filter_sensor_to_vehicle_offset *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_offset *
 mip_filter_sensor_to_vehicle_offset_load(struct mip_filter_sensor_to_vehicle_offset *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_offset *
 mip_filter_sensor_to_vehicle_offset_default(struct mip_filter_sensor_to_vehicle_offset *command) {
     memset(command, 0, sizeof(*command));
@@ -1123,11 +1055,7 @@ static inline mip_error mip_filter_antenna_offset_encode(
     const struct mip_filter_antenna_offset *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_antenna_offset_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_antenna_offset *
 mip_filter_antenna_offset_write(struct mip_filter_antenna_offset *command, const float offset[3]) {
     memset(command, 0, sizeof(*command));
@@ -1135,44 +1063,28 @@ mip_filter_antenna_offset_write(struct mip_filter_antenna_offset *command, const
     memcpy(command->offset, offset, sizeof(command->offset));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_antenna_offset *
 mip_filter_antenna_offset_read(struct mip_filter_antenna_offset *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_antenna_offset *
 mip_filter_antenna_offset_save(struct mip_filter_antenna_offset *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_antenna_offset *
 mip_filter_antenna_offset_load(struct mip_filter_antenna_offset *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_antenna_offset *
 mip_filter_antenna_offset_default(struct mip_filter_antenna_offset *command) {
     memset(command, 0, sizeof(*command));
@@ -1295,11 +1207,7 @@ static inline mip_error mip_filter_estimation_control_encode(
     const struct mip_filter_estimation_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_estimation_control_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_estimation_control *mip_filter_estimation_control_write(
     struct mip_filter_estimation_control *command, mip_filter_estimated_states flags) {
     memset(command, 0, sizeof(*command));
@@ -1307,44 +1215,28 @@ static inline struct mip_filter_estimation_control *mip_filter_estimation_contro
     command->flags = flags;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_estimation_control *
 mip_filter_estimation_control_read(struct mip_filter_estimation_control *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_estimation_control *
 mip_filter_estimation_control_save(struct mip_filter_estimation_control *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_estimation_control *
 mip_filter_estimation_control_load(struct mip_filter_estimation_control *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_estimation_control *
 mip_filter_estimation_control_default(struct mip_filter_estimation_control *command) {
     memset(command, 0, sizeof(*command));
@@ -1456,11 +1348,7 @@ static inline mip_error mip_filter_gnss_source_encode(const struct mip_filter_gn
                                                       struct mip_builder *builder) {
     return mip_encode(&mip_filter_gnss_source_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_gnss_source *mip_filter_gnss_source_write(
     struct mip_filter_gnss_source *command, enum mip_filter_gnss_aiding_source source) {
     memset(command, 0, sizeof(*command));
@@ -1468,44 +1356,28 @@ static inline struct mip_filter_gnss_source *mip_filter_gnss_source_write(
     command->source = (uint8_t)source;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_gnss_source *
 mip_filter_gnss_source_read(struct mip_filter_gnss_source *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_gnss_source *
 mip_filter_gnss_source_save(struct mip_filter_gnss_source *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_gnss_source *
 mip_filter_gnss_source_load(struct mip_filter_gnss_source *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_gnss_source *
 mip_filter_gnss_source_default(struct mip_filter_gnss_source *command) {
     memset(command, 0, sizeof(*command));
@@ -1672,11 +1544,7 @@ static inline mip_error mip_filter_external_gnss_update_encode_inline(
     }
     return MIP_OK;
 }
-/**
- * External GNSS update.
- *
- * Fills the structure and returns its address.
- */
+/** External GNSS update. Fills the structure and returns its address. */
 static inline struct mip_filter_external_gnss_update *mip_filter_external_gnss_update_make(
     struct mip_filter_external_gnss_update *command, double tow, uint16_t week_number,
     double latitude, double longitude, double height, const float velocity[3],
@@ -1776,11 +1644,7 @@ static inline mip_error mip_filter_external_heading_update_encode_inline(
     mip_put_8(data + 8, value->type);
     return MIP_OK;
 }
-/**
- * External heading update.
- *
- * Fills the structure and returns its address.
- */
+/** External heading update. Fills the structure and returns its address. */
 static inline struct mip_filter_external_heading_update *mip_filter_external_heading_update_make(
     struct mip_filter_external_heading_update *command, float heading, float heading_uncertainty,
     enum mip_filter_heading_type type) {
@@ -1843,11 +1707,7 @@ static inline mip_error mip_filter_heading_source_encode(
     const struct mip_filter_heading_source *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_heading_source_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_heading_source *mip_filter_heading_source_write(
     struct mip_filter_heading_source *command, enum mip_filter_heading_update_source source) {
     memset(command, 0, sizeof(*command));
@@ -1855,44 +1715,28 @@ static inline struct mip_filter_heading_source *mip_filter_heading_source_write(
     command->source = (uint8_t)source;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_heading_source *
 mip_filter_heading_source_read(struct mip_filter_heading_source *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_heading_source *
 mip_filter_heading_source_save(struct mip_filter_heading_source *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_heading_source *
 mip_filter_heading_source_load(struct mip_filter_heading_source *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_heading_source *
 mip_filter_heading_source_default(struct mip_filter_heading_source *command) {
     memset(command, 0, sizeof(*command));
@@ -2001,11 +1845,7 @@ static inline mip_error mip_filter_auto_initialization_control_encode(
     const struct mip_filter_auto_initialization_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_auto_initialization_control_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_auto_initialization_control *
 mip_filter_auto_initialization_control_write(struct mip_filter_auto_initialization_control *command,
                                              uint8_t enable) {
@@ -2014,11 +1854,7 @@ mip_filter_auto_initialization_control_write(struct mip_filter_auto_initializati
     command->enable = enable;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_auto_initialization_control *
 mip_filter_auto_initialization_control_read(
     struct mip_filter_auto_initialization_control *command) {
@@ -2026,11 +1862,7 @@ mip_filter_auto_initialization_control_read(
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_auto_initialization_control *
 mip_filter_auto_initialization_control_save(
     struct mip_filter_auto_initialization_control *command) {
@@ -2038,11 +1870,7 @@ mip_filter_auto_initialization_control_save(
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_auto_initialization_control *
 mip_filter_auto_initialization_control_load(
     struct mip_filter_auto_initialization_control *command) {
@@ -2050,11 +1878,7 @@ mip_filter_auto_initialization_control_load(
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_auto_initialization_control *
 mip_filter_auto_initialization_control_default(
     struct mip_filter_auto_initialization_control *command) {
@@ -2172,11 +1996,7 @@ static inline mip_error mip_filter_accel_noise_encode(const struct mip_filter_ac
                                                       struct mip_builder *builder) {
     return mip_encode(&mip_filter_accel_noise_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_accel_noise *
 mip_filter_accel_noise_write(struct mip_filter_accel_noise *command, const float noise[3]) {
     memset(command, 0, sizeof(*command));
@@ -2184,44 +2004,28 @@ mip_filter_accel_noise_write(struct mip_filter_accel_noise *command, const float
     memcpy(command->noise, noise, sizeof(command->noise));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_accel_noise *
 mip_filter_accel_noise_read(struct mip_filter_accel_noise *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_accel_noise *
 mip_filter_accel_noise_save(struct mip_filter_accel_noise *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_accel_noise *
 mip_filter_accel_noise_load(struct mip_filter_accel_noise *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_accel_noise *
 mip_filter_accel_noise_default(struct mip_filter_accel_noise *command) {
     memset(command, 0, sizeof(*command));
@@ -2339,11 +2143,7 @@ static inline mip_error mip_filter_gyro_noise_encode(const struct mip_filter_gyr
                                                      struct mip_builder *builder) {
     return mip_encode(&mip_filter_gyro_noise_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_gyro_noise *
 mip_filter_gyro_noise_write(struct mip_filter_gyro_noise *command, const float noise[3]) {
     memset(command, 0, sizeof(*command));
@@ -2351,44 +2151,28 @@ mip_filter_gyro_noise_write(struct mip_filter_gyro_noise *command, const float n
     memcpy(command->noise, noise, sizeof(command->noise));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_gyro_noise *
 mip_filter_gyro_noise_read(struct mip_filter_gyro_noise *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_gyro_noise *
 mip_filter_gyro_noise_save(struct mip_filter_gyro_noise *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_gyro_noise *
 mip_filter_gyro_noise_load(struct mip_filter_gyro_noise *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_gyro_noise *
 mip_filter_gyro_noise_default(struct mip_filter_gyro_noise *command) {
     memset(command, 0, sizeof(*command));
@@ -2508,11 +2292,7 @@ static inline mip_error mip_filter_accel_bias_model_encode(
     const struct mip_filter_accel_bias_model *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_accel_bias_model_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_accel_bias_model *mip_filter_accel_bias_model_write(
     struct mip_filter_accel_bias_model *command, const float beta[3], const float noise[3]) {
     memset(command, 0, sizeof(*command));
@@ -2521,44 +2301,28 @@ static inline struct mip_filter_accel_bias_model *mip_filter_accel_bias_model_wr
     memcpy(command->noise, noise, sizeof(command->noise));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_accel_bias_model *
 mip_filter_accel_bias_model_read(struct mip_filter_accel_bias_model *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_accel_bias_model *
 mip_filter_accel_bias_model_save(struct mip_filter_accel_bias_model *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_accel_bias_model *
 mip_filter_accel_bias_model_load(struct mip_filter_accel_bias_model *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_accel_bias_model *
 mip_filter_accel_bias_model_default(struct mip_filter_accel_bias_model *command) {
     memset(command, 0, sizeof(*command));
@@ -2689,11 +2453,7 @@ static inline mip_error mip_filter_gyro_bias_model_encode(
     const struct mip_filter_gyro_bias_model *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gyro_bias_model_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_gyro_bias_model *mip_filter_gyro_bias_model_write(
     struct mip_filter_gyro_bias_model *command, const float beta[3], const float noise[3]) {
     memset(command, 0, sizeof(*command));
@@ -2702,44 +2462,28 @@ static inline struct mip_filter_gyro_bias_model *mip_filter_gyro_bias_model_writ
     memcpy(command->noise, noise, sizeof(command->noise));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_gyro_bias_model *
 mip_filter_gyro_bias_model_read(struct mip_filter_gyro_bias_model *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_gyro_bias_model *
 mip_filter_gyro_bias_model_save(struct mip_filter_gyro_bias_model *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_gyro_bias_model *
 mip_filter_gyro_bias_model_load(struct mip_filter_gyro_bias_model *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_gyro_bias_model *
 mip_filter_gyro_bias_model_default(struct mip_filter_gyro_bias_model *command) {
     memset(command, 0, sizeof(*command));
@@ -2866,11 +2610,7 @@ static inline mip_error mip_filter_auto_zupt_encode(const struct mip_filter_auto
                                                     struct mip_builder *builder) {
     return mip_encode(&mip_filter_auto_zupt_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_auto_zupt *
 mip_filter_auto_zupt_write(struct mip_filter_auto_zupt *command, uint8_t enable, float threshold) {
     memset(command, 0, sizeof(*command));
@@ -2879,44 +2619,28 @@ mip_filter_auto_zupt_write(struct mip_filter_auto_zupt *command, uint8_t enable,
     command->threshold = threshold;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_auto_zupt *
 mip_filter_auto_zupt_read(struct mip_filter_auto_zupt *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_auto_zupt *
 mip_filter_auto_zupt_save(struct mip_filter_auto_zupt *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_auto_zupt *
 mip_filter_auto_zupt_load(struct mip_filter_auto_zupt *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_auto_zupt *
 mip_filter_auto_zupt_default(struct mip_filter_auto_zupt *command) {
     memset(command, 0, sizeof(*command));
@@ -3078,11 +2802,7 @@ static inline mip_error mip_filter_external_heading_update_with_time_encode_inli
     mip_put_8(data + 18, value->type);
     return MIP_OK;
 }
-/**
- * External heading update with time.
- *
- * Fills the structure and returns its address.
- */
+/** External heading update with time. Fills the structure and returns its address. */
 static inline struct mip_filter_external_heading_update_with_time *
 mip_filter_external_heading_update_with_time_make(
     struct mip_filter_external_heading_update_with_time *command, double tow, uint16_t week_number,
@@ -3147,11 +2867,7 @@ static inline mip_error mip_filter_auto_angular_zupt_encode(
     const struct mip_filter_auto_angular_zupt *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_auto_angular_zupt_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_auto_angular_zupt *mip_filter_auto_angular_zupt_write(
     struct mip_filter_auto_angular_zupt *command, uint8_t enable, float threshold) {
     memset(command, 0, sizeof(*command));
@@ -3160,44 +2876,28 @@ static inline struct mip_filter_auto_angular_zupt *mip_filter_auto_angular_zupt_
     command->threshold = threshold;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_auto_angular_zupt *
 mip_filter_auto_angular_zupt_read(struct mip_filter_auto_angular_zupt *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_auto_angular_zupt *
 mip_filter_auto_angular_zupt_save(struct mip_filter_auto_angular_zupt *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_auto_angular_zupt *
 mip_filter_auto_angular_zupt_load(struct mip_filter_auto_angular_zupt *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_auto_angular_zupt *
 mip_filter_auto_angular_zupt_default(struct mip_filter_auto_angular_zupt *command) {
     memset(command, 0, sizeof(*command));
@@ -3314,11 +3014,7 @@ static inline mip_error mip_filter_tare_orientation_encode(
     const struct mip_filter_tare_orientation *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_tare_orientation_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_tare_orientation *mip_filter_tare_orientation_write(
     struct mip_filter_tare_orientation *command, mip_filter_tare_axes axes) {
     memset(command, 0, sizeof(*command));
@@ -3326,44 +3022,28 @@ static inline struct mip_filter_tare_orientation *mip_filter_tare_orientation_wr
     command->axes = axes;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_tare_orientation *
 mip_filter_tare_orientation_read(struct mip_filter_tare_orientation *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_tare_orientation *
 mip_filter_tare_orientation_save(struct mip_filter_tare_orientation *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_tare_orientation *
 mip_filter_tare_orientation_load(struct mip_filter_tare_orientation *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_tare_orientation *
 mip_filter_tare_orientation_default(struct mip_filter_tare_orientation *command) {
     memset(command, 0, sizeof(*command));
@@ -3553,11 +3233,7 @@ static inline mip_error mip_filter_reference_position_encode(
     const struct mip_filter_reference_position *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_reference_position_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_reference_position *
 mip_filter_reference_position_write(struct mip_filter_reference_position *command, uint8_t enable,
                                     double latitude, double longitude, double altitude) {
@@ -3569,44 +3245,28 @@ mip_filter_reference_position_write(struct mip_filter_reference_position *comman
     command->altitude = altitude;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_reference_position *
 mip_filter_reference_position_read(struct mip_filter_reference_position *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_reference_position *
 mip_filter_reference_position_save(struct mip_filter_reference_position *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_reference_position *
 mip_filter_reference_position_load(struct mip_filter_reference_position *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_reference_position *
 mip_filter_reference_position_default(struct mip_filter_reference_position *command) {
     memset(command, 0, sizeof(*command));
@@ -3747,11 +3407,7 @@ static inline mip_error mip_filter_mag_capture_auto_calibration_encode_inline(
     mip_put_8(data, value->function);
     return MIP_OK;
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_capture_auto_calibration *
 mip_filter_mag_capture_auto_calibration_write(
     struct mip_filter_mag_capture_auto_calibration *command) {
@@ -3759,11 +3415,7 @@ mip_filter_mag_capture_auto_calibration_write(
     command->function = MIP_FUNCTION_SELECTOR_WRITE;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_capture_auto_calibration *
 mip_filter_mag_capture_auto_calibration_save(
     struct mip_filter_mag_capture_auto_calibration *command) {
@@ -3820,11 +3472,7 @@ static inline mip_error mip_filter_gravity_noise_encode(
     const struct mip_filter_gravity_noise *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gravity_noise_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_gravity_noise *
 mip_filter_gravity_noise_write(struct mip_filter_gravity_noise *command, const float noise[3]) {
     memset(command, 0, sizeof(*command));
@@ -3832,44 +3480,28 @@ mip_filter_gravity_noise_write(struct mip_filter_gravity_noise *command, const f
     memcpy(command->noise, noise, sizeof(command->noise));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_gravity_noise *
 mip_filter_gravity_noise_read(struct mip_filter_gravity_noise *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_gravity_noise *
 mip_filter_gravity_noise_save(struct mip_filter_gravity_noise *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_gravity_noise *
 mip_filter_gravity_noise_load(struct mip_filter_gravity_noise *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_gravity_noise *
 mip_filter_gravity_noise_default(struct mip_filter_gravity_noise *command) {
     memset(command, 0, sizeof(*command));
@@ -3984,11 +3616,7 @@ static inline mip_error mip_filter_pressure_altitude_noise_encode(
     const struct mip_filter_pressure_altitude_noise *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_pressure_altitude_noise_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_pressure_altitude_noise *mip_filter_pressure_altitude_noise_write(
     struct mip_filter_pressure_altitude_noise *command, float noise) {
     memset(command, 0, sizeof(*command));
@@ -3996,44 +3624,28 @@ static inline struct mip_filter_pressure_altitude_noise *mip_filter_pressure_alt
     command->noise = noise;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_pressure_altitude_noise *
 mip_filter_pressure_altitude_noise_read(struct mip_filter_pressure_altitude_noise *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_pressure_altitude_noise *
 mip_filter_pressure_altitude_noise_save(struct mip_filter_pressure_altitude_noise *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_pressure_altitude_noise *
 mip_filter_pressure_altitude_noise_load(struct mip_filter_pressure_altitude_noise *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_pressure_altitude_noise *
 mip_filter_pressure_altitude_noise_default(struct mip_filter_pressure_altitude_noise *command) {
     memset(command, 0, sizeof(*command));
@@ -4145,11 +3757,7 @@ static inline mip_error mip_filter_hard_iron_offset_noise_encode(
     const struct mip_filter_hard_iron_offset_noise *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_hard_iron_offset_noise_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_hard_iron_offset_noise *mip_filter_hard_iron_offset_noise_write(
     struct mip_filter_hard_iron_offset_noise *command, const float noise[3]) {
     memset(command, 0, sizeof(*command));
@@ -4157,44 +3765,28 @@ static inline struct mip_filter_hard_iron_offset_noise *mip_filter_hard_iron_off
     memcpy(command->noise, noise, sizeof(command->noise));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_hard_iron_offset_noise *
 mip_filter_hard_iron_offset_noise_read(struct mip_filter_hard_iron_offset_noise *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_hard_iron_offset_noise *
 mip_filter_hard_iron_offset_noise_save(struct mip_filter_hard_iron_offset_noise *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_hard_iron_offset_noise *
 mip_filter_hard_iron_offset_noise_load(struct mip_filter_hard_iron_offset_noise *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_hard_iron_offset_noise *
 mip_filter_hard_iron_offset_noise_default(struct mip_filter_hard_iron_offset_noise *command) {
     memset(command, 0, sizeof(*command));
@@ -4310,11 +3902,7 @@ static inline mip_error mip_filter_soft_iron_matrix_noise_encode(
     const struct mip_filter_soft_iron_matrix_noise *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_soft_iron_matrix_noise_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_soft_iron_matrix_noise *mip_filter_soft_iron_matrix_noise_write(
     struct mip_filter_soft_iron_matrix_noise *command, const float noise[9]) {
     memset(command, 0, sizeof(*command));
@@ -4322,44 +3910,28 @@ static inline struct mip_filter_soft_iron_matrix_noise *mip_filter_soft_iron_mat
     memcpy(command->noise, noise, sizeof(command->noise));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_soft_iron_matrix_noise *
 mip_filter_soft_iron_matrix_noise_read(struct mip_filter_soft_iron_matrix_noise *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_soft_iron_matrix_noise *
 mip_filter_soft_iron_matrix_noise_save(struct mip_filter_soft_iron_matrix_noise *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_soft_iron_matrix_noise *
 mip_filter_soft_iron_matrix_noise_load(struct mip_filter_soft_iron_matrix_noise *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_soft_iron_matrix_noise *
 mip_filter_soft_iron_matrix_noise_default(struct mip_filter_soft_iron_matrix_noise *command) {
     memset(command, 0, sizeof(*command));
@@ -4474,11 +4046,7 @@ static inline mip_error mip_filter_enable_measurements_encode(
     const struct mip_filter_enable_measurements *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_enable_measurements_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_enable_measurements *mip_filter_enable_measurements_write(
     struct mip_filter_enable_measurements *command, mip_filter_measurement_flags control) {
     memset(command, 0, sizeof(*command));
@@ -4486,44 +4054,28 @@ static inline struct mip_filter_enable_measurements *mip_filter_enable_measureme
     command->control = control;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_enable_measurements *
 mip_filter_enable_measurements_read(struct mip_filter_enable_measurements *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_enable_measurements *
 mip_filter_enable_measurements_save(struct mip_filter_enable_measurements *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_enable_measurements *
 mip_filter_enable_measurements_load(struct mip_filter_enable_measurements *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_enable_measurements *
 mip_filter_enable_measurements_default(struct mip_filter_enable_measurements *command) {
     memset(command, 0, sizeof(*command));
@@ -4634,11 +4186,7 @@ static inline mip_error mip_filter_mag_noise_encode(const struct mip_filter_mag_
                                                     struct mip_builder *builder) {
     return mip_encode(&mip_filter_mag_noise_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_noise *
 mip_filter_mag_noise_write(struct mip_filter_mag_noise *command, const float noise[3]) {
     memset(command, 0, sizeof(*command));
@@ -4646,44 +4194,28 @@ mip_filter_mag_noise_write(struct mip_filter_mag_noise *command, const float noi
     memcpy(command->noise, noise, sizeof(command->noise));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_noise *
 mip_filter_mag_noise_read(struct mip_filter_mag_noise *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_noise *
 mip_filter_mag_noise_save(struct mip_filter_mag_noise *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_noise *
 mip_filter_mag_noise_load(struct mip_filter_mag_noise *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_noise *
 mip_filter_mag_noise_default(struct mip_filter_mag_noise *command) {
     memset(command, 0, sizeof(*command));
@@ -4803,11 +4335,7 @@ static inline mip_error mip_filter_magnetic_declination_source_encode(
     const struct mip_filter_magnetic_declination_source *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_magnetic_declination_source_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_magnetic_declination_source *
 mip_filter_magnetic_declination_source_write(struct mip_filter_magnetic_declination_source *command,
                                              enum mip_filter_mag_parameter_source source,
@@ -4818,11 +4346,7 @@ mip_filter_magnetic_declination_source_write(struct mip_filter_magnetic_declinat
     command->declination = declination;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_magnetic_declination_source *
 mip_filter_magnetic_declination_source_read(
     struct mip_filter_magnetic_declination_source *command) {
@@ -4830,11 +4354,7 @@ mip_filter_magnetic_declination_source_read(
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_magnetic_declination_source *
 mip_filter_magnetic_declination_source_save(
     struct mip_filter_magnetic_declination_source *command) {
@@ -4842,11 +4362,7 @@ mip_filter_magnetic_declination_source_save(
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_magnetic_declination_source *
 mip_filter_magnetic_declination_source_load(
     struct mip_filter_magnetic_declination_source *command) {
@@ -4854,11 +4370,7 @@ mip_filter_magnetic_declination_source_load(
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_magnetic_declination_source *
 mip_filter_magnetic_declination_source_default(
     struct mip_filter_magnetic_declination_source *command) {
@@ -5015,11 +4527,7 @@ static inline mip_error mip_filter_accel_magnitude_adaptive_encode(
     const struct mip_filter_accel_magnitude_adaptive *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_accel_magnitude_adaptive_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_accel_magnitude_adaptive *mip_filter_accel_magnitude_adaptive_write(
     struct mip_filter_accel_magnitude_adaptive *command,
     enum mip_filter_adaptive_measurement_selector adaptive_measurement) {
@@ -5028,44 +4536,28 @@ static inline struct mip_filter_accel_magnitude_adaptive *mip_filter_accel_magni
     command->adaptive_measurement = (uint8_t)adaptive_measurement;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_accel_magnitude_adaptive *
 mip_filter_accel_magnitude_adaptive_read(struct mip_filter_accel_magnitude_adaptive *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_accel_magnitude_adaptive *
 mip_filter_accel_magnitude_adaptive_save(struct mip_filter_accel_magnitude_adaptive *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_accel_magnitude_adaptive *
 mip_filter_accel_magnitude_adaptive_load(struct mip_filter_accel_magnitude_adaptive *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_accel_magnitude_adaptive *
 mip_filter_accel_magnitude_adaptive_default(struct mip_filter_accel_magnitude_adaptive *command) {
     memset(command, 0, sizeof(*command));
@@ -5246,11 +4738,7 @@ static inline mip_error mip_filter_mag_magnitude_adaptive_encode(
     const struct mip_filter_mag_magnitude_adaptive *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_mag_magnitude_adaptive_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_magnitude_adaptive *mip_filter_mag_magnitude_adaptive_write(
     struct mip_filter_mag_magnitude_adaptive *command,
     enum mip_filter_adaptive_measurement_selector adaptive_measurement, float frequency,
@@ -5267,44 +4755,28 @@ static inline struct mip_filter_mag_magnitude_adaptive *mip_filter_mag_magnitude
     command->minimum_uncertainty = minimum_uncertainty;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_magnitude_adaptive *
 mip_filter_mag_magnitude_adaptive_read(struct mip_filter_mag_magnitude_adaptive *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_magnitude_adaptive *
 mip_filter_mag_magnitude_adaptive_save(struct mip_filter_mag_magnitude_adaptive *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_magnitude_adaptive *
 mip_filter_mag_magnitude_adaptive_load(struct mip_filter_mag_magnitude_adaptive *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_magnitude_adaptive *
 mip_filter_mag_magnitude_adaptive_default(struct mip_filter_mag_magnitude_adaptive *command) {
     memset(command, 0, sizeof(*command));
@@ -5480,11 +4952,7 @@ static inline mip_error mip_filter_mag_dip_angle_adaptive_encode(
     const struct mip_filter_mag_dip_angle_adaptive *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_mag_dip_angle_adaptive_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_dip_angle_adaptive *mip_filter_mag_dip_angle_adaptive_write(
     struct mip_filter_mag_dip_angle_adaptive *command, mip_bool enable, float frequency,
     float high_limit, float high_limit_uncertainty, float minimum_uncertainty) {
@@ -5497,44 +4965,28 @@ static inline struct mip_filter_mag_dip_angle_adaptive *mip_filter_mag_dip_angle
     command->minimum_uncertainty = minimum_uncertainty;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_dip_angle_adaptive *
 mip_filter_mag_dip_angle_adaptive_read(struct mip_filter_mag_dip_angle_adaptive *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_dip_angle_adaptive *
 mip_filter_mag_dip_angle_adaptive_save(struct mip_filter_mag_dip_angle_adaptive *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_dip_angle_adaptive *
 mip_filter_mag_dip_angle_adaptive_load(struct mip_filter_mag_dip_angle_adaptive *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_dip_angle_adaptive *
 mip_filter_mag_dip_angle_adaptive_default(struct mip_filter_mag_dip_angle_adaptive *command) {
     memset(command, 0, sizeof(*command));
@@ -5676,11 +5128,7 @@ static inline mip_error mip_filter_altitude_aiding_encode(
     const struct mip_filter_altitude_aiding *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_altitude_aiding_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_altitude_aiding *mip_filter_altitude_aiding_write(
     struct mip_filter_altitude_aiding *command, enum mip_filter_altitude_aiding_source selector) {
     memset(command, 0, sizeof(*command));
@@ -5688,44 +5136,28 @@ static inline struct mip_filter_altitude_aiding *mip_filter_altitude_aiding_writ
     command->selector = (uint8_t)selector;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_altitude_aiding *
 mip_filter_altitude_aiding_read(struct mip_filter_altitude_aiding *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_altitude_aiding *
 mip_filter_altitude_aiding_save(struct mip_filter_altitude_aiding *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_altitude_aiding *
 mip_filter_altitude_aiding_load(struct mip_filter_altitude_aiding *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_altitude_aiding *
 mip_filter_altitude_aiding_default(struct mip_filter_altitude_aiding *command) {
     memset(command, 0, sizeof(*command));
@@ -5836,11 +5268,7 @@ static inline mip_error mip_filter_pitch_roll_aiding_encode(
     const struct mip_filter_pitch_roll_aiding *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_pitch_roll_aiding_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_pitch_roll_aiding *mip_filter_pitch_roll_aiding_write(
     struct mip_filter_pitch_roll_aiding *command, enum mip_filter_pitch_roll_aiding_source aiding) {
     memset(command, 0, sizeof(*command));
@@ -5848,44 +5276,28 @@ static inline struct mip_filter_pitch_roll_aiding *mip_filter_pitch_roll_aiding_
     command->aiding = (uint8_t)aiding;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_pitch_roll_aiding *
 mip_filter_pitch_roll_aiding_read(struct mip_filter_pitch_roll_aiding *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_pitch_roll_aiding *
 mip_filter_pitch_roll_aiding_save(struct mip_filter_pitch_roll_aiding *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_pitch_roll_aiding *
 mip_filter_pitch_roll_aiding_load(struct mip_filter_pitch_roll_aiding *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_pitch_roll_aiding *
 mip_filter_pitch_roll_aiding_default(struct mip_filter_pitch_roll_aiding *command) {
     memset(command, 0, sizeof(*command));
@@ -6003,11 +5415,7 @@ static inline mip_error mip_filter_magnetic_inclination_source_encode(
     const struct mip_filter_magnetic_inclination_source *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_magnetic_inclination_source_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_magnetic_inclination_source *
 mip_filter_magnetic_inclination_source_write(struct mip_filter_magnetic_inclination_source *command,
                                              enum mip_filter_mag_parameter_source source,
@@ -6018,11 +5426,7 @@ mip_filter_magnetic_inclination_source_write(struct mip_filter_magnetic_inclinat
     command->inclination = inclination;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_magnetic_inclination_source *
 mip_filter_magnetic_inclination_source_read(
     struct mip_filter_magnetic_inclination_source *command) {
@@ -6030,11 +5434,7 @@ mip_filter_magnetic_inclination_source_read(
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_magnetic_inclination_source *
 mip_filter_magnetic_inclination_source_save(
     struct mip_filter_magnetic_inclination_source *command) {
@@ -6042,11 +5442,7 @@ mip_filter_magnetic_inclination_source_save(
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_magnetic_inclination_source *
 mip_filter_magnetic_inclination_source_load(
     struct mip_filter_magnetic_inclination_source *command) {
@@ -6054,11 +5450,7 @@ mip_filter_magnetic_inclination_source_load(
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_magnetic_inclination_source *
 mip_filter_magnetic_inclination_source_default(
     struct mip_filter_magnetic_inclination_source *command) {
@@ -6189,11 +5581,7 @@ static inline mip_error mip_filter_magnetic_magnitude_source_encode(
     const struct mip_filter_magnetic_magnitude_source *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_magnetic_magnitude_source_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_magnetic_magnitude_source *
 mip_filter_magnetic_magnitude_source_write(struct mip_filter_magnetic_magnitude_source *command,
                                            enum mip_filter_mag_parameter_source source,
@@ -6204,44 +5592,28 @@ mip_filter_magnetic_magnitude_source_write(struct mip_filter_magnetic_magnitude_
     command->magnitude = magnitude;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_magnetic_magnitude_source *
 mip_filter_magnetic_magnitude_source_read(struct mip_filter_magnetic_magnitude_source *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_magnetic_magnitude_source *
 mip_filter_magnetic_magnitude_source_save(struct mip_filter_magnetic_magnitude_source *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_magnetic_magnitude_source *
 mip_filter_magnetic_magnitude_source_load(struct mip_filter_magnetic_magnitude_source *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_magnetic_magnitude_source *
 mip_filter_magnetic_magnitude_source_default(struct mip_filter_magnetic_magnitude_source *command) {
     memset(command, 0, sizeof(*command));
@@ -6375,11 +5747,7 @@ static inline mip_error mip_filter_sensor_to_vehicle_dcm_encode(
     const struct mip_filter_sensor_to_vehicle_dcm *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_sensor_to_vehicle_dcm_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_dcm *mip_filter_sensor_to_vehicle_dcm_write(
     struct mip_filter_sensor_to_vehicle_dcm *command, const float dcm[9]) {
     memset(command, 0, sizeof(*command));
@@ -6387,44 +5755,28 @@ static inline struct mip_filter_sensor_to_vehicle_dcm *mip_filter_sensor_to_vehi
     memcpy(command->dcm, dcm, sizeof(command->dcm));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_dcm *
 mip_filter_sensor_to_vehicle_dcm_read(struct mip_filter_sensor_to_vehicle_dcm *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_dcm *
 mip_filter_sensor_to_vehicle_dcm_save(struct mip_filter_sensor_to_vehicle_dcm *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_dcm *
 mip_filter_sensor_to_vehicle_dcm_load(struct mip_filter_sensor_to_vehicle_dcm *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_dcm *
 mip_filter_sensor_to_vehicle_dcm_default(struct mip_filter_sensor_to_vehicle_dcm *command) {
     memset(command, 0, sizeof(*command));
@@ -6555,11 +5907,7 @@ static inline mip_error mip_filter_sensor_to_vehicle_quaternion_encode(
     const struct mip_filter_sensor_to_vehicle_quaternion *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_sensor_to_vehicle_quaternion_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_quaternion *
 mip_filter_sensor_to_vehicle_quaternion_write(
     struct mip_filter_sensor_to_vehicle_quaternion *command, const float q[4]) {
@@ -6568,11 +5916,7 @@ mip_filter_sensor_to_vehicle_quaternion_write(
     memcpy(command->q, q, sizeof(command->q));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_quaternion *
 mip_filter_sensor_to_vehicle_quaternion_read(
     struct mip_filter_sensor_to_vehicle_quaternion *command) {
@@ -6580,11 +5924,7 @@ mip_filter_sensor_to_vehicle_quaternion_read(
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_quaternion *
 mip_filter_sensor_to_vehicle_quaternion_save(
     struct mip_filter_sensor_to_vehicle_quaternion *command) {
@@ -6592,11 +5932,7 @@ mip_filter_sensor_to_vehicle_quaternion_save(
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_quaternion *
 mip_filter_sensor_to_vehicle_quaternion_load(
     struct mip_filter_sensor_to_vehicle_quaternion *command) {
@@ -6604,11 +5940,7 @@ mip_filter_sensor_to_vehicle_quaternion_load(
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_quaternion *
 mip_filter_sensor_to_vehicle_quaternion_default(
     struct mip_filter_sensor_to_vehicle_quaternion *command) {
@@ -6735,11 +6067,7 @@ static inline mip_error mip_filter_aiding_measurement_enable_encode(
     const struct mip_filter_aiding_measurement_enable *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_aiding_measurement_enable_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_aiding_measurement_enable *
 mip_filter_aiding_measurement_enable_write(struct mip_filter_aiding_measurement_enable *command,
                                            enum mip_filter_aiding_source aiding_source,
@@ -6750,11 +6078,7 @@ mip_filter_aiding_measurement_enable_write(struct mip_filter_aiding_measurement_
     command->enable = enable;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_aiding_measurement_enable *
 mip_filter_aiding_measurement_enable_read(struct mip_filter_aiding_measurement_enable *command,
                                           enum mip_filter_aiding_source aiding_source) {
@@ -6763,11 +6087,7 @@ mip_filter_aiding_measurement_enable_read(struct mip_filter_aiding_measurement_e
     command->aiding_source = (uint16_t)aiding_source;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_aiding_measurement_enable *
 mip_filter_aiding_measurement_enable_save(struct mip_filter_aiding_measurement_enable *command,
                                           enum mip_filter_aiding_source aiding_source) {
@@ -6776,11 +6096,7 @@ mip_filter_aiding_measurement_enable_save(struct mip_filter_aiding_measurement_e
     command->aiding_source = (uint16_t)aiding_source;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_aiding_measurement_enable *
 mip_filter_aiding_measurement_enable_load(struct mip_filter_aiding_measurement_enable *command,
                                           enum mip_filter_aiding_source aiding_source) {
@@ -6789,11 +6105,7 @@ mip_filter_aiding_measurement_enable_load(struct mip_filter_aiding_measurement_e
     command->aiding_source = (uint16_t)aiding_source;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_aiding_measurement_enable *
 mip_filter_aiding_measurement_enable_default(struct mip_filter_aiding_measurement_enable *command,
                                              enum mip_filter_aiding_source aiding_source) {
@@ -6926,11 +6238,7 @@ static inline mip_error mip_filter_kinematic_constraint_encode(
     const struct mip_filter_kinematic_constraint *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_kinematic_constraint_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_kinematic_constraint *
 mip_filter_kinematic_constraint_write(struct mip_filter_kinematic_constraint *command,
                                       enum mip_filter_accel_constraint accel_constraint,
@@ -6943,44 +6251,28 @@ mip_filter_kinematic_constraint_write(struct mip_filter_kinematic_constraint *co
     command->angular_constraint = (uint8_t)angular_constraint;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_kinematic_constraint *
 mip_filter_kinematic_constraint_read(struct mip_filter_kinematic_constraint *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_kinematic_constraint *
 mip_filter_kinematic_constraint_save(struct mip_filter_kinematic_constraint *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_kinematic_constraint *
 mip_filter_kinematic_constraint_load(struct mip_filter_kinematic_constraint *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_kinematic_constraint *
 mip_filter_kinematic_constraint_default(struct mip_filter_kinematic_constraint *command) {
     memset(command, 0, sizeof(*command));
@@ -7145,11 +6437,7 @@ static inline mip_error mip_filter_initialization_config_encode(
     const struct mip_filter_initialization_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_initialization_config_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_initialization_config *mip_filter_initialization_config_write(
     struct mip_filter_initialization_config *command, uint8_t wait_for_run_command,
     enum mip_filter_initial_condition_source initial_condition_source,
@@ -7169,44 +6457,28 @@ static inline struct mip_filter_initialization_config *mip_filter_initialization
     command->reference_frame_selector = (uint8_t)reference_frame_selector;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_initialization_config *
 mip_filter_initialization_config_read(struct mip_filter_initialization_config *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_initialization_config *
 mip_filter_initialization_config_save(struct mip_filter_initialization_config *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_initialization_config *
 mip_filter_initialization_config_load(struct mip_filter_initialization_config *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_initialization_config *
 mip_filter_initialization_config_default(struct mip_filter_initialization_config *command) {
     memset(command, 0, sizeof(*command));
@@ -7374,11 +6646,7 @@ static inline mip_error mip_filter_adaptive_filter_options_encode(
     const struct mip_filter_adaptive_filter_options *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_adaptive_filter_options_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_adaptive_filter_options *mip_filter_adaptive_filter_options_write(
     struct mip_filter_adaptive_filter_options *command, enum mip_filter_adaptive_level level,
     uint16_t time_limit) {
@@ -7388,44 +6656,28 @@ static inline struct mip_filter_adaptive_filter_options *mip_filter_adaptive_fil
     command->time_limit = time_limit;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_adaptive_filter_options *
 mip_filter_adaptive_filter_options_read(struct mip_filter_adaptive_filter_options *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_adaptive_filter_options *
 mip_filter_adaptive_filter_options_save(struct mip_filter_adaptive_filter_options *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_adaptive_filter_options *
 mip_filter_adaptive_filter_options_load(struct mip_filter_adaptive_filter_options *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_adaptive_filter_options *
 mip_filter_adaptive_filter_options_default(struct mip_filter_adaptive_filter_options *command) {
     memset(command, 0, sizeof(*command));
@@ -7541,11 +6793,7 @@ static inline mip_error mip_filter_multi_antenna_offset_encode(
     const struct mip_filter_multi_antenna_offset *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_multi_antenna_offset_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_multi_antenna_offset *
 mip_filter_multi_antenna_offset_write(struct mip_filter_multi_antenna_offset *command,
                                       uint8_t receiver_id, const float antenna_offset[3]) {
@@ -7555,11 +6803,7 @@ mip_filter_multi_antenna_offset_write(struct mip_filter_multi_antenna_offset *co
     memcpy(command->antenna_offset, antenna_offset, sizeof(command->antenna_offset));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_multi_antenna_offset *mip_filter_multi_antenna_offset_read(
     struct mip_filter_multi_antenna_offset *command, uint8_t receiver_id) {
     memset(command, 0, sizeof(*command));
@@ -7567,11 +6811,7 @@ static inline struct mip_filter_multi_antenna_offset *mip_filter_multi_antenna_o
     command->receiver_id = receiver_id;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_multi_antenna_offset *mip_filter_multi_antenna_offset_save(
     struct mip_filter_multi_antenna_offset *command, uint8_t receiver_id) {
     memset(command, 0, sizeof(*command));
@@ -7579,11 +6819,7 @@ static inline struct mip_filter_multi_antenna_offset *mip_filter_multi_antenna_o
     command->receiver_id = receiver_id;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_multi_antenna_offset *mip_filter_multi_antenna_offset_load(
     struct mip_filter_multi_antenna_offset *command, uint8_t receiver_id) {
     memset(command, 0, sizeof(*command));
@@ -7591,11 +6827,7 @@ static inline struct mip_filter_multi_antenna_offset *mip_filter_multi_antenna_o
     command->receiver_id = receiver_id;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_multi_antenna_offset *mip_filter_multi_antenna_offset_default(
     struct mip_filter_multi_antenna_offset *command, uint8_t receiver_id) {
     memset(command, 0, sizeof(*command));
@@ -7725,11 +6957,7 @@ static inline mip_error mip_filter_relative_position_config_encode(
     const struct mip_filter_relative_position_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_relative_position_config_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_relative_position_config *
 mip_filter_relative_position_config_write(struct mip_filter_relative_position_config *command,
                                           enum mip_filter_relative_position_source source,
@@ -7743,44 +6971,28 @@ mip_filter_relative_position_config_write(struct mip_filter_relative_position_co
            sizeof(command->reference_coordinates));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_relative_position_config *
 mip_filter_relative_position_config_read(struct mip_filter_relative_position_config *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_relative_position_config *
 mip_filter_relative_position_config_save(struct mip_filter_relative_position_config *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_relative_position_config *
 mip_filter_relative_position_config_load(struct mip_filter_relative_position_config *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_relative_position_config *
 mip_filter_relative_position_config_default(struct mip_filter_relative_position_config *command) {
     memset(command, 0, sizeof(*command));
@@ -7916,11 +7128,7 @@ static inline mip_error mip_filter_reference_point_lever_arm_encode(
     const struct mip_filter_reference_point_lever_arm *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_reference_point_lever_arm_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_reference_point_lever_arm *
 mip_filter_reference_point_lever_arm_write(struct mip_filter_reference_point_lever_arm *command,
                                            enum mip_filter_reference_point reference_point,
@@ -7931,44 +7139,28 @@ mip_filter_reference_point_lever_arm_write(struct mip_filter_reference_point_lev
     memcpy(command->lever_arm_offset, lever_arm_offset, sizeof(command->lever_arm_offset));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_reference_point_lever_arm *
 mip_filter_reference_point_lever_arm_read(struct mip_filter_reference_point_lever_arm *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_reference_point_lever_arm *
 mip_filter_reference_point_lever_arm_save(struct mip_filter_reference_point_lever_arm *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_reference_point_lever_arm *
 mip_filter_reference_point_lever_arm_load(struct mip_filter_reference_point_lever_arm *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_reference_point_lever_arm *
 mip_filter_reference_point_lever_arm_default(struct mip_filter_reference_point_lever_arm *command) {
     memset(command, 0, sizeof(*command));
@@ -8123,11 +7315,7 @@ static inline mip_error mip_filter_speed_measurement_encode_inline(
     mip_put_float(data + 9, &value->speed_uncertainty);
     return MIP_OK;
 }
-/**
- * Speed measurement.
- *
- * Fills the structure and returns its address.
- */
+/** Speed measurement. Fills the structure and returns its address. */
 static inline struct mip_filter_speed_measurement *mip_filter_speed_measurement_make(
     struct mip_filter_speed_measurement *command, float tow, float speed, float speed_uncertainty) {
     memset(command, 0, sizeof(*command));
@@ -8187,11 +7375,7 @@ static inline mip_error mip_filter_speed_lever_arm_encode(
     const struct mip_filter_speed_lever_arm *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_speed_lever_arm_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_speed_lever_arm *mip_filter_speed_lever_arm_write(
     struct mip_filter_speed_lever_arm *command, const float lever_arm_offset[3]) {
     memset(command, 0, sizeof(*command));
@@ -8200,11 +7384,7 @@ static inline struct mip_filter_speed_lever_arm *mip_filter_speed_lever_arm_writ
     memcpy(command->lever_arm_offset, lever_arm_offset, sizeof(command->lever_arm_offset));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_speed_lever_arm *
 mip_filter_speed_lever_arm_read(struct mip_filter_speed_lever_arm *command) {
     memset(command, 0, sizeof(*command));
@@ -8212,11 +7392,7 @@ mip_filter_speed_lever_arm_read(struct mip_filter_speed_lever_arm *command) {
     command->source = 1;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_speed_lever_arm *
 mip_filter_speed_lever_arm_save(struct mip_filter_speed_lever_arm *command) {
     memset(command, 0, sizeof(*command));
@@ -8224,11 +7400,7 @@ mip_filter_speed_lever_arm_save(struct mip_filter_speed_lever_arm *command) {
     command->source = 1;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_speed_lever_arm *
 mip_filter_speed_lever_arm_load(struct mip_filter_speed_lever_arm *command) {
     memset(command, 0, sizeof(*command));
@@ -8236,11 +7408,7 @@ mip_filter_speed_lever_arm_load(struct mip_filter_speed_lever_arm *command) {
     command->source = 1;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_speed_lever_arm *
 mip_filter_speed_lever_arm_default(struct mip_filter_speed_lever_arm *command) {
     memset(command, 0, sizeof(*command));
@@ -8361,11 +7529,7 @@ static inline mip_error mip_filter_vertical_gyro_constraint_encode(
     const struct mip_filter_vertical_gyro_constraint *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_vertical_gyro_constraint_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_vertical_gyro_constraint *mip_filter_vertical_gyro_constraint_write(
     struct mip_filter_vertical_gyro_constraint *command, uint8_t enable) {
     memset(command, 0, sizeof(*command));
@@ -8373,44 +7537,28 @@ static inline struct mip_filter_vertical_gyro_constraint *mip_filter_vertical_gy
     command->enable = enable;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_vertical_gyro_constraint *
 mip_filter_vertical_gyro_constraint_read(struct mip_filter_vertical_gyro_constraint *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_vertical_gyro_constraint *
 mip_filter_vertical_gyro_constraint_save(struct mip_filter_vertical_gyro_constraint *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_vertical_gyro_constraint *
 mip_filter_vertical_gyro_constraint_load(struct mip_filter_vertical_gyro_constraint *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_vertical_gyro_constraint *
 mip_filter_vertical_gyro_constraint_default(struct mip_filter_vertical_gyro_constraint *command) {
     memset(command, 0, sizeof(*command));
@@ -8525,11 +7673,7 @@ static inline mip_error mip_filter_wheeled_vehicle_constraint_encode(
     const struct mip_filter_wheeled_vehicle_constraint *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_wheeled_vehicle_constraint_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_wheeled_vehicle_constraint *
 mip_filter_wheeled_vehicle_constraint_write(struct mip_filter_wheeled_vehicle_constraint *command,
                                             uint8_t enable) {
@@ -8538,44 +7682,28 @@ mip_filter_wheeled_vehicle_constraint_write(struct mip_filter_wheeled_vehicle_co
     command->enable = enable;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_wheeled_vehicle_constraint *
 mip_filter_wheeled_vehicle_constraint_read(struct mip_filter_wheeled_vehicle_constraint *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_wheeled_vehicle_constraint *
 mip_filter_wheeled_vehicle_constraint_save(struct mip_filter_wheeled_vehicle_constraint *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_wheeled_vehicle_constraint *
 mip_filter_wheeled_vehicle_constraint_load(struct mip_filter_wheeled_vehicle_constraint *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_wheeled_vehicle_constraint *
 mip_filter_wheeled_vehicle_constraint_default(
     struct mip_filter_wheeled_vehicle_constraint *command) {
@@ -8697,11 +7825,7 @@ static inline mip_error mip_filter_gnss_antenna_calibration_encode(
     const struct mip_filter_gnss_antenna_calibration *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gnss_antenna_calibration_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_gnss_antenna_calibration *mip_filter_gnss_antenna_calibration_write(
     struct mip_filter_gnss_antenna_calibration *command, uint8_t enable, float max_offset) {
     memset(command, 0, sizeof(*command));
@@ -8710,44 +7834,28 @@ static inline struct mip_filter_gnss_antenna_calibration *mip_filter_gnss_antenn
     command->max_offset = max_offset;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_gnss_antenna_calibration *
 mip_filter_gnss_antenna_calibration_read(struct mip_filter_gnss_antenna_calibration *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_gnss_antenna_calibration *
 mip_filter_gnss_antenna_calibration_save(struct mip_filter_gnss_antenna_calibration *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_gnss_antenna_calibration *
 mip_filter_gnss_antenna_calibration_load(struct mip_filter_gnss_antenna_calibration *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_gnss_antenna_calibration *
 mip_filter_gnss_antenna_calibration_default(struct mip_filter_gnss_antenna_calibration *command) {
     memset(command, 0, sizeof(*command));

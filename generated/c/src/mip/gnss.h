@@ -202,11 +202,7 @@ static inline mip_error mip_gnss_signal_config_encode(const struct mip_gnss_sign
                                                       struct mip_builder *builder) {
     return mip_encode(&mip_gnss_signal_config_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_gnss_signal_config *mip_gnss_signal_config_write(
     struct mip_gnss_signal_config *command, mip_gnss_gps_signals gps_enable,
     mip_gnss_glonass_signals glonass_enable, mip_gnss_galileo_signals galileo_enable,
@@ -219,44 +215,28 @@ static inline struct mip_gnss_signal_config *mip_gnss_signal_config_write(
     command->beidou_enable = beidou_enable;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_gnss_signal_config *
 mip_gnss_signal_config_read(struct mip_gnss_signal_config *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_gnss_signal_config *
 mip_gnss_signal_config_save(struct mip_gnss_signal_config *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_gnss_signal_config *
 mip_gnss_signal_config_load(struct mip_gnss_signal_config *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_gnss_signal_config *
 mip_gnss_signal_config_default(struct mip_gnss_signal_config *command) {
     memset(command, 0, sizeof(*command));
@@ -384,11 +364,7 @@ static inline mip_error mip_gnss_rtk_dongle_config_encode(
     const struct mip_gnss_rtk_dongle_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_rtk_dongle_config_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_gnss_rtk_dongle_config *
 mip_gnss_rtk_dongle_config_write(struct mip_gnss_rtk_dongle_config *command, uint8_t enable) {
     memset(command, 0, sizeof(*command));
@@ -396,44 +372,28 @@ mip_gnss_rtk_dongle_config_write(struct mip_gnss_rtk_dongle_config *command, uin
     command->enable = enable;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_gnss_rtk_dongle_config *
 mip_gnss_rtk_dongle_config_read(struct mip_gnss_rtk_dongle_config *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_gnss_rtk_dongle_config *
 mip_gnss_rtk_dongle_config_save(struct mip_gnss_rtk_dongle_config *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_gnss_rtk_dongle_config *
 mip_gnss_rtk_dongle_config_load(struct mip_gnss_rtk_dongle_config *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_gnss_rtk_dongle_config *
 mip_gnss_rtk_dongle_config_default(struct mip_gnss_rtk_dongle_config *command) {
     memset(command, 0, sizeof(*command));
@@ -570,11 +530,7 @@ static inline mip_error mip_gnss_spartn_config_encode(const struct mip_gnss_spar
                                                       struct mip_builder *builder) {
     return mip_encode(&mip_gnss_spartn_config_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_gnss_spartn_config *mip_gnss_spartn_config_write(
     struct mip_gnss_spartn_config *command, uint8_t enable, enum mip_gnss_spartn_connection type,
     uint32_t current_key_tow, uint16_t current_key_week, const uint8_t current_key[32],
@@ -591,44 +547,28 @@ static inline struct mip_gnss_spartn_config *mip_gnss_spartn_config_write(
     memcpy(command->next_key, next_key, sizeof(command->next_key));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_gnss_spartn_config *
 mip_gnss_spartn_config_read(struct mip_gnss_spartn_config *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_gnss_spartn_config *
 mip_gnss_spartn_config_save(struct mip_gnss_spartn_config *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_gnss_spartn_config *
 mip_gnss_spartn_config_load(struct mip_gnss_spartn_config *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_gnss_spartn_config *
 mip_gnss_spartn_config_default(struct mip_gnss_spartn_config *command) {
     memset(command, 0, sizeof(*command));

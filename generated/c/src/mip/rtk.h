@@ -598,11 +598,7 @@ static inline mip_error mip_rtk_connected_device_type_encode(
     const struct mip_rtk_connected_device_type *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_connected_device_type_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_rtk_connected_device_type *mip_rtk_connected_device_type_write(
     struct mip_rtk_connected_device_type *command, enum mip_rtk_connected_device device_type) {
     memset(command, 0, sizeof(*command));
@@ -610,44 +606,28 @@ static inline struct mip_rtk_connected_device_type *mip_rtk_connected_device_typ
     command->device_type = (uint8_t)device_type;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_rtk_connected_device_type *
 mip_rtk_connected_device_type_read(struct mip_rtk_connected_device_type *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_rtk_connected_device_type *
 mip_rtk_connected_device_type_save(struct mip_rtk_connected_device_type *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_rtk_connected_device_type *
 mip_rtk_connected_device_type_load(struct mip_rtk_connected_device_type *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_rtk_connected_device_type *
 mip_rtk_connected_device_type_default(struct mip_rtk_connected_device_type *command) {
     memset(command, 0, sizeof(*command));
@@ -1102,11 +1082,7 @@ static inline mip_error mip_rtk_erase_storage_encode_inline(
     mip_put_8(data, value->media);
     return MIP_OK;
 }
-/**
- * Erase storage.
- *
- * Fills the structure and returns its address.
- */
+/** Erase storage. Fills the structure and returns its address. */
 static inline struct mip_rtk_erase_storage *mip_rtk_erase_storage_make(
     struct mip_rtk_erase_storage *command, enum mip_rtk_storage_medium media) {
     memset(command, 0, sizeof(*command));
@@ -1186,11 +1162,7 @@ static inline mip_error mip_rtk_led_control_encode_inline(const struct mip_rtk_l
     mip_put_32(data + 7, value->period);
     return MIP_OK;
 }
-/**
- * LED control.
- *
- * Fills the structure and returns its address.
- */
+/** LED control. Fills the structure and returns its address. */
 static inline struct mip_rtk_led_control *mip_rtk_led_control_make(
     struct mip_rtk_led_control *command, const uint8_t primary_color[3],
     const uint8_t alternate_color[3], enum mip_rtk_led_action action, uint32_t period) {

@@ -134,11 +134,7 @@ static inline mip_error mip_system_interface_control_encode(
     const struct mip_system_interface_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_system_interface_control_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_system_interface_control *mip_system_interface_control_write(
     struct mip_system_interface_control *command, enum mip_system_comm_interface port,
     mip_system_comm_protocols protocols_incoming, mip_system_comm_protocols protocols_outgoing) {
@@ -149,11 +145,7 @@ static inline struct mip_system_interface_control *mip_system_interface_control_
     command->protocols_outgoing = protocols_outgoing;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_system_interface_control *mip_system_interface_control_read(
     struct mip_system_interface_control *command, enum mip_system_comm_interface port) {
     memset(command, 0, sizeof(*command));
@@ -161,11 +153,7 @@ static inline struct mip_system_interface_control *mip_system_interface_control_
     command->port = (uint8_t)port;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_system_interface_control *mip_system_interface_control_save(
     struct mip_system_interface_control *command, enum mip_system_comm_interface port) {
     memset(command, 0, sizeof(*command));
@@ -173,11 +161,7 @@ static inline struct mip_system_interface_control *mip_system_interface_control_
     command->port = (uint8_t)port;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_system_interface_control *mip_system_interface_control_load(
     struct mip_system_interface_control *command, enum mip_system_comm_interface port) {
     memset(command, 0, sizeof(*command));
@@ -185,11 +169,7 @@ static inline struct mip_system_interface_control *mip_system_interface_control_
     command->port = (uint8_t)port;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_system_interface_control *mip_system_interface_control_default(
     struct mip_system_interface_control *command, enum mip_system_comm_interface port) {
     memset(command, 0, sizeof(*command));
@@ -317,11 +297,7 @@ static inline mip_error mip_system_comm_mode_encode(const struct mip_system_comm
                                                     struct mip_builder *builder) {
     return mip_encode(&mip_system_comm_mode_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_system_comm_mode *mip_system_comm_mode_write(
     struct mip_system_comm_mode *command, enum mip_system_protocol_mode mode) {
     memset(command, 0, sizeof(*command));
@@ -329,44 +305,28 @@ static inline struct mip_system_comm_mode *mip_system_comm_mode_write(
     command->mode = (uint8_t)mode;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_system_comm_mode *
 mip_system_comm_mode_read(struct mip_system_comm_mode *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_system_comm_mode *
 mip_system_comm_mode_save(struct mip_system_comm_mode *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_system_comm_mode *
 mip_system_comm_mode_load(struct mip_system_comm_mode *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_system_comm_mode *
 mip_system_comm_mode_default(struct mip_system_comm_mode *command) {
     memset(command, 0, sizeof(*command));

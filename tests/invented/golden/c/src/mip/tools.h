@@ -241,11 +241,7 @@ static inline mip_error mip_tools_settings_encode(const struct mip_tools_setting
                                                   struct mip_builder *builder) {
     return mip_encode(&mip_tools_settings_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_tools_settings *mip_tools_settings_write(
     struct mip_tools_settings *command, uint8_t port, enum mip_mode mode, uint32_t baud) {
     memset(command, 0, sizeof(*command));
@@ -256,11 +252,7 @@ static inline struct mip_tools_settings *mip_tools_settings_write(
     command->reserved = 1;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_tools_settings *mip_tools_settings_read(struct mip_tools_settings *command,
                                                                  uint8_t port, enum mip_mode mode) {
     memset(command, 0, sizeof(*command));
@@ -270,11 +262,7 @@ static inline struct mip_tools_settings *mip_tools_settings_read(struct mip_tool
     command->reserved = 1;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_tools_settings *mip_tools_settings_save(struct mip_tools_settings *command,
                                                                  uint8_t port) {
     memset(command, 0, sizeof(*command));
@@ -283,11 +271,7 @@ static inline struct mip_tools_settings *mip_tools_settings_save(struct mip_tool
     command->reserved = 1;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_tools_settings *mip_tools_settings_load(struct mip_tools_settings *command,
                                                                  uint8_t port) {
     memset(command, 0, sizeof(*command));
@@ -296,11 +280,7 @@ static inline struct mip_tools_settings *mip_tools_settings_load(struct mip_tool
     command->reserved = 1;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_tools_settings *
 mip_tools_settings_default(struct mip_tools_settings *command, uint8_t port) {
     memset(command, 0, sizeof(*command));
@@ -310,9 +290,8 @@ mip_tools_settings_default(struct mip_tools_settings *command, uint8_t port) {
     return command;
 }
 /**
- * Apply the new setting and send no acknowledge (5-series devices).
- *
- * Fills the structure and returns its address.
+ * Apply the new setting and send no acknowledge (5-series devices). Fills the structure and returns
+ * its address.
  */
 static inline struct mip_tools_settings *mip_tools_settings_apply(
     struct mip_tools_settings *command, uint8_t port, enum mip_mode mode, uint32_t baud) {
@@ -448,11 +427,7 @@ static inline mip_error mip_tools_set_time_encode(const struct mip_tools_set_tim
                                                   struct mip_builder *builder) {
     return mip_encode(&mip_tools_set_time_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_tools_set_time *
 mip_tools_set_time_write(struct mip_tools_set_time *command, enum mip_mode part, uint32_t value) {
     memset(command, 0, sizeof(*command));
@@ -461,11 +436,7 @@ mip_tools_set_time_write(struct mip_tools_set_time *command, enum mip_mode part,
     command->value = value;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_tools_set_time *mip_tools_set_time_read(struct mip_tools_set_time *command,
                                                                  enum mip_mode part) {
     memset(command, 0, sizeof(*command));
@@ -474,9 +445,8 @@ static inline struct mip_tools_set_time *mip_tools_set_time_read(struct mip_tool
     return command;
 }
 /**
- * Apply the new setting and send no acknowledge (5-series devices).
- *
- * Fills the structure and returns its address.
+ * Apply the new setting and send no acknowledge (5-series devices). Fills the structure and returns
+ * its address.
  */
 static inline struct mip_tools_set_time *
 mip_tools_set_time_apply(struct mip_tools_set_time *command, enum mip_mode part, uint32_t value) {
@@ -640,11 +610,7 @@ static inline mip_error mip_tools_status_encode(const struct mip_tools_status *v
                                                 struct mip_builder *builder) {
     return mip_encode(&mip_tools_status_codec, value, builder);
 }
-/**
- * Status.
- *
- * Fills the structure and returns its address.
- */
+/** Status. Fills the structure and returns its address. */
 static inline struct mip_tools_status *mip_tools_status_make(struct mip_tools_status *command,
                                                              uint8_t selector) {
     memset(command, 0, sizeof(*command));
@@ -862,11 +828,7 @@ static inline mip_error mip_tools_bias_encode(const struct mip_tools_bias *value
                                               struct mip_builder *builder) {
     return mip_encode(&mip_tools_bias_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_tools_bias *mip_tools_bias_write(struct mip_tools_bias *command,
                                                           const float bias[3]) {
     memset(command, 0, sizeof(*command));
@@ -874,41 +836,25 @@ static inline struct mip_tools_bias *mip_tools_bias_write(struct mip_tools_bias 
     memcpy(command->bias, bias, sizeof(command->bias));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_tools_bias *mip_tools_bias_read(struct mip_tools_bias *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_tools_bias *mip_tools_bias_save(struct mip_tools_bias *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_tools_bias *mip_tools_bias_load(struct mip_tools_bias *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_tools_bias *mip_tools_bias_default(struct mip_tools_bias *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
@@ -1036,11 +982,7 @@ static inline mip_error mip_tools_capture_bias_encode_inline(
     mip_put_16(data, value->time);
     return MIP_OK;
 }
-/**
- * Capture bias.
- *
- * Fills the structure and returns its address.
- */
+/** Capture bias. Fills the structure and returns its address. */
 static inline struct mip_tools_capture_bias *
 mip_tools_capture_bias_make(struct mip_tools_capture_bias *command, uint16_t time) {
     memset(command, 0, sizeof(*command));
@@ -1088,11 +1030,7 @@ static inline mip_error mip_tools_formats_encode(const struct mip_tools_formats 
                                                  struct mip_builder *builder) {
     return mip_encode(&mip_tools_formats_codec, value, builder);
 }
-/**
- * Formats.
- *
- * Fills the structure and returns its address.
- */
+/** Formats. Fills the structure and returns its address. */
 static inline struct mip_tools_formats *mip_tools_formats_make(
     struct mip_tools_formats *command, mip_bool suppress_ack, uint8_t num_segments,
     uint8_t checkpoint, const struct mip_segment segments[]) {
@@ -1164,11 +1102,7 @@ static inline mip_error mip_tools_choice_encode(const struct mip_tools_choice *v
                                                 struct mip_builder *builder) {
     return mip_encode(&mip_tools_choice_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_tools_choice *mip_tools_choice_write(
     struct mip_tools_choice *command, uint8_t instance, enum mip_tools_shape shape,
     const union mip_tools_choice_parameters *parameters) {
@@ -1181,11 +1115,7 @@ static inline struct mip_tools_choice *mip_tools_choice_write(
     }
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_tools_choice *mip_tools_choice_read(struct mip_tools_choice *command,
                                                              uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -1287,11 +1217,7 @@ static inline mip_error mip_tools_list_encode(const struct mip_tools_list *value
                                               struct mip_builder *builder) {
     return mip_encode(&mip_tools_list_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_tools_list *mip_tools_list_write(struct mip_tools_list *command,
                                                           uint8_t count, const uint16_t items[]) {
     memset(command, 0, sizeof(*command));
@@ -1300,21 +1226,13 @@ static inline struct mip_tools_list *mip_tools_list_write(struct mip_tools_list 
     mip_copy(command->items, sizeof(command->items), items, count * sizeof(items[0]));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_tools_list *mip_tools_list_read(struct mip_tools_list *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_tools_list *mip_tools_list_save(struct mip_tools_list *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
@@ -1476,11 +1394,7 @@ static inline mip_error mip_tools_pin_encode(const struct mip_tools_pin *value,
                                              struct mip_builder *builder) {
     return mip_encode(&mip_tools_pin_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_tools_pin *mip_tools_pin_write(struct mip_tools_pin *command,
                                                         enum mip_tools_drive drive, uint8_t use) {
     memset(command, 0, sizeof(*command));
@@ -1489,11 +1403,7 @@ static inline struct mip_tools_pin *mip_tools_pin_write(struct mip_tools_pin *co
     command->use = use;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_tools_pin *mip_tools_pin_read(struct mip_tools_pin *command,
                                                        enum mip_tools_drive drive) {
     memset(command, 0, sizeof(*command));
@@ -1728,11 +1638,7 @@ static inline mip_error mip_tools_readings_encode_inline(const struct mip_tools_
     mip_put_8(data, value->drive);
     return MIP_OK;
 }
-/**
- * Readings.
- *
- * Fills the structure and returns its address.
- */
+/** Readings. Fills the structure and returns its address. */
 static inline struct mip_tools_readings *mip_tools_readings_make(struct mip_tools_readings *command,
                                                                  enum mip_tools_drive drive) {
     memset(command, 0, sizeof(*command));
