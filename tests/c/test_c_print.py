@@ -13,11 +13,11 @@ from typing import Any
 
 import pytest
 import strategies
+from c_build import HERE, SANITIZE, compiled
 from hypothesis import given
 from mipgen import codec
 from mipgen import model as m
-from support import BUILD, SPECS, all_fields, locked, model, need, set_of
-from test_c import HERE, SANITIZE, WARNINGS, include, sources
+from support import BUILD, SPECS, all_fields, locked, model, set_of
 
 both = pytest.mark.parametrize("spec", sorted(SPECS))
 ENOUGH = 1 << 17
@@ -27,12 +27,8 @@ Request = tuple[str, str, int, bytes]
 @cache
 def printer(spec: str) -> Path:
     out = BUILD / f"print-{spec}"
-    command = [need("cc"), "-std=c99", *WARNINGS, *SANITIZE, include(spec), f"-I{HERE}/unit"]
-    command += [str(HERE / "unit/print.c"), *sources(spec), "-o", str(out)]
     with locked(out):
-        done = subprocess.run(command, capture_output=True, text=True)
-    assert done.returncode == 0, done.stderr[-4000:]
-    return out
+        return compiled(out, spec, "cc", HERE / "unit/print.c", "-std=c99", *SANITIZE)
 
 
 def ask(spec: str, requests: list[Request]) -> list[tuple[int, str]]:

@@ -272,6 +272,7 @@ enum mip_3dm_legacy_data_stream {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_3dm_legacy_data_stream_name(uint8_t value);
+
 /**
  * Poll IMU Data: command (0x0C,0x01).
  *
@@ -329,6 +330,7 @@ mip_3dm_poll_imu_data_make(struct mip_3dm_poll_imu_data *command, mip_bool suppr
              num_descriptors * sizeof(descriptors[0]));
     return command;
 }
+
 /**
  * Poll GNSS Data: command (0x0C,0x02).
  *
@@ -389,6 +391,7 @@ static inline struct mip_3dm_poll_gnss_data *mip_3dm_poll_gnss_data_make(
              num_descriptors * sizeof(descriptors[0]));
     return command;
 }
+
 /**
  * Poll Estimation Filter Data: command (0x0C,0x03).
  *
@@ -446,6 +449,7 @@ static inline struct mip_3dm_poll_filter_data *mip_3dm_poll_filter_data_make(
              num_descriptors * sizeof(descriptors[0]));
     return command;
 }
+
 /**
  * Poll NMEA Data: command (0x0C,0x04).
  *
@@ -504,6 +508,7 @@ mip_3dm_poll_nmea_data_make(struct mip_3dm_poll_nmea_data *command, mip_bool sup
              count * sizeof(format_entries[0]));
     return command;
 }
+
 /**
  * Get IMU Data Base Rate: command (0x0C,0x06).
  *
@@ -540,6 +545,7 @@ static inline mip_error mip_3dm_get_imu_base_rate_encode(
     const struct mip_3dm_get_imu_base_rate *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_imu_base_rate_codec, value, builder);
 }
+
 /**
  * Get IMU Data Base Rate response: response (0x0C,0x83).
  *
@@ -598,6 +604,7 @@ static inline mip_error mip_3dm_get_imu_base_rate_response_encode_inline(
     mip_put_16(data, value->rate);
     return MIP_OK;
 }
+
 /**
  * Get GNSS Data Base Rate: command (0x0C,0x07).
  *
@@ -635,6 +642,7 @@ static inline mip_error mip_3dm_get_gnss_base_rate_encode(
     const struct mip_3dm_get_gnss_base_rate *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_gnss_base_rate_codec, value, builder);
 }
+
 /**
  * Get GNSS Data Base Rate response: response (0x0C,0x84).
  *
@@ -694,6 +702,7 @@ static inline mip_error mip_3dm_get_gnss_base_rate_response_encode_inline(
     mip_put_16(data, value->rate);
     return MIP_OK;
 }
+
 /**
  * IMU Message Format: command (0x0C,0x08).
  *
@@ -784,6 +793,7 @@ mip_3dm_imu_message_format_default(struct mip_3dm_imu_message_format *command) {
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * IMU Message Format response: response (0x0C,0x80).
  *
@@ -820,6 +830,7 @@ static inline mip_error mip_3dm_imu_message_format_response_encode(
     const struct mip_3dm_imu_message_format_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_imu_message_format_response_codec, value, builder);
 }
+
 /**
  * GNSS Message Format: command (0x0C,0x09).
  *
@@ -910,6 +921,7 @@ mip_3dm_gnss_message_format_default(struct mip_3dm_gnss_message_format *command)
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * GNSS Message Format response: response (0x0C,0x81).
  *
@@ -947,6 +959,7 @@ static inline mip_error mip_3dm_gnss_message_format_response_encode(
     const struct mip_3dm_gnss_message_format_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_message_format_response_codec, value, builder);
 }
+
 /**
  * Estimation Filter Message Format: command (0x0C,0x0A).
  *
@@ -1038,6 +1051,7 @@ mip_3dm_filter_message_format_default(struct mip_3dm_filter_message_format *comm
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Estimation Filter Message Format response: response (0x0C,0x82).
  *
@@ -1074,6 +1088,7 @@ static inline mip_error mip_3dm_filter_message_format_response_encode(
     const struct mip_3dm_filter_message_format_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_filter_message_format_response_codec, value, builder);
 }
+
 /**
  * Get Estimation Filter Data Base Rate: command (0x0C,0x0B).
  *
@@ -1110,6 +1125,7 @@ static inline mip_error mip_3dm_get_filter_base_rate_encode(
     const struct mip_3dm_get_filter_base_rate *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_filter_base_rate_codec, value, builder);
 }
+
 /**
  * Get Estimation Filter Data Base Rate response: response (0x0C,0x8A).
  *
@@ -1168,6 +1184,7 @@ static inline mip_error mip_3dm_get_filter_base_rate_response_encode_inline(
     mip_put_16(data, value->rate);
     return MIP_OK;
 }
+
 /**
  * NMEA Message Format: command (0x0C,0x0C).
  *
@@ -1256,6 +1273,7 @@ mip_3dm_nmea_message_format_default(struct mip_3dm_nmea_message_format *command)
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * NMEA Message Format response: response (0x0C,0x8C).
  *
@@ -1291,6 +1309,7 @@ static inline mip_error mip_3dm_nmea_message_format_response_encode(
     const struct mip_3dm_nmea_message_format_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_nmea_message_format_response_codec, value, builder);
 }
+
 /**
  * Poll Data: command (0x0C,0x0D).
  *
@@ -1354,6 +1373,7 @@ static inline struct mip_3dm_poll_data *mip_3dm_poll_data_make(struct mip_3dm_po
              num_descriptors * sizeof(descriptors[0]));
     return command;
 }
+
 /**
  * Get Data Base Rate: command (0x0C,0x0E).
  *
@@ -1420,6 +1440,7 @@ mip_3dm_get_base_rate_make(struct mip_3dm_get_base_rate *command, uint8_t descri
     command->descriptor_set = descriptor_set;
     return command;
 }
+
 /**
  * Get Data Base Rate response: response (0x0C,0x8E).
  *
@@ -1481,6 +1502,7 @@ static inline mip_error mip_3dm_get_base_rate_response_encode_inline(
     mip_put_16(data + 1, value->rate);
     return MIP_OK;
 }
+
 /**
  * Message Format: command (0x0C,0x0F).
  *
@@ -1578,6 +1600,7 @@ mip_3dm_message_format_default(struct mip_3dm_message_format *command, uint8_t d
     command->descriptor_set = descriptor_set;
     return command;
 }
+
 /**
  * Message Format response: response (0x0C,0x8F).
  *
@@ -1615,6 +1638,7 @@ static inline mip_error mip_3dm_message_format_response_encode(
     const struct mip_3dm_message_format_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_message_format_response_codec, value, builder);
 }
+
 /**
  * Factory Streaming: command (0x0C,0x10).
  *
@@ -1685,6 +1709,7 @@ static inline struct mip_3dm_factory_streaming *mip_3dm_factory_streaming_make(
     command->action = (uint8_t)action;
     return command;
 }
+
 /**
  * Data Stream Control: command (0x0C,0x11).
  *
@@ -1783,6 +1808,7 @@ static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_de
     command->descriptor_set = descriptor_set;
     return command;
 }
+
 /**
  * Data Stream Control response: response (0x0C,0x85).
  *
@@ -1853,6 +1879,7 @@ static inline mip_error mip_3dm_data_stream_control_response_encode_inline(
     mip_put_8(data + 1, value->enabled);
     return MIP_OK;
 }
+
 /**
  * Constellation Settings: command (0x0C,0x21).
  *
@@ -1961,6 +1988,7 @@ mip_3dm_constellation_settings_default(struct mip_3dm_constellation_settings *co
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Constellation Settings response: response (0x0C,0xA0).
  *
@@ -2003,6 +2031,7 @@ static inline mip_error mip_3dm_constellation_settings_response_encode(
     const struct mip_3dm_constellation_settings_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_constellation_settings_response_codec, value, builder);
 }
+
 /**
  * GNSS SBAS Settings: command (0x0C,0x22).
  *
@@ -2101,6 +2130,7 @@ mip_3dm_gnss_sbas_settings_default(struct mip_3dm_gnss_sbas_settings *command) {
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * GNSS SBAS Settings response: response (0x0C,0xA1).
  *
@@ -2140,6 +2170,7 @@ static inline mip_error mip_3dm_gnss_sbas_settings_response_encode(
     const struct mip_3dm_gnss_sbas_settings_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_sbas_settings_response_codec, value, builder);
 }
+
 /**
  * GNSS Assisted Fix: command (0x0C,0x23).
  *
@@ -2240,6 +2271,7 @@ mip_3dm_gnss_assisted_fix_default(struct mip_3dm_gnss_assisted_fix *command) {
     command->flags = 255;
     return command;
 }
+
 /**
  * GNSS Assisted Fix response: response (0x0C,0xA2).
  *
@@ -2305,6 +2337,7 @@ static inline mip_error mip_3dm_gnss_assisted_fix_response_encode_inline(
     mip_put_8(data + 1, value->flags);
     return MIP_OK;
 }
+
 /**
  * GNSS Time Assistance: command (0x0C,0x24).
  *
@@ -2372,6 +2405,7 @@ mip_3dm_gnss_time_assistance_read(struct mip_3dm_gnss_time_assistance *command) 
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /**
  * GNSS Time Assistance response: response (0x0C,0xA3).
  *
@@ -2438,6 +2472,7 @@ static inline mip_error mip_3dm_gnss_time_assistance_response_encode_inline(
     mip_put_float(data + 10, &value->accuracy);
     return MIP_OK;
 }
+
 /**
  * PPS Source Control: command (0x0C,0x28).
  *
@@ -2525,6 +2560,7 @@ mip_3dm_pps_source_control_default(struct mip_3dm_pps_source_control *command) {
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * PPS Source Control response: response (0x0C,0xA8).
  *
@@ -2586,6 +2622,7 @@ static inline mip_error mip_3dm_pps_source_control_response_encode_inline(
     mip_put_8(data, value->source);
     return MIP_OK;
 }
+
 /**
  * Get Supported Events: command (0x0C,0x2A).
  *
@@ -2652,6 +2689,7 @@ static inline struct mip_3dm_get_event_support *mip_3dm_get_event_support_make(
     command->query = (uint8_t)query;
     return command;
 }
+
 /**
  * Get Supported Events response: response (0x0C,0xB4).
  *
@@ -2695,6 +2733,7 @@ static inline mip_error mip_3dm_get_event_support_response_encode(
     const struct mip_3dm_get_event_support_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_event_support_response_codec, value, builder);
 }
+
 /**
  * Event Control: command (0x0C,0x2B).
  *
@@ -2788,6 +2827,7 @@ mip_3dm_event_control_default(struct mip_3dm_event_control *command, uint8_t ins
     command->instance = instance;
     return command;
 }
+
 /**
  * Event Control response: response (0x0C,0xB5).
  *
@@ -2851,6 +2891,7 @@ static inline mip_error mip_3dm_event_control_response_encode_inline(
     mip_put_8(data + 1, value->mode);
     return MIP_OK;
 }
+
 /**
  * Get Event Trigger Status: command (0x0C,0x2C).
  *
@@ -2901,6 +2942,7 @@ static inline struct mip_3dm_get_event_trigger_status *mip_3dm_get_event_trigger
              requested_instances, requested_count * sizeof(requested_instances[0]));
     return command;
 }
+
 /**
  * Get Event Trigger Status response: response (0x0C,0xB6).
  *
@@ -2936,6 +2978,7 @@ static inline mip_error mip_3dm_get_event_trigger_status_response_encode(
     const struct mip_3dm_get_event_trigger_status_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_event_trigger_status_response_codec, value, builder);
 }
+
 /**
  * Get Event Action Status: command (0x0C,0x2D).
  *
@@ -2986,6 +3029,7 @@ mip_3dm_get_event_action_status_make(struct mip_3dm_get_event_action_status *com
              requested_instances, requested_count * sizeof(requested_instances[0]));
     return command;
 }
+
 /**
  * Get Event Action Status response: response (0x0C,0xB7).
  *
@@ -3021,6 +3065,7 @@ static inline mip_error mip_3dm_get_event_action_status_response_encode(
     const struct mip_3dm_get_event_action_status_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_event_action_status_response_codec, value, builder);
 }
+
 /** The member of mip_3dm_event_trigger_config that `type` selects. */
 union mip_3dm_event_trigger_config_parameters {
     /** If type is MIP_EVENT_TRIGGER_TYPE_GPIO. Watches a GPIO pin. */
@@ -3140,6 +3185,7 @@ static inline struct mip_3dm_event_trigger_config *mip_3dm_event_trigger_config_
     command->instance = instance;
     return command;
 }
+
 /** The member of mip_3dm_event_trigger_config_response that `type` selects. */
 union mip_3dm_event_trigger_config_response_parameters {
     /** If type is MIP_EVENT_TRIGGER_TYPE_GPIO. Watches a GPIO pin. */
@@ -3197,6 +3243,7 @@ static inline mip_error mip_3dm_event_trigger_config_response_encode(
     const struct mip_3dm_event_trigger_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_event_trigger_config_response_codec, value, builder);
 }
+
 /** The member of mip_3dm_event_action_config that `type` selects. */
 union mip_3dm_event_action_config_parameters {
     /** If type is MIP_EVENT_ACTION_TYPE_GPIO. Controls a GPIO pin. */
@@ -3311,6 +3358,7 @@ mip_3dm_event_action_config_default(struct mip_3dm_event_action_config *command,
     command->instance = instance;
     return command;
 }
+
 /** The member of mip_3dm_event_action_config_response that `type` selects. */
 union mip_3dm_event_action_config_response_parameters {
     /** If type is MIP_EVENT_ACTION_TYPE_GPIO. Controls a GPIO pin. */
@@ -3361,6 +3409,7 @@ static inline mip_error mip_3dm_event_action_config_response_encode(
     const struct mip_3dm_event_action_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_event_action_config_response_codec, value, builder);
 }
+
 /**
  * Device Start Up Settings: command (0x0C,0x30).
  *
@@ -3446,6 +3495,7 @@ mip_3dm_device_settings_default(struct mip_3dm_device_settings *command) {
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Sensor-to-Vehicle Frame Transformation Euler: command (0x0C,0x31).
  *
@@ -3549,6 +3599,7 @@ mip_3dm_sensor_to_vehicle_euler_default(struct mip_3dm_sensor_to_vehicle_euler *
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Sensor-to-Vehicle Frame Transformation Euler response: response (0x0C,0xB1).
  *
@@ -3618,6 +3669,7 @@ static inline mip_error mip_3dm_sensor_to_vehicle_euler_response_encode_inline(
     mip_put_float(data + 8, &value->yaw);
     return MIP_OK;
 }
+
 /**
  * Sensor-to-Vehicle Frame Transformation Quaternion: command (0x0C,0x32).
  *
@@ -3712,6 +3764,7 @@ mip_3dm_sensor_to_vehicle_quaternion_default(struct mip_3dm_sensor_to_vehicle_qu
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Sensor-to-Vehicle Frame Transformation Quaternion response: response (0x0C,0xB2).
  *
@@ -3782,6 +3835,7 @@ static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_response_encode_inl
     }
     return MIP_OK;
 }
+
 /**
  * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix: command (0x0C,0x33).
  *
@@ -3874,6 +3928,7 @@ mip_3dm_sensor_to_vehicle_dcm_default(struct mip_3dm_sensor_to_vehicle_dcm *comm
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix response: response (0x0C,0xB3).
  *
@@ -3941,6 +3996,7 @@ static inline mip_error mip_3dm_sensor_to_vehicle_dcm_response_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Accelerometer Bias Configuration: command (0x0C,0x37).
  *
@@ -4036,6 +4092,7 @@ mip_3dm_accel_bias_apply(struct mip_3dm_accel_bias *command, const float bias[3]
     memcpy(command->bias, bias, sizeof(command->bias));
     return command;
 }
+
 /**
  * Accelerometer Bias Configuration response: response (0x0C,0x9A).
  *
@@ -4099,6 +4156,7 @@ static inline mip_error mip_3dm_accel_bias_response_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Gyroscope Bias Configuration: command (0x0C,0x38).
  *
@@ -4192,6 +4250,7 @@ static inline struct mip_3dm_gyro_bias *mip_3dm_gyro_bias_apply(struct mip_3dm_g
     memcpy(command->bias, bias, sizeof(command->bias));
     return command;
 }
+
 /**
  * Gyroscope Bias Configuration response: response (0x0C,0x9B).
  *
@@ -4258,6 +4317,7 @@ static inline mip_error mip_3dm_gyro_bias_response_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Capture Gyroscope Bias: command (0x0C,0x39).
  *
@@ -4335,6 +4395,7 @@ static inline struct mip_3dm_capture_gyro_bias *mip_3dm_capture_gyro_bias_make(
     command->averaging_time_ms = averaging_time_ms;
     return command;
 }
+
 /**
  * Magnetometer Hard Iron Offset: command (0x0C,0x3A).
  *
@@ -4434,6 +4495,7 @@ static inline struct mip_3dm_mag_hard_iron_offset *mip_3dm_mag_hard_iron_offset_
     memcpy(command->offset, offset, sizeof(command->offset));
     return command;
 }
+
 /**
  * Magnetometer Hard Iron Offset response: response (0x0C,0x9C).
  *
@@ -4497,6 +4559,7 @@ static inline mip_error mip_3dm_mag_hard_iron_offset_response_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Magnetometer Soft Iron Matrix: command (0x0C,0x3B).
  *
@@ -4596,6 +4659,7 @@ static inline struct mip_3dm_mag_soft_iron_matrix *mip_3dm_mag_soft_iron_matrix_
     memcpy(command->matrix, matrix, sizeof(command->matrix));
     return command;
 }
+
 /**
  * Magnetometer Soft Iron Matrix response: response (0x0C,0x9D).
  *
@@ -4662,6 +4726,7 @@ static inline mip_error mip_3dm_mag_soft_iron_matrix_response_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Coning and Sculling Enable: command (0x0C,0x3E).
  *
@@ -4742,6 +4807,7 @@ mip_3dm_coning_sculling_enable_default(struct mip_3dm_coning_sculling_enable *co
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Coning and Sculling Enable response: response (0x0C,0x9E).
  *
@@ -4800,6 +4866,7 @@ static inline mip_error mip_3dm_coning_sculling_enable_response_encode_inline(
     mip_put_8(data, value->enable);
     return MIP_OK;
 }
+
 /**
  * UART Baud Rate: command (0x0C,0x40).
  *
@@ -4890,6 +4957,7 @@ mip_3dm_uart_baud_rate_default(struct mip_3dm_uart_baud_rate *command) {
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * UART Baud Rate response: response (0x0C,0x87).
  *
@@ -4949,6 +5017,7 @@ static inline mip_error mip_3dm_uart_baud_rate_response_encode_inline(
     mip_put_32(data, value->baud);
     return MIP_OK;
 }
+
 /**
  * GPIO Configuration: command (0x0C,0x41).
  *
@@ -5063,6 +5132,7 @@ mip_3dm_gpio_config_default(struct mip_3dm_gpio_config *command, uint8_t pin) {
     command->pin = pin;
     return command;
 }
+
 /**
  * GPIO Configuration response: response (0x0C,0xC1).
  *
@@ -5140,6 +5210,7 @@ static inline mip_error mip_3dm_gpio_config_response_encode_inline(
     mip_put_8(data + 3, value->pin_mode);
     return MIP_OK;
 }
+
 /**
  * GPIO State: command (0x0C,0x42).
  *
@@ -5212,6 +5283,7 @@ static inline struct mip_3dm_gpio_state *mip_3dm_gpio_state_read(struct mip_3dm_
     command->pin = pin;
     return command;
 }
+
 /**
  * GPIO State response: response (0x0C,0xC2).
  *
@@ -5273,6 +5345,7 @@ static inline mip_error mip_3dm_gpio_state_response_encode_inline(
     mip_put_8(data + 1, value->state);
     return MIP_OK;
 }
+
 /**
  * Odometer Configuration: command (0x0C,0x43).
  *
@@ -5364,6 +5437,7 @@ mip_3dm_odometer_config_default(struct mip_3dm_odometer_config *command) {
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Odometer Configuration response: response (0x0C,0xC3).
  *
@@ -5433,6 +5507,7 @@ static inline mip_error mip_3dm_odometer_config_response_encode_inline(
     mip_put_float(data + 5, &value->uncertainty);
     return MIP_OK;
 }
+
 /**
  * Advanced Low-Pass Filter Settings: command (0x0C,0x50).
  *
@@ -5547,6 +5622,7 @@ static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_de
     command->target_descriptor = target_descriptor;
     return command;
 }
+
 /**
  * Advanced Low-Pass Filter Settings response: response (0x0C,0x8B).
  *
@@ -5627,6 +5703,7 @@ static inline mip_error mip_3dm_imu_low_pass_filter_response_encode_inline(
     mip_put_8(data + 5, value->reserved);
     return MIP_OK;
 }
+
 /**
  * Complementary Filter Configuration: command (0x0C,0x51).
  *
@@ -5739,6 +5816,7 @@ mip_3dm_complementary_filter_default(struct mip_3dm_complementary_filter *comman
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Complementary Filter Configuration response: response (0x0C,0x97).
  *
@@ -5812,6 +5890,7 @@ static inline mip_error mip_3dm_complementary_filter_response_encode_inline(
     mip_put_float(data + 6, &value->heading_time_constant);
     return MIP_OK;
 }
+
 /**
  * Sensor Range: command (0x0C,0x52).
  *
@@ -5901,6 +5980,7 @@ static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_default(
     command->sensor = (uint8_t)sensor;
     return command;
 }
+
 /**
  * Sensor Range response: response (0x0C,0xD2).
  *
@@ -5962,6 +6042,7 @@ static inline mip_error mip_3dm_sensor_range_response_encode_inline(
     mip_put_8(data + 1, value->setting);
     return MIP_OK;
 }
+
 /**
  * Get Calibrated Sensor Ranges: command (0x0C,0x53).
  *
@@ -6030,6 +6111,7 @@ mip_3dm_get_calibrated_sensor_ranges_make(struct mip_3dm_get_calibrated_sensor_r
     command->sensor = (uint8_t)sensor;
     return command;
 }
+
 /**
  * Get Calibrated Sensor Ranges response: response (0x0C,0xD3).
  *
@@ -6075,6 +6157,7 @@ static inline mip_error mip_3dm_get_calibrated_sensor_ranges_response_encode(
     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_calibrated_sensor_ranges_response_codec, value, builder);
 }
+
 /**
  * Low-Pass Anti-Aliasing Filter: command (0x0C,0x54).
  *
@@ -6183,6 +6266,7 @@ static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_default(
     command->field_descriptor = field_descriptor;
     return command;
 }
+
 /**
  * Low-Pass Anti-Aliasing Filter response: response (0x0C,0xD4).
  *
@@ -6257,6 +6341,7 @@ static inline mip_error mip_3dm_low_pass_filter_response_encode_inline(
     mip_put_float(data + 4, &value->frequency);
     return MIP_OK;
 }
+
 /**
  * Device Status: command (0x0C,0x64).
  *
@@ -6344,6 +6429,7 @@ mip_3dm_device_status_make(struct mip_3dm_device_status *command, uint16_t model
     command->status_selector = (uint8_t)status_selector;
     return command;
 }
+
 /**
  * Basic Device Status: response (0x0C,0x90).
  *
@@ -6393,6 +6479,7 @@ static inline mip_error mip_3dm_device_status_basic_response_encode(
     const struct mip_3dm_device_status_basic_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_basic_response_codec, value, builder);
 }
+
 /**
  * Basic Device Status without a state: response (0x0C,0x90).
  *
@@ -6447,6 +6534,7 @@ static inline mip_error mip_3dm_device_status_basic_stateless_response_encode(
     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_basic_stateless_response_codec, value, builder);
 }
+
 /**
  * Diagnostic Device Status: response (0x0C,0x90).
  *
@@ -6521,6 +6609,7 @@ static inline mip_error mip_3dm_device_status_diagnostic_response_encode(
     const struct mip_3dm_device_status_diagnostic_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_diagnostic_response_codec, value, builder);
 }
+
 /**
  * Diagnostic Device Status with GNSS: response (0x0C,0x90).
  *
@@ -6616,6 +6705,7 @@ static inline mip_error mip_3dm_device_status_diagnostic_gnss_response_encode(
     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_diagnostic_gnss_response_codec, value, builder);
 }
+
 /**
  * Diagnostic Device Status of the 3DM-GQ4-45: response (0x0C,0x90).
  *
@@ -6715,6 +6805,7 @@ static inline mip_error mip_3dm_device_status_diagnostic_gq4_45_response_encode(
     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_diagnostic_gq4_45_response_codec, value, builder);
 }
+
 /**
  * Diagnostic Device Status of the 3DM-RQ1-45: response (0x0C,0x90).
  *
@@ -6814,6 +6905,7 @@ static inline mip_error mip_3dm_device_status_diagnostic_rq1_45_response_encode(
     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_diagnostic_rq1_45_response_codec, value, builder);
 }
+
 /**
  * Diagnostic Device Status of the 3DM-GX4-15 and 3DM-GX4-25: response (0x0C,0x90).
  *
@@ -6902,6 +6994,7 @@ static inline mip_error mip_3dm_device_status_diagnostic_gx4_response_encode(
     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_diagnostic_gx4_response_codec, value, builder);
 }
+
 /**
  * Diagnostic Device Status of an IMU: response (0x0C,0x90).
  *

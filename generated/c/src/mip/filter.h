@@ -176,29 +176,30 @@ enum mip_filter_pitch_roll_aiding_source {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_pitch_roll_aiding_source_name(uint8_t value);
-/** A source of aiding measurements. */
-enum mip_filter_aiding_source {
-    /** GNSS position and velocity. */
-    MIP_FILTER_AIDING_SOURCE_GNSS_POSITION_VELOCITY = 0,
-    /** GNSS heading of two antennas. */
-    MIP_FILTER_AIDING_SOURCE_GNSS_HEADING = 1,
-    /** Built-in pressure altimeter. */
-    MIP_FILTER_AIDING_SOURCE_ALTIMETER = 2,
-    /** Speed sensor or odometer. */
-    MIP_FILTER_AIDING_SOURCE_SPEED = 3,
-    /** Built-in magnetometer. */
-    MIP_FILTER_AIDING_SOURCE_MAG = 4,
-    /** Heading that the user sends. */
-    MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING = 5,
-    /** Pressure altitude that the user sends. */
-    MIP_FILTER_AIDING_SOURCE_EXTERNAL_ALTIMETER = 6,
-    /** Magnetic field that the user sends. */
-    MIP_FILTER_AIDING_SOURCE_EXTERNAL_MAG = 7,
-    /** Velocity in the vehicle that the user sends. */
-    MIP_FILTER_AIDING_SOURCE_BODY_FRAME_VELOCITY = 8,
-    /** All sources, for save, load and default. */
-    MIP_FILTER_AIDING_SOURCE_ALL = 65535
-};
+/**
+ * A source of aiding measurements.
+ *
+ * GNSS position and velocity.
+ */
+#define MIP_FILTER_AIDING_SOURCE_GNSS_POSITION_VELOCITY 0
+/** GNSS heading of two antennas. */
+#define MIP_FILTER_AIDING_SOURCE_GNSS_HEADING 1
+/** Built-in pressure altimeter. */
+#define MIP_FILTER_AIDING_SOURCE_ALTIMETER 2
+/** Speed sensor or odometer. */
+#define MIP_FILTER_AIDING_SOURCE_SPEED 3
+/** Built-in magnetometer. */
+#define MIP_FILTER_AIDING_SOURCE_MAG 4
+/** Heading that the user sends. */
+#define MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING 5
+/** Pressure altitude that the user sends. */
+#define MIP_FILTER_AIDING_SOURCE_EXTERNAL_ALTIMETER 6
+/** Magnetic field that the user sends. */
+#define MIP_FILTER_AIDING_SOURCE_EXTERNAL_MAG 7
+/** Velocity in the vehicle that the user sends. */
+#define MIP_FILTER_AIDING_SOURCE_BODY_FRAME_VELOCITY 8
+/** All sources, for save, load and default. */
+#define MIP_FILTER_AIDING_SOURCE_ALL 0xFFFF
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_aiding_source_name(uint16_t value);
@@ -315,6 +316,7 @@ enum mip_filter_reference_point {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_reference_point_name(uint8_t value);
+
 /**
  * Reset navigation filter: command (0x0D,0x01).
  *
@@ -357,6 +359,7 @@ static inline mip_error mip_filter_reset_encode(const struct mip_filter_reset *v
                                                 struct mip_builder *builder) {
     return mip_encode(&mip_filter_reset_codec, value, builder);
 }
+
 /**
  * Set initial attitude: command (0x0D,0x02).
  *
@@ -437,6 +440,7 @@ static inline struct mip_filter_set_initial_attitude *mip_filter_set_initial_att
     command->heading = heading;
     return command;
 }
+
 /**
  * Set initial heading: command (0x0D,0x03).
  *
@@ -510,6 +514,7 @@ mip_filter_set_initial_heading_make(struct mip_filter_set_initial_heading *comma
     command->heading = heading;
     return command;
 }
+
 /**
  * Run navigation filter: command (0x0D,0x05).
  *
@@ -548,6 +553,7 @@ static inline mip_error mip_filter_run_encode(const struct mip_filter_run *value
                                               struct mip_builder *builder) {
     return mip_encode(&mip_filter_run_codec, value, builder);
 }
+
 /**
  * Vehicle dynamics mode: command (0x0D,0x10).
  *
@@ -632,6 +638,7 @@ mip_filter_vehicle_dynamics_mode_default(struct mip_filter_vehicle_dynamics_mode
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Vehicle dynamics mode response: response (0x0D,0x80).
  *
@@ -690,6 +697,7 @@ static inline mip_error mip_filter_vehicle_dynamics_mode_response_encode_inline(
     mip_put_8(data, value->mode);
     return MIP_OK;
 }
+
 /**
  * Sensor to vehicle frame transformation: command (0x0D,0x11).
  *
@@ -783,6 +791,7 @@ mip_filter_sensor_to_vehicle_euler_default(struct mip_filter_sensor_to_vehicle_e
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Sensor to vehicle frame transformation response: response (0x0D,0x81).
  *
@@ -851,6 +860,7 @@ static inline mip_error mip_filter_sensor_to_vehicle_euler_response_encode_inlin
     mip_put_float(data + 8, &value->yaw);
     return MIP_OK;
 }
+
 /**
  * Sensor to vehicle offset: command (0x0D,0x12).
  *
@@ -939,6 +949,7 @@ mip_filter_sensor_to_vehicle_offset_default(struct mip_filter_sensor_to_vehicle_
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Sensor to vehicle offset response: response (0x0D,0x82).
  *
@@ -1004,6 +1015,7 @@ static inline mip_error mip_filter_sensor_to_vehicle_offset_response_encode_inli
     }
     return MIP_OK;
 }
+
 /**
  * GNSS antenna offset: command (0x0D,0x13).
  *
@@ -1091,6 +1103,7 @@ mip_filter_antenna_offset_default(struct mip_filter_antenna_offset *command) {
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * GNSS antenna offset response: response (0x0D,0x83).
  *
@@ -1155,6 +1168,7 @@ static inline mip_error mip_filter_antenna_offset_response_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Estimation control flags: command (0x0D,0x14).
  *
@@ -1243,6 +1257,7 @@ mip_filter_estimation_control_default(struct mip_filter_estimation_control *comm
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Estimation control flags response: response (0x0D,0x84).
  *
@@ -1300,6 +1315,7 @@ static inline mip_error mip_filter_estimation_control_response_encode_inline(
     mip_put_16(data, value->flags);
     return MIP_OK;
 }
+
 /**
  * GNSS aiding source: command (0x0D,0x15).
  *
@@ -1384,6 +1400,7 @@ mip_filter_gnss_source_default(struct mip_filter_gnss_source *command) {
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * GNSS aiding source response: response (0x0D,0x86).
  *
@@ -1441,6 +1458,7 @@ static inline mip_error mip_filter_gnss_source_response_encode_inline(
     mip_put_8(data, value->source);
     return MIP_OK;
 }
+
 /**
  * External GNSS update: command (0x0D,0x16).
  *
@@ -1562,6 +1580,7 @@ static inline struct mip_filter_external_gnss_update *mip_filter_external_gnss_u
            sizeof(command->velocity_uncertainty));
     return command;
 }
+
 /**
  * External heading update: command (0x0D,0x17).
  *
@@ -1654,6 +1673,7 @@ static inline struct mip_filter_external_heading_update *mip_filter_external_hea
     command->type = (uint8_t)type;
     return command;
 }
+
 /**
  * Heading update control: command (0x0D,0x18).
  *
@@ -1743,6 +1763,7 @@ mip_filter_heading_source_default(struct mip_filter_heading_source *command) {
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Heading update control response: response (0x0D,0x87).
  *
@@ -1800,6 +1821,7 @@ static inline mip_error mip_filter_heading_source_response_encode_inline(
     mip_put_8(data, value->source);
     return MIP_OK;
 }
+
 /**
  * Automatic initialization: command (0x0D,0x19).
  *
@@ -1886,6 +1908,7 @@ mip_filter_auto_initialization_control_default(
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Automatic initialization response: response (0x0D,0x88).
  *
@@ -1947,6 +1970,7 @@ static inline mip_error mip_filter_auto_initialization_control_response_encode_i
     mip_put_8(data, value->enable);
     return MIP_OK;
 }
+
 /**
  * Accelerometer noise: command (0x0D,0x1A).
  *
@@ -2032,6 +2056,7 @@ mip_filter_accel_noise_default(struct mip_filter_accel_noise *command) {
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Accelerometer noise response: response (0x0D,0x89).
  *
@@ -2094,6 +2119,7 @@ static inline mip_error mip_filter_accel_noise_response_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Gyroscope noise: command (0x0D,0x1B).
  *
@@ -2179,6 +2205,7 @@ mip_filter_gyro_noise_default(struct mip_filter_gyro_noise *command) {
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Gyroscope noise response: response (0x0D,0x8A).
  *
@@ -2241,6 +2268,7 @@ static inline mip_error mip_filter_gyro_noise_response_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Accelerometer bias model: command (0x0D,0x1C).
  *
@@ -2329,6 +2357,7 @@ mip_filter_accel_bias_model_default(struct mip_filter_accel_bias_model *command)
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Accelerometer bias model response: response (0x0D,0x8B).
  *
@@ -2401,6 +2430,7 @@ static inline mip_error mip_filter_accel_bias_model_response_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Gyroscope bias model: command (0x0D,0x1D).
  *
@@ -2490,6 +2520,7 @@ mip_filter_gyro_bias_model_default(struct mip_filter_gyro_bias_model *command) {
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Gyroscope bias model response: response (0x0D,0x8C).
  *
@@ -2563,6 +2594,7 @@ static inline mip_error mip_filter_gyro_bias_model_response_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Automatic zero velocity update: command (0x0D,0x1E).
  *
@@ -2647,6 +2679,7 @@ mip_filter_auto_zupt_default(struct mip_filter_auto_zupt *command) {
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Automatic zero velocity update response: response (0x0D,0x8D).
  *
@@ -2709,6 +2742,7 @@ static inline mip_error mip_filter_auto_zupt_response_encode_inline(
     mip_put_float(data + 1, &value->threshold);
     return MIP_OK;
 }
+
 /**
  * External heading update with time: command (0x0D,0x1F).
  *
@@ -2815,6 +2849,7 @@ mip_filter_external_heading_update_with_time_make(
     command->type = (uint8_t)type;
     return command;
 }
+
 /**
  * Zero angular rate update: command (0x0D,0x20).
  *
@@ -2904,6 +2939,7 @@ mip_filter_auto_angular_zupt_default(struct mip_filter_auto_angular_zupt *comman
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Zero angular rate update response: response (0x0D,0x8E).
  *
@@ -2967,6 +3003,7 @@ static inline mip_error mip_filter_auto_angular_zupt_response_encode_inline(
     mip_put_float(data + 1, &value->threshold);
     return MIP_OK;
 }
+
 /**
  * Tare orientation: command (0x0D,0x21).
  *
@@ -3050,6 +3087,7 @@ mip_filter_tare_orientation_default(struct mip_filter_tare_orientation *command)
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Tare orientation response: response (0x0D,0xA1).
  *
@@ -3110,6 +3148,7 @@ static inline mip_error mip_filter_tare_orientation_response_encode_inline(
     mip_put_8(data, value->axes);
     return MIP_OK;
 }
+
 /**
  * Commanded zero velocity update: command (0x0D,0x22).
  *
@@ -3147,6 +3186,7 @@ static inline mip_error mip_filter_commanded_zupt_encode(
     const struct mip_filter_commanded_zupt *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_commanded_zupt_codec, value, builder);
 }
+
 /**
  * Commanded zero angular rate update: command (0x0D,0x23).
  *
@@ -3184,6 +3224,7 @@ static inline mip_error mip_filter_commanded_angular_zupt_encode(
     const struct mip_filter_commanded_angular_zupt *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_commanded_angular_zupt_codec, value, builder);
 }
+
 /**
  * Set reference position: command (0x0D,0x26).
  *
@@ -3273,6 +3314,7 @@ mip_filter_reference_position_default(struct mip_filter_reference_position *comm
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Set reference position response: response (0x0D,0x90).
  *
@@ -3342,6 +3384,7 @@ static inline mip_error mip_filter_reference_position_response_encode_inline(
     mip_put_double(data + 17, &value->altitude);
     return MIP_OK;
 }
+
 /**
  * Capture automatic magnetometer calibration: command (0x0D,0x27).
  *
@@ -3423,6 +3466,7 @@ mip_filter_mag_capture_auto_calibration_save(
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /**
  * Gravity noise: command (0x0D,0x28).
  *
@@ -3508,6 +3552,7 @@ mip_filter_gravity_noise_default(struct mip_filter_gravity_noise *command) {
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Gravity noise response: response (0x0D,0x93).
  *
@@ -3570,6 +3615,7 @@ static inline mip_error mip_filter_gravity_noise_response_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Pressure altitude noise: command (0x0D,0x29).
  *
@@ -3652,6 +3698,7 @@ mip_filter_pressure_altitude_noise_default(struct mip_filter_pressure_altitude_n
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Pressure altitude noise response: response (0x0D,0x94).
  *
@@ -3710,6 +3757,7 @@ static inline mip_error mip_filter_pressure_altitude_noise_response_encode_inlin
     mip_put_float(data, &value->noise);
     return MIP_OK;
 }
+
 /**
  * Hard iron offset noise: command (0x0D,0x2B).
  *
@@ -3793,6 +3841,7 @@ mip_filter_hard_iron_offset_noise_default(struct mip_filter_hard_iron_offset_noi
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Hard iron offset noise response: response (0x0D,0x96).
  *
@@ -3855,6 +3904,7 @@ static inline mip_error mip_filter_hard_iron_offset_noise_response_encode_inline
     }
     return MIP_OK;
 }
+
 /**
  * Soft iron matrix noise: command (0x0D,0x2C).
  *
@@ -3938,6 +3988,7 @@ mip_filter_soft_iron_matrix_noise_default(struct mip_filter_soft_iron_matrix_noi
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Soft iron matrix noise response: response (0x0D,0x97).
  *
@@ -4003,6 +4054,7 @@ static inline mip_error mip_filter_soft_iron_matrix_noise_response_encode_inline
     }
     return MIP_OK;
 }
+
 /**
  * Enable or disable measurements: command (0x0D,0x41).
  *
@@ -4082,6 +4134,7 @@ mip_filter_enable_measurements_default(struct mip_filter_enable_measurements *co
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Enable or disable measurements response: response (0x0D,0xB0).
  *
@@ -4139,6 +4192,7 @@ static inline mip_error mip_filter_enable_measurements_response_encode_inline(
     mip_put_16(data, value->control);
     return MIP_OK;
 }
+
 /**
  * Magnetometer noise: command (0x0D,0x42).
  *
@@ -4222,6 +4276,7 @@ mip_filter_mag_noise_default(struct mip_filter_mag_noise *command) {
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Magnetometer noise response: response (0x0D,0xB1).
  *
@@ -4283,6 +4338,7 @@ static inline mip_error mip_filter_mag_noise_response_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Magnetic declination source: command (0x0D,0x43).
  *
@@ -4378,6 +4434,7 @@ mip_filter_magnetic_declination_source_default(
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Magnetic declination source response: response (0x0D,0xB2).
  *
@@ -4443,6 +4500,7 @@ static inline mip_error mip_filter_magnetic_declination_source_response_encode_i
     mip_put_float(data + 1, &value->declination);
     return MIP_OK;
 }
+
 /**
  * Gravity magnitude error adaptive measurement: command (0x0D,0x44).
  *
@@ -4564,6 +4622,7 @@ mip_filter_accel_magnitude_adaptive_default(struct mip_filter_accel_magnitude_ad
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Gravity magnitude error adaptive measurement response: response (0x0D,0xB3).
  *
@@ -4648,6 +4707,7 @@ static inline mip_error mip_filter_accel_magnitude_adaptive_response_encode_inli
     mip_put_float(data + 21, &value->minimum_uncertainty);
     return MIP_OK;
 }
+
 /**
  * Magnetometer magnitude error adaptive measurement: command (0x0D,0x45).
  *
@@ -4783,6 +4843,7 @@ mip_filter_mag_magnitude_adaptive_default(struct mip_filter_mag_magnitude_adapti
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Magnetometer magnitude error adaptive measurement response: response (0x0D,0xB4).
  *
@@ -4883,6 +4944,7 @@ static inline mip_error mip_filter_mag_magnitude_adaptive_response_encode_inline
     mip_put_float(data + 21, &value->minimum_uncertainty);
     return MIP_OK;
 }
+
 /**
  * Magnetometer dip angle error adaptive measurement: command (0x0D,0x46).
  *
@@ -4993,6 +5055,7 @@ mip_filter_mag_dip_angle_adaptive_default(struct mip_filter_mag_dip_angle_adapti
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Magnetometer dip angle error adaptive measurement response: response (0x0D,0xB5).
  *
@@ -5079,6 +5142,7 @@ static inline mip_error mip_filter_mag_dip_angle_adaptive_response_encode_inline
     mip_put_float(data + 13, &value->minimum_uncertainty);
     return MIP_OK;
 }
+
 /**
  * Altitude aiding: command (0x0D,0x47).
  *
@@ -5164,6 +5228,7 @@ mip_filter_altitude_aiding_default(struct mip_filter_altitude_aiding *command) {
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Altitude aiding response: response (0x0D,0xB7).
  *
@@ -5222,6 +5287,7 @@ static inline mip_error mip_filter_altitude_aiding_response_encode_inline(
     mip_put_8(data, value->selector);
     return MIP_OK;
 }
+
 /**
  * Pitch and roll aiding: command (0x0D,0x4B).
  *
@@ -5304,6 +5370,7 @@ mip_filter_pitch_roll_aiding_default(struct mip_filter_pitch_roll_aiding *comman
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Pitch and roll aiding response: response (0x0D,0xBB).
  *
@@ -5361,6 +5428,7 @@ static inline mip_error mip_filter_pitch_roll_aiding_response_encode_inline(
     mip_put_8(data, value->aiding);
     return MIP_OK;
 }
+
 /**
  * Magnetic inclination source: command (0x0D,0x4C).
  *
@@ -5458,6 +5526,7 @@ mip_filter_magnetic_inclination_source_default(
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Magnetic inclination source response: response (0x0D,0xBC).
  *
@@ -5526,6 +5595,7 @@ static inline mip_error mip_filter_magnetic_inclination_source_response_encode_i
     mip_put_float(data + 1, &value->inclination);
     return MIP_OK;
 }
+
 /**
  * Magnetic field magnitude source: command (0x0D,0x4D).
  *
@@ -5620,6 +5690,7 @@ mip_filter_magnetic_magnitude_source_default(struct mip_filter_magnetic_magnitud
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Magnetic field magnitude source response: response (0x0D,0xBD).
  *
@@ -5688,6 +5759,7 @@ static inline mip_error mip_filter_magnetic_magnitude_source_response_encode_inl
     mip_put_float(data + 1, &value->magnitude);
     return MIP_OK;
 }
+
 /**
  * Sensor to vehicle rotation, matrix: command (0x0D,0x4E).
  *
@@ -5783,6 +5855,7 @@ mip_filter_sensor_to_vehicle_dcm_default(struct mip_filter_sensor_to_vehicle_dcm
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Sensor to vehicle rotation, matrix response: response (0x0D,0xBE).
  *
@@ -5850,6 +5923,7 @@ static inline mip_error mip_filter_sensor_to_vehicle_dcm_response_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Sensor to vehicle rotation, quaternion: command (0x0D,0x4F).
  *
@@ -5948,6 +6022,7 @@ mip_filter_sensor_to_vehicle_quaternion_default(
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Sensor to vehicle rotation, quaternion response: response (0x0D,0xBF).
  *
@@ -6017,6 +6092,7 @@ static inline mip_error mip_filter_sensor_to_vehicle_quaternion_response_encode_
     }
     return MIP_OK;
 }
+
 /**
  * Aiding measurement control: command (0x0D,0x50).
  *
@@ -6036,10 +6112,10 @@ struct mip_filter_aiding_measurement_enable {
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
-     * The source; `all` is for save, load and default. A value of enum mip_filter_aiding_source. On
-     * the 3DM-CV7-AHRS: only MIP_FILTER_AIDING_SOURCE_MAG,
-     * MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL. On the
-     * 3DM-CV7-AR: only MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL.
+     * The source; `all` is for save, load and default. A value of mip_filter_aiding_source. On the
+     * 3DM-CV7-AHRS: only MIP_FILTER_AIDING_SOURCE_MAG, MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING
+     * and MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-AR: only
+     * MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL.
      */
     uint16_t aiding_source;
     /** Whether the filter uses the source. Required for write. */
@@ -6070,50 +6146,50 @@ static inline mip_error mip_filter_aiding_measurement_enable_encode(
 /** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_aiding_measurement_enable *
 mip_filter_aiding_measurement_enable_write(struct mip_filter_aiding_measurement_enable *command,
-                                           enum mip_filter_aiding_source aiding_source,
-                                           mip_bool enable) {
+                                           uint16_t aiding_source, mip_bool enable) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_WRITE;
-    command->aiding_source = (uint16_t)aiding_source;
+    command->aiding_source = aiding_source;
     command->enable = enable;
     return command;
 }
 /** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_aiding_measurement_enable *
 mip_filter_aiding_measurement_enable_read(struct mip_filter_aiding_measurement_enable *command,
-                                          enum mip_filter_aiding_source aiding_source) {
+                                          uint16_t aiding_source) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
-    command->aiding_source = (uint16_t)aiding_source;
+    command->aiding_source = aiding_source;
     return command;
 }
 /** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_aiding_measurement_enable *
 mip_filter_aiding_measurement_enable_save(struct mip_filter_aiding_measurement_enable *command,
-                                          enum mip_filter_aiding_source aiding_source) {
+                                          uint16_t aiding_source) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    command->aiding_source = (uint16_t)aiding_source;
+    command->aiding_source = aiding_source;
     return command;
 }
 /** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_aiding_measurement_enable *
 mip_filter_aiding_measurement_enable_load(struct mip_filter_aiding_measurement_enable *command,
-                                          enum mip_filter_aiding_source aiding_source) {
+                                          uint16_t aiding_source) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    command->aiding_source = (uint16_t)aiding_source;
+    command->aiding_source = aiding_source;
     return command;
 }
 /** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_aiding_measurement_enable *
 mip_filter_aiding_measurement_enable_default(struct mip_filter_aiding_measurement_enable *command,
-                                             enum mip_filter_aiding_source aiding_source) {
+                                             uint16_t aiding_source) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    command->aiding_source = (uint16_t)aiding_source;
+    command->aiding_source = aiding_source;
     return command;
 }
+
 /**
  * Aiding measurement control response: response (0x0D,0xD0).
  *
@@ -6122,9 +6198,7 @@ mip_filter_aiding_measurement_enable_default(struct mip_filter_aiding_measuremen
  * - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
  */
 struct mip_filter_aiding_measurement_enable_response {
-    /**
-     * The source; `all` is for save, load and default. A value of enum mip_filter_aiding_source.
-     */
+    /** The source; `all` is for save, load and default. A value of mip_filter_aiding_source. */
     uint16_t aiding_source;
     /** Whether the filter uses the source. */
     mip_bool enable;
@@ -6180,6 +6254,7 @@ static inline mip_error mip_filter_aiding_measurement_enable_response_encode_inl
     mip_put_8(data + 2, value->enable);
     return MIP_OK;
 }
+
 /**
  * Kinematic constraint: command (0x0D,0x51).
  *
@@ -6279,6 +6354,7 @@ mip_filter_kinematic_constraint_default(struct mip_filter_kinematic_constraint *
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Kinematic constraint response: response (0x0D,0xD1).
  *
@@ -6353,6 +6429,7 @@ static inline mip_error mip_filter_kinematic_constraint_response_encode_inline(
     mip_put_8(data + 2, value->angular_constraint);
     return MIP_OK;
 }
+
 /**
  * Navigation filter initialization: command (0x0D,0x52).
  *
@@ -6485,6 +6562,7 @@ mip_filter_initialization_config_default(struct mip_filter_initialization_config
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Navigation filter initialization response: response (0x0D,0xD2).
  *
@@ -6594,6 +6672,7 @@ static inline mip_error mip_filter_initialization_config_response_encode_inline(
     mip_put_8(data + 39, value->reference_frame_selector);
     return MIP_OK;
 }
+
 /**
  * Adaptive filter control: command (0x0D,0x53).
  *
@@ -6684,6 +6763,7 @@ mip_filter_adaptive_filter_options_default(struct mip_filter_adaptive_filter_opt
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Adaptive filter control response: response (0x0D,0xD3).
  *
@@ -6745,6 +6825,7 @@ static inline mip_error mip_filter_adaptive_filter_options_response_encode_inlin
     mip_put_16(data + 1, value->time_limit);
     return MIP_OK;
 }
+
 /**
  * GNSS multi-antenna offset: command (0x0D,0x54).
  *
@@ -6835,6 +6916,7 @@ static inline struct mip_filter_multi_antenna_offset *mip_filter_multi_antenna_o
     command->receiver_id = receiver_id;
     return command;
 }
+
 /**
  * GNSS multi-antenna offset response: response (0x0D,0xD4).
  *
@@ -6903,6 +6985,7 @@ static inline mip_error mip_filter_multi_antenna_offset_response_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Relative position configuration: command (0x0D,0x55).
  *
@@ -6999,6 +7082,7 @@ mip_filter_relative_position_config_default(struct mip_filter_relative_position_
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Relative position configuration response: response (0x0D,0xD5).
  *
@@ -7073,6 +7157,7 @@ static inline mip_error mip_filter_relative_position_config_response_encode_inli
     }
     return MIP_OK;
 }
+
 /**
  * Reference point lever arm: command (0x0D,0x56).
  *
@@ -7167,6 +7252,7 @@ mip_filter_reference_point_lever_arm_default(struct mip_filter_reference_point_l
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Reference point lever arm response: response (0x0D,0xD6).
  *
@@ -7239,6 +7325,7 @@ static inline mip_error mip_filter_reference_point_lever_arm_response_encode_inl
     }
     return MIP_OK;
 }
+
 /**
  * Speed measurement: command (0x0D,0x60).
  *
@@ -7325,6 +7412,7 @@ static inline struct mip_filter_speed_measurement *mip_filter_speed_measurement_
     command->speed_uncertainty = speed_uncertainty;
     return command;
 }
+
 /**
  * Speed measurement lever arm: command (0x0D,0x61).
  *
@@ -7416,6 +7504,7 @@ mip_filter_speed_lever_arm_default(struct mip_filter_speed_lever_arm *command) {
     command->source = 1;
     return command;
 }
+
 /**
  * Speed measurement lever arm response: response (0x0D,0xE1).
  *
@@ -7481,6 +7570,7 @@ static inline mip_error mip_filter_speed_lever_arm_response_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Vertical gyro constraint: command (0x0D,0x62).
  *
@@ -7565,6 +7655,7 @@ mip_filter_vertical_gyro_constraint_default(struct mip_filter_vertical_gyro_cons
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Vertical gyro constraint response: response (0x0D,0xE2).
  *
@@ -7625,6 +7716,7 @@ static inline mip_error mip_filter_vertical_gyro_constraint_response_encode_inli
     mip_put_8(data, value->enable);
     return MIP_OK;
 }
+
 /**
  * Wheeled vehicle constraint: command (0x0D,0x63).
  *
@@ -7711,6 +7803,7 @@ mip_filter_wheeled_vehicle_constraint_default(
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Wheeled vehicle constraint response: response (0x0D,0xE3).
  *
@@ -7773,6 +7866,7 @@ static inline mip_error mip_filter_wheeled_vehicle_constraint_response_encode_in
     mip_put_8(data, value->enable);
     return MIP_OK;
 }
+
 /**
  * GNSS antenna offset calibration: command (0x0D,0x64).
  *
@@ -7862,6 +7956,7 @@ mip_filter_gnss_antenna_calibration_default(struct mip_filter_gnss_antenna_calib
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * GNSS antenna offset calibration response: response (0x0D,0xE4).
  *

@@ -350,6 +350,7 @@ static inline void mip_filter_data_cv7_status_flags_set_solution_error(
     const uint32_t bits = (uint32_t)value << 12;
     *flags = (mip_filter_data_cv7_status_flags)((*flags & ~mask) | (bits & mask));
 }
+
 /**
  * LLH position: data (0x82,0x01).
  *
@@ -430,6 +431,7 @@ static inline mip_error mip_filter_data_llh_position_encode_inline(
     mip_put_16(data + 24, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * NED velocity: data (0x82,0x02).
  *
@@ -510,6 +512,7 @@ static inline mip_error mip_filter_data_ned_velocity_encode_inline(
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Attitude quaternion: data (0x82,0x03).
  *
@@ -583,6 +586,7 @@ static inline mip_error mip_filter_data_attitude_quaternion_encode_inline(
     mip_put_16(data + 16, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Attitude direction cosine matrix: data (0x82,0x04).
  *
@@ -656,6 +660,7 @@ static inline mip_error mip_filter_data_attitude_dcm_encode_inline(
     mip_put_16(data + 36, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Euler angles: data (0x82,0x05).
  *
@@ -738,6 +743,7 @@ static inline mip_error mip_filter_data_euler_angles_encode_inline(
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Gyroscope bias: data (0x82,0x06).
  *
@@ -809,6 +815,7 @@ static inline mip_error mip_filter_data_gyro_bias_encode_inline(
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Accelerometer bias: data (0x82,0x07).
  *
@@ -879,6 +886,7 @@ static inline mip_error mip_filter_data_accel_bias_encode_inline(
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Position uncertainty: data (0x82,0x08).
  *
@@ -959,6 +967,7 @@ static inline mip_error mip_filter_data_llh_position_uncertainty_encode_inline(
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * NED velocity uncertainty: data (0x82,0x09).
  *
@@ -1039,6 +1048,7 @@ static inline mip_error mip_filter_data_ned_velocity_uncertainty_encode_inline(
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Euler angles uncertainty: data (0x82,0x0A).
  *
@@ -1123,6 +1133,7 @@ static inline mip_error mip_filter_data_euler_angles_uncertainty_encode_inline(
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Gyroscope bias uncertainty: data (0x82,0x0B).
  *
@@ -1194,6 +1205,7 @@ static inline mip_error mip_filter_data_gyro_bias_uncertainty_encode_inline(
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Accelerometer bias uncertainty: data (0x82,0x0C).
  *
@@ -1264,6 +1276,7 @@ static inline mip_error mip_filter_data_accel_bias_uncertainty_encode_inline(
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Linear acceleration: data (0x82,0x0D).
  *
@@ -1335,6 +1348,7 @@ static inline mip_error mip_filter_data_linear_accel_encode_inline(
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Compensated angular rate: data (0x82,0x0E).
  *
@@ -1406,6 +1420,7 @@ static inline mip_error mip_filter_data_comp_angular_rate_encode_inline(
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * WGS84 local gravity magnitude: data (0x82,0x0F).
  *
@@ -1474,6 +1489,7 @@ static inline mip_error mip_filter_data_wgs84_gravity_magnitude_encode_inline(
     mip_put_16(data + 4, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Filter status: data (0x82,0x10).
  *
@@ -1560,6 +1576,7 @@ static inline mip_error mip_filter_data_status_encode_inline(
     mip_put_16(data + 4, value->status_flags);
     return MIP_OK;
 }
+
 /**
  * Filter timestamp: data (0x82,0x11).
  *
@@ -1639,6 +1656,7 @@ static inline mip_error mip_filter_data_timestamp_encode_inline(
     mip_put_16(data + 10, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Quaternion uncertainty: data (0x82,0x12).
  *
@@ -1713,6 +1731,7 @@ static inline mip_error mip_filter_data_quaternion_attitude_uncertainty_encode_i
     mip_put_16(data + 16, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Gravity vector: data (0x82,0x13).
  *
@@ -1784,6 +1803,7 @@ static inline mip_error mip_filter_data_gravity_vector_encode_inline(
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Heading update source state: data (0x82,0x14).
  *
@@ -1866,6 +1886,7 @@ static inline mip_error mip_filter_data_heading_update_state_encode_inline(
     mip_put_16(data + 10, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Magnetic model: data (0x82,0x15).
  *
@@ -1956,6 +1977,7 @@ static inline mip_error mip_filter_data_magnetic_model_encode_inline(
     mip_put_16(data + 20, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Gyroscope scale factor: data (0x82,0x16).
  *
@@ -2026,6 +2048,7 @@ static inline mip_error mip_filter_data_gyro_scale_factor_encode_inline(
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Accelerometer scale factor: data (0x82,0x17).
  *
@@ -2096,6 +2119,7 @@ static inline mip_error mip_filter_data_accel_scale_factor_encode_inline(
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Gyroscope scale factor uncertainty: data (0x82,0x18).
  *
@@ -2169,6 +2193,7 @@ static inline mip_error mip_filter_data_gyro_scale_factor_uncertainty_encode_inl
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Accelerometer scale factor uncertainty: data (0x82,0x19).
  *
@@ -2242,6 +2267,7 @@ static inline mip_error mip_filter_data_accel_scale_factor_uncertainty_encode_in
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Magnetometer bias: data (0x82,0x1A).
  *
@@ -2312,6 +2338,7 @@ static inline mip_error mip_filter_data_mag_bias_encode_inline(
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Magnetometer bias uncertainty: data (0x82,0x1B).
  *
@@ -2382,6 +2409,7 @@ static inline mip_error mip_filter_data_mag_bias_uncertainty_encode_inline(
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Compensated acceleration: data (0x82,0x1C).
  *
@@ -2453,6 +2481,7 @@ static inline mip_error mip_filter_data_comp_accel_encode_inline(
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Standard atmosphere: data (0x82,0x20).
  *
@@ -2542,6 +2571,7 @@ static inline mip_error mip_filter_data_standard_atmosphere_encode_inline(
     mip_put_16(data + 20, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Pressure altitude: data (0x82,0x21).
  *
@@ -2611,6 +2641,7 @@ static inline mip_error mip_filter_data_pressure_altitude_encode_inline(
     mip_put_16(data + 4, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Density altitude: data (0x82,0x22).
  *
@@ -2675,6 +2706,7 @@ static inline mip_error mip_filter_data_density_altitude_encode_inline(
     mip_put_16(data + 4, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Magnetometer offset: data (0x82,0x25).
  *
@@ -2748,6 +2780,7 @@ static inline mip_error mip_filter_data_mag_offset_encode_inline(
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Magnetometer matrix: data (0x82,0x26).
  *
@@ -2821,6 +2854,7 @@ static inline mip_error mip_filter_data_mag_matrix_encode_inline(
     mip_put_16(data + 36, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Magnetometer offset uncertainty: data (0x82,0x28).
  *
@@ -2892,6 +2926,7 @@ static inline mip_error mip_filter_data_mag_offset_uncertainty_encode_inline(
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Magnetometer matrix uncertainty: data (0x82,0x29).
  *
@@ -2963,6 +2998,7 @@ static inline mip_error mip_filter_data_mag_matrix_uncertainty_encode_inline(
     mip_put_16(data + 36, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Magnetometer covariance matrix: data (0x82,0x2A).
  *
@@ -3035,6 +3071,7 @@ static inline mip_error mip_filter_data_mag_covariance_matrix_encode_inline(
     mip_put_16(data + 36, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Magnetometer residual vector: data (0x82,0x2C).
  *
@@ -3106,6 +3143,7 @@ static inline mip_error mip_filter_data_mag_residual_vector_encode_inline(
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Antenna offset correction: data (0x82,0x30).
  *
@@ -3178,6 +3216,7 @@ static inline mip_error mip_filter_data_antenna_offset_correction_encode_inline(
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Antenna offset correction uncertainty: data (0x82,0x31).
  *
@@ -3251,6 +3290,7 @@ static inline mip_error mip_filter_data_antenna_offset_uncertainty_encode_inline
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Clock correction: data (0x82,0x32).
  *
@@ -3327,6 +3367,7 @@ static inline mip_error mip_filter_data_clock_correction_encode_inline(
     mip_put_16(data + 9, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Clock correction uncertainty: data (0x82,0x33).
  *
@@ -3404,6 +3445,7 @@ static inline mip_error mip_filter_data_clock_correction_uncertainty_encode_inli
     mip_put_16(data + 9, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Multi-antenna offset correction: data (0x82,0x34).
  *
@@ -3483,6 +3525,7 @@ static inline mip_error mip_filter_data_multi_antenna_offset_correction_encode_i
     mip_put_16(data + 13, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Multi-antenna offset correction uncertainty: data (0x82,0x35).
  *
@@ -3562,6 +3605,7 @@ static inline mip_error mip_filter_data_multi_antenna_offset_uncertainty_encode_
     mip_put_16(data + 13, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * ECEF position uncertainty: data (0x82,0x36).
  *
@@ -3632,6 +3676,7 @@ static inline mip_error mip_filter_data_ecef_position_uncertainty_encode_inline(
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * ECEF velocity uncertainty: data (0x82,0x37).
  *
@@ -3702,6 +3747,7 @@ static inline mip_error mip_filter_data_ecef_velocity_uncertainty_encode_inline(
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * ECEF position: data (0x82,0x40).
  *
@@ -3772,6 +3818,7 @@ static inline mip_error mip_filter_data_ecef_position_encode_inline(
     mip_put_16(data + 24, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * ECEF velocity: data (0x82,0x41).
  *
@@ -3842,6 +3889,7 @@ static inline mip_error mip_filter_data_ecef_velocity_encode_inline(
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * NED relative position: data (0x82,0x42).
  *
@@ -3912,6 +3960,7 @@ static inline mip_error mip_filter_data_ned_relative_position_encode_inline(
     mip_put_16(data + 24, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GNSS position aiding status: data (0x82,0x43).
  *
@@ -3985,6 +4034,7 @@ static inline mip_error mip_filter_data_gnss_position_aiding_status_encode_inlin
     memcpy(data + 7, value->reserved, 8);
     return MIP_OK;
 }
+
 /**
  * GNSS attitude aiding status: data (0x82,0x44).
  *
@@ -4058,6 +4108,7 @@ static inline mip_error mip_filter_data_gnss_attitude_aiding_status_encode_inlin
     memcpy(data + 6, value->reserved, 8);
     return MIP_OK;
 }
+
 /**
  * Heading aiding status: data (0x82,0x45).
  *
@@ -4135,6 +4186,7 @@ static inline mip_error mip_filter_data_heading_aiding_status_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Aiding measurement summary: data (0x82,0x46).
  *
@@ -4208,6 +4260,7 @@ static inline mip_error mip_filter_data_aiding_measurement_summary_encode_inline
     mip_put_8(data + 6, value->indicator);
     return MIP_OK;
 }
+
 /**
  * Odometer scale factor error: data (0x82,0x47).
  *
@@ -4275,6 +4328,7 @@ static inline mip_error mip_filter_data_odometer_scale_factor_error_encode_inlin
     mip_put_16(data + 4, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Odometer scale factor error uncertainty: data (0x82,0x48).
  *
@@ -4348,6 +4402,7 @@ static inline mip_error mip_filter_data_odometer_scale_factor_uncertainty_encode
     mip_put_16(data + 4, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GNSS dual antenna status: data (0x82,0x49).
  *
@@ -4435,6 +4490,7 @@ static inline mip_error mip_filter_data_gnss_dual_antenna_status_encode_inline(
     mip_put_16(data + 15, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Aiding frame configuration error: data (0x82,0x50).
  *
@@ -4510,6 +4566,7 @@ static inline mip_error mip_filter_data_aiding_frame_config_error_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Aiding frame configuration error uncertainty: data (0x82,0x51).
  *

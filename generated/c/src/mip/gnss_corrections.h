@@ -124,6 +124,7 @@ static inline mip_error mip_gnss_corrections_llh_position_encode_inline(
     mip_put_16(data + 40, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GNSS ECEF position: data (0x93,0x04).
  *
@@ -202,6 +203,7 @@ static inline mip_error mip_gnss_corrections_ecef_position_encode_inline(
     mip_put_16(data + 28, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * NED velocity: data (0x93,0x05).
  *
@@ -308,6 +310,7 @@ static inline mip_error mip_gnss_corrections_ned_velocity_encode_inline(
     mip_put_16(data + 32, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GNSS ECEF velocity: data (0x93,0x06).
  *
@@ -386,6 +389,7 @@ static inline mip_error mip_gnss_corrections_ecef_velocity_encode_inline(
     mip_put_16(data + 16, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * DOP: data (0x93,0x07).
  *
@@ -474,6 +478,7 @@ static inline mip_error mip_gnss_corrections_dop_encode_inline(
     mip_put_16(data + 28, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * UTC time: data (0x93,0x08).
  *
@@ -580,6 +585,7 @@ static inline mip_error mip_gnss_corrections_utc_time_encode_inline(
     mip_put_16(data + 11, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GPS time: data (0x93,0x09).
  *
@@ -651,6 +657,7 @@ static inline mip_error mip_gnss_corrections_gps_time_encode_inline(
     mip_put_16(data + 10, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Clock info: data (0x93,0x0A).
  *
@@ -733,6 +740,7 @@ static inline mip_error mip_gnss_corrections_clock_info_encode_inline(
     mip_put_16(data + 24, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Fix info: data (0x93,0x0B).
  *
@@ -811,6 +819,7 @@ static inline mip_error mip_gnss_corrections_fix_info_encode_inline(
     mip_put_16(data + 4, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Satellite info: data (0x93,0x0C).
  *
@@ -906,6 +915,7 @@ static inline mip_error mip_gnss_corrections_sv_info_encode_inline(
     mip_put_16(data + 10, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GNSS hardware status: data (0x93,0x0D).
  *
@@ -987,6 +997,7 @@ static inline mip_error mip_gnss_corrections_hardware_status_encode_inline(
     mip_put_16(data + 3, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * DGPS info: data (0x93,0x0E).
  *
@@ -1079,6 +1090,7 @@ static inline mip_error mip_gnss_corrections_dgps_info_encode_inline(
     mip_put_16(data + 10, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * DGPS channel: data (0x93,0x0F).
  *
@@ -1169,6 +1181,7 @@ static inline mip_error mip_gnss_corrections_dgps_channel_encode_inline(
     mip_put_16(data + 13, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Clock info 2: data (0x93,0x10).
  *
@@ -1259,6 +1272,7 @@ static inline mip_error mip_gnss_corrections_clock_info_2_encode_inline(
     mip_put_16(data + 32, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GPS leap seconds: data (0x93,0x11).
  *
@@ -1326,6 +1340,7 @@ static inline mip_error mip_gnss_corrections_gps_leap_seconds_encode_inline(
     mip_put_16(data + 1, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * SBAS info: data (0x93,0x12).
  *
@@ -1421,6 +1436,7 @@ static inline mip_error mip_gnss_corrections_sbas_info_encode_inline(
     mip_put_16(data + 14, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * SBAS correction: data (0x93,0x13).
  *
@@ -1532,6 +1548,7 @@ static inline mip_error mip_gnss_corrections_sbas_correction_encode_inline(
     mip_put_16(data + 23, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * RF error detection: data (0x93,0x14).
  *
@@ -1617,6 +1634,7 @@ static inline mip_error mip_gnss_corrections_rf_error_detection_encode_inline(
     mip_put_16(data + 7, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Satellite status: data (0x93,0x20).
  *
@@ -1736,6 +1754,7 @@ static inline mip_error mip_gnss_corrections_satellite_status_encode_inline(
     mip_put_16(data + 23, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Raw: data (0x93,0x22).
  *
@@ -1910,6 +1929,7 @@ static inline mip_error mip_gnss_corrections_raw_encode_inline(
     mip_put_16(data + 59, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Base station info: data (0x93,0x30).
  *
@@ -2015,6 +2035,7 @@ static inline mip_error mip_gnss_corrections_base_station_info_encode_inline(
     mip_put_16(data + 42, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * RTK corrections status: data (0x93,0x31).
  *
@@ -2140,6 +2161,7 @@ static inline mip_error mip_gnss_corrections_rtk_corrections_status_encode_inlin
     mip_put_16(data + 48, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GPS ephemeris: data (0x93,0x61).
  *
@@ -2409,6 +2431,7 @@ static inline mip_error mip_gnss_corrections_gps_ephemeris_encode_inline(
     mip_put_16(data + 216, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GLONASS ephemeris: data (0x93,0x62).
  *
@@ -2638,6 +2661,7 @@ static inline mip_error mip_gnss_corrections_glonass_ephemeris_encode_inline(
     mip_put_16(data + 100, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Galileo ephemeris: data (0x93,0x63).
  *
@@ -2910,6 +2934,7 @@ static inline mip_error mip_gnss_corrections_galileo_ephemeris_encode_inline(
     mip_put_16(data + 216, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * BeiDou ephemeris: data (0x93,0x64).
  *
@@ -3182,6 +3207,7 @@ static inline mip_error mip_gnss_corrections_beidou_ephemeris_encode_inline(
     mip_put_16(data + 216, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GPS ionospheric correction: data (0x93,0x71).
  *
@@ -3278,6 +3304,7 @@ static inline mip_error mip_gnss_corrections_gps_iono_correction_encode_inline(
     mip_put_16(data + 74, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Galileo ionospheric correction: data (0x93,0x73).
  *
@@ -3371,6 +3398,7 @@ static inline mip_error mip_gnss_corrections_galileo_iono_correction_encode_inli
     mip_put_16(data + 35, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * BeiDou ionospheric correction: data (0x93,0x74).
  *

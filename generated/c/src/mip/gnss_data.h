@@ -126,6 +126,7 @@ static inline mip_error mip_gnss_data_llh_position_encode_inline(
     mip_put_16(data + 40, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GNSS ECEF position: data (0x81,0x04).
  *
@@ -204,6 +205,7 @@ static inline mip_error mip_gnss_data_ecef_position_encode_inline(
     mip_put_16(data + 28, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * NED velocity: data (0x81,0x05).
  *
@@ -310,6 +312,7 @@ static inline mip_error mip_gnss_data_ned_velocity_encode_inline(
     mip_put_16(data + 32, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GNSS ECEF velocity: data (0x81,0x06).
  *
@@ -387,6 +390,7 @@ static inline mip_error mip_gnss_data_ecef_velocity_encode_inline(
     mip_put_16(data + 16, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * DOP: data (0x81,0x07).
  *
@@ -475,6 +479,7 @@ static inline mip_error mip_gnss_data_dop_encode_inline(const struct mip_gnss_da
     mip_put_16(data + 28, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * UTC time: data (0x81,0x08).
  *
@@ -581,6 +586,7 @@ static inline mip_error mip_gnss_data_utc_time_encode_inline(
     mip_put_16(data + 11, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GPS time: data (0x81,0x09).
  *
@@ -652,6 +658,7 @@ static inline mip_error mip_gnss_data_gps_time_encode_inline(
     mip_put_16(data + 10, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Clock info: data (0x81,0x0A).
  *
@@ -734,6 +741,7 @@ static inline mip_error mip_gnss_data_clock_info_encode_inline(
     mip_put_16(data + 24, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Fix info: data (0x81,0x0B).
  *
@@ -812,6 +820,7 @@ static inline mip_error mip_gnss_data_fix_info_encode_inline(
     mip_put_16(data + 4, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Satellite info: data (0x81,0x0C).
  *
@@ -907,6 +916,7 @@ static inline mip_error mip_gnss_data_sv_info_encode_inline(
     mip_put_16(data + 10, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GNSS hardware status: data (0x81,0x0D).
  *
@@ -988,6 +998,7 @@ static inline mip_error mip_gnss_data_hardware_status_encode_inline(
     mip_put_16(data + 3, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * DGPS info: data (0x81,0x0E).
  *
@@ -1081,6 +1092,7 @@ static inline mip_error mip_gnss_data_dgps_info_encode_inline(
     mip_put_16(data + 10, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * DGPS channel: data (0x81,0x0F).
  *
@@ -1171,6 +1183,7 @@ static inline mip_error mip_gnss_data_dgps_channel_encode_inline(
     mip_put_16(data + 13, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Clock info 2: data (0x81,0x10).
  *
@@ -1261,6 +1274,7 @@ static inline mip_error mip_gnss_data_clock_info_2_encode_inline(
     mip_put_16(data + 32, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GPS leap seconds: data (0x81,0x11).
  *
@@ -1328,6 +1342,7 @@ static inline mip_error mip_gnss_data_gps_leap_seconds_encode_inline(
     mip_put_16(data + 1, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * SBAS info: data (0x81,0x12).
  *
@@ -1423,6 +1438,7 @@ static inline mip_error mip_gnss_data_sbas_info_encode_inline(
     mip_put_16(data + 14, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * SBAS correction: data (0x81,0x13).
  *
@@ -1534,6 +1550,7 @@ static inline mip_error mip_gnss_data_sbas_correction_encode_inline(
     mip_put_16(data + 23, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * RF error detection: data (0x81,0x14).
  *
@@ -1619,6 +1636,7 @@ static inline mip_error mip_gnss_data_rf_error_detection_encode_inline(
     mip_put_16(data + 7, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Satellite status: data (0x81,0x20).
  *
@@ -1738,6 +1756,7 @@ static inline mip_error mip_gnss_data_satellite_status_encode_inline(
     mip_put_16(data + 23, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Raw: data (0x81,0x22).
  *
@@ -1912,6 +1931,7 @@ static inline mip_error mip_gnss_data_raw_encode_inline(const struct mip_gnss_da
     mip_put_16(data + 59, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Base station info: data (0x81,0x30).
  *
@@ -2018,6 +2038,7 @@ static inline mip_error mip_gnss_data_base_station_info_encode_inline(
     mip_put_16(data + 42, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * RTK corrections status: data (0x81,0x31).
  *
@@ -2144,6 +2165,7 @@ static inline mip_error mip_gnss_data_rtk_corrections_status_encode_inline(
     mip_put_16(data + 48, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GPS ephemeris: data (0x81,0x61).
  *
@@ -2413,6 +2435,7 @@ static inline mip_error mip_gnss_data_gps_ephemeris_encode_inline(
     mip_put_16(data + 216, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GLONASS ephemeris: data (0x81,0x62).
  *
@@ -2642,6 +2665,7 @@ static inline mip_error mip_gnss_data_glonass_ephemeris_encode_inline(
     mip_put_16(data + 100, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Galileo ephemeris: data (0x81,0x63).
  *
@@ -2914,6 +2938,7 @@ static inline mip_error mip_gnss_data_galileo_ephemeris_encode_inline(
     mip_put_16(data + 216, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * BeiDou ephemeris: data (0x81,0x64).
  *
@@ -3186,6 +3211,7 @@ static inline mip_error mip_gnss_data_beidou_ephemeris_encode_inline(
     mip_put_16(data + 216, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GPS ionospheric correction: data (0x81,0x71).
  *
@@ -3282,6 +3308,7 @@ static inline mip_error mip_gnss_data_gps_iono_correction_encode_inline(
     mip_put_16(data + 74, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Galileo ionospheric correction: data (0x81,0x73).
  *
@@ -3375,6 +3402,7 @@ static inline mip_error mip_gnss_data_galileo_iono_correction_encode_inline(
     mip_put_16(data + 35, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * BeiDou ionospheric correction: data (0x81,0x74).
  *

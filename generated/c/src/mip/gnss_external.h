@@ -126,6 +126,7 @@ static inline mip_error mip_gnss_external_llh_position_encode_inline(
     mip_put_16(data + 40, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GNSS ECEF position: data (0x94,0x04).
  *
@@ -204,6 +205,7 @@ static inline mip_error mip_gnss_external_ecef_position_encode_inline(
     mip_put_16(data + 28, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * NED velocity: data (0x94,0x05).
  *
@@ -309,6 +311,7 @@ static inline mip_error mip_gnss_external_ned_velocity_encode_inline(
     mip_put_16(data + 32, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GNSS ECEF velocity: data (0x94,0x06).
  *
@@ -387,6 +390,7 @@ static inline mip_error mip_gnss_external_ecef_velocity_encode_inline(
     mip_put_16(data + 16, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * DOP: data (0x94,0x07).
  *
@@ -475,6 +479,7 @@ static inline mip_error mip_gnss_external_dop_encode_inline(
     mip_put_16(data + 28, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * UTC time: data (0x94,0x08).
  *
@@ -580,6 +585,7 @@ static inline mip_error mip_gnss_external_utc_time_encode_inline(
     mip_put_16(data + 11, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GPS time: data (0x94,0x09).
  *
@@ -651,6 +657,7 @@ static inline mip_error mip_gnss_external_gps_time_encode_inline(
     mip_put_16(data + 10, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Clock info: data (0x94,0x0A).
  *
@@ -733,6 +740,7 @@ static inline mip_error mip_gnss_external_clock_info_encode_inline(
     mip_put_16(data + 24, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Fix info: data (0x94,0x0B).
  *
@@ -810,6 +818,7 @@ static inline mip_error mip_gnss_external_fix_info_encode_inline(
     mip_put_16(data + 4, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Satellite info: data (0x94,0x0C).
  *
@@ -905,6 +914,7 @@ static inline mip_error mip_gnss_external_sv_info_encode_inline(
     mip_put_16(data + 10, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GNSS hardware status: data (0x94,0x0D).
  *
@@ -986,6 +996,7 @@ static inline mip_error mip_gnss_external_hardware_status_encode_inline(
     mip_put_16(data + 3, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * DGPS info: data (0x94,0x0E).
  *
@@ -1078,6 +1089,7 @@ static inline mip_error mip_gnss_external_dgps_info_encode_inline(
     mip_put_16(data + 10, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * DGPS channel: data (0x94,0x0F).
  *
@@ -1168,6 +1180,7 @@ static inline mip_error mip_gnss_external_dgps_channel_encode_inline(
     mip_put_16(data + 13, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Clock info 2: data (0x94,0x10).
  *
@@ -1258,6 +1271,7 @@ static inline mip_error mip_gnss_external_clock_info_2_encode_inline(
     mip_put_16(data + 32, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GPS leap seconds: data (0x94,0x11).
  *
@@ -1325,6 +1339,7 @@ static inline mip_error mip_gnss_external_gps_leap_seconds_encode_inline(
     mip_put_16(data + 1, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * SBAS info: data (0x94,0x12).
  *
@@ -1420,6 +1435,7 @@ static inline mip_error mip_gnss_external_sbas_info_encode_inline(
     mip_put_16(data + 14, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * SBAS correction: data (0x94,0x13).
  *
@@ -1531,6 +1547,7 @@ static inline mip_error mip_gnss_external_sbas_correction_encode_inline(
     mip_put_16(data + 23, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * RF error detection: data (0x94,0x14).
  *
@@ -1616,6 +1633,7 @@ static inline mip_error mip_gnss_external_rf_error_detection_encode_inline(
     mip_put_16(data + 7, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Satellite status: data (0x94,0x20).
  *
@@ -1734,6 +1752,7 @@ static inline mip_error mip_gnss_external_satellite_status_encode_inline(
     mip_put_16(data + 23, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Raw: data (0x94,0x22).
  *
@@ -1908,6 +1927,7 @@ static inline mip_error mip_gnss_external_raw_encode_inline(
     mip_put_16(data + 59, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Base station info: data (0x94,0x30).
  *
@@ -2014,6 +2034,7 @@ static inline mip_error mip_gnss_external_base_station_info_encode_inline(
     mip_put_16(data + 42, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * RTK corrections status: data (0x94,0x31).
  *
@@ -2140,6 +2161,7 @@ static inline mip_error mip_gnss_external_rtk_corrections_status_encode_inline(
     mip_put_16(data + 48, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GPS ephemeris: data (0x94,0x61).
  *
@@ -2409,6 +2431,7 @@ static inline mip_error mip_gnss_external_gps_ephemeris_encode_inline(
     mip_put_16(data + 216, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GLONASS ephemeris: data (0x94,0x62).
  *
@@ -2638,6 +2661,7 @@ static inline mip_error mip_gnss_external_glonass_ephemeris_encode_inline(
     mip_put_16(data + 100, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Galileo ephemeris: data (0x94,0x63).
  *
@@ -2910,6 +2934,7 @@ static inline mip_error mip_gnss_external_galileo_ephemeris_encode_inline(
     mip_put_16(data + 216, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * BeiDou ephemeris: data (0x94,0x64).
  *
@@ -3182,6 +3207,7 @@ static inline mip_error mip_gnss_external_beidou_ephemeris_encode_inline(
     mip_put_16(data + 216, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GPS ionospheric correction: data (0x94,0x71).
  *
@@ -3278,6 +3304,7 @@ static inline mip_error mip_gnss_external_gps_iono_correction_encode_inline(
     mip_put_16(data + 74, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Galileo ionospheric correction: data (0x94,0x73).
  *
@@ -3371,6 +3398,7 @@ static inline mip_error mip_gnss_external_galileo_iono_correction_encode_inline(
     mip_put_16(data + 35, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * BeiDou ionospheric correction: data (0x94,0x74).
  *

@@ -125,6 +125,7 @@ static inline mip_error mip_gnss_external_2_llh_position_encode_inline(
     mip_put_16(data + 40, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GNSS ECEF position: data (0x95,0x04).
  *
@@ -203,6 +204,7 @@ static inline mip_error mip_gnss_external_2_ecef_position_encode_inline(
     mip_put_16(data + 28, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * NED velocity: data (0x95,0x05).
  *
@@ -309,6 +311,7 @@ static inline mip_error mip_gnss_external_2_ned_velocity_encode_inline(
     mip_put_16(data + 32, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GNSS ECEF velocity: data (0x95,0x06).
  *
@@ -387,6 +390,7 @@ static inline mip_error mip_gnss_external_2_ecef_velocity_encode_inline(
     mip_put_16(data + 16, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * DOP: data (0x95,0x07).
  *
@@ -475,6 +479,7 @@ static inline mip_error mip_gnss_external_2_dop_encode_inline(
     mip_put_16(data + 28, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * UTC time: data (0x95,0x08).
  *
@@ -581,6 +586,7 @@ static inline mip_error mip_gnss_external_2_utc_time_encode_inline(
     mip_put_16(data + 11, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GPS time: data (0x95,0x09).
  *
@@ -652,6 +658,7 @@ static inline mip_error mip_gnss_external_2_gps_time_encode_inline(
     mip_put_16(data + 10, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Clock info: data (0x95,0x0A).
  *
@@ -734,6 +741,7 @@ static inline mip_error mip_gnss_external_2_clock_info_encode_inline(
     mip_put_16(data + 24, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Fix info: data (0x95,0x0B).
  *
@@ -812,6 +820,7 @@ static inline mip_error mip_gnss_external_2_fix_info_encode_inline(
     mip_put_16(data + 4, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Satellite info: data (0x95,0x0C).
  *
@@ -907,6 +916,7 @@ static inline mip_error mip_gnss_external_2_sv_info_encode_inline(
     mip_put_16(data + 10, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GNSS hardware status: data (0x95,0x0D).
  *
@@ -988,6 +998,7 @@ static inline mip_error mip_gnss_external_2_hardware_status_encode_inline(
     mip_put_16(data + 3, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * DGPS info: data (0x95,0x0E).
  *
@@ -1080,6 +1091,7 @@ static inline mip_error mip_gnss_external_2_dgps_info_encode_inline(
     mip_put_16(data + 10, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * DGPS channel: data (0x95,0x0F).
  *
@@ -1170,6 +1182,7 @@ static inline mip_error mip_gnss_external_2_dgps_channel_encode_inline(
     mip_put_16(data + 13, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Clock info 2: data (0x95,0x10).
  *
@@ -1260,6 +1273,7 @@ static inline mip_error mip_gnss_external_2_clock_info_2_encode_inline(
     mip_put_16(data + 32, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GPS leap seconds: data (0x95,0x11).
  *
@@ -1327,6 +1341,7 @@ static inline mip_error mip_gnss_external_2_gps_leap_seconds_encode_inline(
     mip_put_16(data + 1, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * SBAS info: data (0x95,0x12).
  *
@@ -1422,6 +1437,7 @@ static inline mip_error mip_gnss_external_2_sbas_info_encode_inline(
     mip_put_16(data + 14, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * SBAS correction: data (0x95,0x13).
  *
@@ -1533,6 +1549,7 @@ static inline mip_error mip_gnss_external_2_sbas_correction_encode_inline(
     mip_put_16(data + 23, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * RF error detection: data (0x95,0x14).
  *
@@ -1618,6 +1635,7 @@ static inline mip_error mip_gnss_external_2_rf_error_detection_encode_inline(
     mip_put_16(data + 7, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Satellite status: data (0x95,0x20).
  *
@@ -1737,6 +1755,7 @@ static inline mip_error mip_gnss_external_2_satellite_status_encode_inline(
     mip_put_16(data + 23, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Raw: data (0x95,0x22).
  *
@@ -1911,6 +1930,7 @@ static inline mip_error mip_gnss_external_2_raw_encode_inline(
     mip_put_16(data + 59, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Base station info: data (0x95,0x30).
  *
@@ -2017,6 +2037,7 @@ static inline mip_error mip_gnss_external_2_base_station_info_encode_inline(
     mip_put_16(data + 42, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * RTK corrections status: data (0x95,0x31).
  *
@@ -2143,6 +2164,7 @@ static inline mip_error mip_gnss_external_2_rtk_corrections_status_encode_inline
     mip_put_16(data + 48, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GPS ephemeris: data (0x95,0x61).
  *
@@ -2412,6 +2434,7 @@ static inline mip_error mip_gnss_external_2_gps_ephemeris_encode_inline(
     mip_put_16(data + 216, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GLONASS ephemeris: data (0x95,0x62).
  *
@@ -2641,6 +2664,7 @@ static inline mip_error mip_gnss_external_2_glonass_ephemeris_encode_inline(
     mip_put_16(data + 100, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Galileo ephemeris: data (0x95,0x63).
  *
@@ -2913,6 +2937,7 @@ static inline mip_error mip_gnss_external_2_galileo_ephemeris_encode_inline(
     mip_put_16(data + 216, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * BeiDou ephemeris: data (0x95,0x64).
  *
@@ -3185,6 +3210,7 @@ static inline mip_error mip_gnss_external_2_beidou_ephemeris_encode_inline(
     mip_put_16(data + 216, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GPS ionospheric correction: data (0x95,0x71).
  *
@@ -3281,6 +3307,7 @@ static inline mip_error mip_gnss_external_2_gps_iono_correction_encode_inline(
     mip_put_16(data + 74, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Galileo ionospheric correction: data (0x95,0x73).
  *
@@ -3374,6 +3401,7 @@ static inline mip_error mip_gnss_external_2_galileo_iono_correction_encode_inlin
     mip_put_16(data + 35, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * BeiDou ionospheric correction: data (0x95,0x74).
  *

@@ -75,6 +75,7 @@ enum mip_rtk_led_action {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_rtk_led_action_name(uint8_t value);
+
 /**
  * Get status flags: command (0x0F,0x01).
  *
@@ -113,6 +114,7 @@ static inline mip_error mip_rtk_get_status_flags_encode(
     const struct mip_rtk_get_status_flags *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_status_flags_codec, value, builder);
 }
+
 /**
  * Get status flags response: response (0x0F,0x81).
  *
@@ -170,6 +172,7 @@ static inline mip_error mip_rtk_get_status_flags_response_encode_inline(
     mip_put_32(data, value->flags);
     return MIP_OK;
 }
+
 /**
  * Get IMEI: command (0x0F,0x02).
  *
@@ -206,6 +209,7 @@ static inline mip_error mip_rtk_get_imei_encode(const struct mip_rtk_get_imei *v
                                                 struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_imei_codec, value, builder);
 }
+
 /**
  * Get IMEI response: response (0x0F,0x82).
  *
@@ -264,6 +268,7 @@ static inline mip_error mip_rtk_get_imei_response_encode_inline(
     memcpy(data, value->imei, 32);
     return MIP_OK;
 }
+
 /**
  * Get IMSI: command (0x0F,0x03).
  *
@@ -300,6 +305,7 @@ static inline mip_error mip_rtk_get_imsi_encode(const struct mip_rtk_get_imsi *v
                                                 struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_imsi_codec, value, builder);
 }
+
 /**
  * Get IMSI response: response (0x0F,0x83).
  *
@@ -358,6 +364,7 @@ static inline mip_error mip_rtk_get_imsi_response_encode_inline(
     memcpy(data, value->imsi, 32);
     return MIP_OK;
 }
+
 /**
  * Get ICCID: command (0x0F,0x04).
  *
@@ -394,6 +401,7 @@ static inline mip_error mip_rtk_get_iccid_encode(const struct mip_rtk_get_iccid 
                                                  struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_iccid_codec, value, builder);
 }
+
 /**
  * Get ICCID response: response (0x0F,0x84).
  *
@@ -452,6 +460,7 @@ static inline mip_error mip_rtk_get_iccid_response_encode_inline(
     memcpy(data, value->iccid, 32);
     return MIP_OK;
 }
+
 /**
  * Get RSSI: command (0x0F,0x05).
  *
@@ -488,6 +497,7 @@ static inline mip_error mip_rtk_get_rssi_encode(const struct mip_rtk_get_rssi *v
                                                 struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_rssi_codec, value, builder);
 }
+
 /**
  * Get RSSI response: response (0x0F,0x85).
  *
@@ -554,6 +564,7 @@ static inline mip_error mip_rtk_get_rssi_response_encode_inline(
     mip_put_32(data + 5, (uint32_t)value->signal_quality);
     return MIP_OK;
 }
+
 /**
  * Connected device type: command (0x0F,0x06).
  *
@@ -634,6 +645,7 @@ mip_rtk_connected_device_type_default(struct mip_rtk_connected_device_type *comm
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Connected device type response: response (0x0F,0x86).
  *
@@ -691,6 +703,7 @@ static inline mip_error mip_rtk_connected_device_type_response_encode_inline(
     mip_put_8(data, value->device_type);
     return MIP_OK;
 }
+
 /**
  * Get activation code: command (0x0F,0x07).
  *
@@ -727,6 +740,7 @@ static inline mip_error mip_rtk_get_activation_code_encode(
     const struct mip_rtk_get_activation_code *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_activation_code_codec, value, builder);
 }
+
 /**
  * Get activation code response: response (0x0F,0x87).
  *
@@ -786,6 +800,7 @@ static inline mip_error mip_rtk_get_activation_code_response_encode_inline(
     memcpy(data, value->activation_code, 32);
     return MIP_OK;
 }
+
 /**
  * Get modem firmware version: command (0x0F,0x08).
  *
@@ -822,6 +837,7 @@ static inline mip_error mip_rtk_get_modem_firmware_version_encode(
     const struct mip_rtk_get_modem_firmware_version *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_modem_firmware_version_codec, value, builder);
 }
+
 /**
  * Get modem firmware version response: response (0x0F,0x88).
  *
@@ -880,6 +896,7 @@ static inline mip_error mip_rtk_get_modem_firmware_version_response_encode_inlin
     memcpy(data, value->modem_firmware_version, 32);
     return MIP_OK;
 }
+
 /**
  * Service status: command (0x0F,0x0A).
  *
@@ -946,6 +963,7 @@ static inline mip_error mip_rtk_service_status_encode_inline(
     mip_put_32(data + 4, value->reserved2);
     return MIP_OK;
 }
+
 /**
  * Service status response: response (0x0F,0x8A).
  *
@@ -1018,6 +1036,7 @@ static inline mip_error mip_rtk_service_status_response_encode_inline(
     mip_put_64(data + 9, value->last_bytes_time);
     return MIP_OK;
 }
+
 /**
  * Erase storage: command (0x0F,0x20).
  *
@@ -1089,6 +1108,7 @@ static inline struct mip_rtk_erase_storage *mip_rtk_erase_storage_make(
     command->media = (uint8_t)media;
     return command;
 }
+
 /**
  * LED control: command (0x0F,0x21).
  *
@@ -1173,6 +1193,7 @@ static inline struct mip_rtk_led_control *mip_rtk_led_control_make(
     command->period = period;
     return command;
 }
+
 /**
  * Modem hard reset: command (0x0F,0x22).
  *

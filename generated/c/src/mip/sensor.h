@@ -48,6 +48,7 @@ typedef uint16_t mip_sensor_overrange_flags;
 typedef uint16_t mip_sensor_odometer_flags;
 /** Bit 0. The odometer is configured. */
 #define MIP_SENSOR_ODOMETER_FLAGS_ODOMETER 0x0001U
+
 /**
  * Raw accel: data (0x80,0x01).
  *
@@ -111,6 +112,7 @@ static inline mip_error mip_sensor_raw_accel_encode_inline(const struct mip_sens
     }
     return MIP_OK;
 }
+
 /**
  * Raw gyro: data (0x80,0x02).
  *
@@ -174,6 +176,7 @@ static inline mip_error mip_sensor_raw_gyro_encode_inline(const struct mip_senso
     }
     return MIP_OK;
 }
+
 /**
  * Raw mag: data (0x80,0x03).
  *
@@ -241,6 +244,7 @@ static inline mip_error mip_sensor_raw_mag_encode_inline(const struct mip_sensor
     }
     return MIP_OK;
 }
+
 /**
  * Scaled accel: data (0x80,0x04).
  *
@@ -305,6 +309,7 @@ static inline mip_error mip_sensor_scaled_accel_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Scaled gyro: data (0x80,0x05).
  *
@@ -369,6 +374,7 @@ static inline mip_error mip_sensor_scaled_gyro_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Scaled mag: data (0x80,0x06).
  *
@@ -432,6 +438,7 @@ static inline mip_error mip_sensor_scaled_mag_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Delta theta: data (0x80,0x07).
  *
@@ -496,6 +503,7 @@ static inline mip_error mip_sensor_delta_theta_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Delta velocity: data (0x80,0x08).
  *
@@ -562,6 +570,7 @@ static inline mip_error mip_sensor_delta_velocity_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Complementary filter orientation matrix: data (0x80,0x09).
  *
@@ -631,6 +640,7 @@ static inline mip_error mip_sensor_comp_orientation_matrix_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Complementary filter quaternion: data (0x80,0x0A).
  *
@@ -701,6 +711,7 @@ static inline mip_error mip_sensor_comp_quaternion_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Complementary filter orientation update matrix: data (0x80,0x0B).
  *
@@ -768,6 +779,7 @@ static inline mip_error mip_sensor_comp_orientation_update_matrix_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Complementary filter Euler angles: data (0x80,0x0C).
  *
@@ -838,6 +850,7 @@ static inline mip_error mip_sensor_comp_euler_angles_encode_inline(
     mip_put_float(data + 8, &value->yaw);
     return MIP_OK;
 }
+
 /**
  * Orientation raw temperatures: data (0x80,0x0D).
  *
@@ -904,6 +917,7 @@ static inline mip_error mip_sensor_orientation_raw_temperature_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Internal timestamp: data (0x80,0x0E).
  *
@@ -964,6 +978,7 @@ static inline mip_error mip_sensor_internal_timestamp_encode_inline(
     mip_put_32(data, value->counts);
     return MIP_OK;
 }
+
 /**
  * PPS timestamp: data (0x80,0x0F).
  *
@@ -1028,6 +1043,7 @@ static inline mip_error mip_sensor_pps_timestamp_encode_inline(
     mip_put_32(data + 4, value->useconds);
     return MIP_OK;
 }
+
 /**
  * Complementary filter stabilized north vector: data (0x80,0x10).
  *
@@ -1095,6 +1111,7 @@ static inline mip_error mip_sensor_north_vector_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Complementary filter stabilized up vector: data (0x80,0x11).
  *
@@ -1163,6 +1180,7 @@ static inline mip_error mip_sensor_up_vector_encode_inline(const struct mip_sens
     }
     return MIP_OK;
 }
+
 /**
  * GPS timestamp: data (0x80,0x12).
  *
@@ -1250,6 +1268,7 @@ static inline mip_error mip_sensor_gps_timestamp_encode_inline(
     mip_put_16(data + 10, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Temperature statistics: data (0x80,0x14).
  *
@@ -1319,6 +1338,7 @@ static inline mip_error mip_sensor_temperature_statistics_encode_inline(
     mip_put_float(data + 8, &value->mean_temperature);
     return MIP_OK;
 }
+
 /**
  * Raw pressure: data (0x80,0x16).
  *
@@ -1378,6 +1398,7 @@ static inline mip_error mip_sensor_raw_pressure_encode_inline(
     mip_put_float(data, &value->raw_pressure);
     return MIP_OK;
 }
+
 /**
  * Scaled pressure: data (0x80,0x17).
  *
@@ -1438,6 +1459,7 @@ static inline mip_error mip_sensor_scaled_pressure_encode_inline(
     mip_put_float(data, &value->scaled_pressure);
     return MIP_OK;
 }
+
 /**
  * Overrange status: data (0x80,0x18).
  *
@@ -1497,6 +1519,7 @@ static inline mip_error mip_sensor_overrange_status_encode_inline(
     mip_put_16(data, value->status);
     return MIP_OK;
 }
+
 /**
  * Odometer data: data (0x80,0x40).
  *

@@ -96,6 +96,7 @@ static inline mip_error mip_copy_acc_encode_inline(const struct mip_copy_acc *va
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Numbers: data (0x92,0x02).
  *
@@ -200,6 +201,7 @@ static inline mip_error mip_copy_numbers_encode_inline(const struct mip_copy_num
     mip_put_8(data + 43, (uint8_t)value->char_);
     return MIP_OK;
 }
+
 /**
  * Strings: data (0x92,0x03).
  *
@@ -244,6 +246,7 @@ static inline mip_error mip_copy_strings_encode(const struct mip_copy_strings *v
                                                 struct mip_builder *builder) {
     return mip_encode(&mip_copy_strings_codec, value, builder);
 }
+
 /**
  * Health: data (0x92,0x04).
  *
@@ -308,6 +311,7 @@ static inline mip_error mip_copy_health_encode_inline(const struct mip_copy_heal
     mip_put_32(data + 16, value->code);
     return MIP_OK;
 }
+
 /**
  * Arrays: data (0x92,0x05).
  *
@@ -416,6 +420,7 @@ static inline mip_error mip_copy_arrays_encode_inline(const struct mip_copy_arra
     memcpy(data + 49, value->offsets, 4);
     return MIP_OK;
 }
+
 /**
  * Growing: data (0x92,0x06).
  *
@@ -465,6 +470,7 @@ static inline mip_error mip_copy_growing_encode(const struct mip_copy_growing *v
                                                 struct mip_builder *builder) {
     return mip_encode(&mip_copy_growing_codec, value, builder);
 }
+
 /**
  * Radio: data (0x92,0x07).
  *
@@ -546,6 +552,7 @@ static inline mip_error mip_copy_radio_encode_inline(const struct mip_copy_radio
     }
     return MIP_OK;
 }
+
 /**
  * Cloud: data (0x92,0x08).
  *
@@ -586,6 +593,7 @@ static inline mip_error mip_copy_cloud_encode(const struct mip_copy_cloud *value
                                               struct mip_builder *builder) {
     return mip_encode(&mip_copy_cloud_codec, value, builder);
 }
+
 /**
  * Gust: data (0x92,0x09).
  *
@@ -639,6 +647,7 @@ static inline mip_error mip_copy_gust_encode(const struct mip_copy_gust *value,
                                              struct mip_builder *builder) {
     return mip_encode(&mip_copy_gust_codec, value, builder);
 }
+
 /**
  * Breeze: data (0x92,0x0A).
  *
