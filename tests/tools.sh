@@ -81,6 +81,7 @@ command_or x86_64-w64-mingw32-gcc "install it (Debian: apt-get install gcc-mingw
 command_or arduino-builder "install it (Debian: apt-get install arduino-builder)"
 [ -d /usr/share/arduino/hardware/arduino/avr ] ||
     lacks "the core of Arduino's AVR boards" "install it (Debian: apt-get install arduino-core-avr)"
+command_or doxygen "install it (Debian: apt-get install doxygen)"
 command_or node "install it (Debian: apt-get install nodejs)"
 command_or npm "install it (Debian: apt-get install npm)"
 target=thumbv7m-none-eabi

@@ -50,6 +50,19 @@ def test_each_header_stands_alone(compiler: str, spec: str, tmp_path: Path) -> N
 
 
 @both
+@pytest.mark.parametrize("compiler", ["cc", CPP])
+def test_all_headers_at_once(compiler: str, spec: str, tmp_path: Path) -> None:
+    """mip/mip.h has all of them, but for what only the sources need, and is C99 and C++11."""
+    inner = {"export.h", "mip.h", "program.h"}
+    wanted = {p.name for p in (folder(spec) / "src/mip").glob("*.h")} - inner
+    assert set(re.findall('#include "mip/(.*)"', (folder(spec) / "src/mip/mip.h").read_text("utf-8"))) == wanted
+    program = tmp_path / f"all.{'cpp' if compiler == 'g++' else 'c'}"
+    program.write_text('#include "mip/mip.h"\nint unused;\n')
+    language = "-std=c++11" if compiler == "g++" else "-std=c99"
+    run(need(compiler), language, *WARNINGS, include(spec), "-fsyntax-only", program)
+
+
+@both
 def test_only_the_promised_headers(spec: str) -> None:
     allowed = {"<stdbool.h>", "<stddef.h>", "<stdint.h>", "<string.h>"}
     for path in [*folder(spec).glob("src/mip/*.h"), *folder(spec).glob("src/mip/*.c")]:
@@ -493,19 +506,19 @@ def test_a_small_program_stays_small(tmp_path: Path) -> None:
 def test_readme_shows_programs_that_run(tmp_path: Path) -> None:
     blocks = re.findall(r"```c\n(.*?)```", (folder("real") / "README.md").read_text("utf-8"), re.S)
     example = (folder("real") / "taste.c").read_text("utf-8").partition("*/\n")[2].rstrip()
-    assert blocks[0].rstrip() == example and len(blocks) == 2
-    program = tmp_path / "client.c"
+    assert blocks[0].rstrip() == example and len(blocks) == 5
     outside = (
         "uint32_t milliseconds(void);\nvoid transmit(struct mip_packet packet);\n"
-        "size_t receive(uint8_t *bytes, size_t size);\n"
+        "size_t receive(uint8_t *bytes, size_t size);\nvoid handle(const struct mip_packet *packet);\n"
     )
-    includes, _, code = blocks[1].rpartition("#include")
-    header, _, rest = code.partition("\n")
-    prototype = (
-        "bool set_pps_source(struct mip_client *client, struct mip_parser *parser, enum mip_3dm_pps_source source);\n"
-    )
-    program.write_text(f"{includes}#include{header}\n{outside}{prototype}{rest}")
-    run(need("cc"), "-std=c99", *WARNINGS, include("real"), "-fsyntax-only", program)
+    for i, block in enumerate(blocks[1:], 1):  # functions, whose prototypes some compilers want to see
+        includes, _, code = block.rpartition("#include")
+        header, _, rest = code.partition("\n")
+        prototypes = "".join(f"{head};\n" for head in re.findall(r"^(\w[^;{}#]*\)) \{$", rest, re.M))
+        assert prototypes
+        program = tmp_path / f"block_{i}.c"
+        program.write_text(f"{includes}#include{header}\n{outside}{prototypes}{rest}")
+        run(need("cc"), "-std=c99", *WARNINGS, "-Wmissing-prototypes", include("real"), "-fsyntax-only", program)
 
 
 def long_names(folder: Path) -> set[str]:

@@ -3,23 +3,26 @@
 from __future__ import annotations
 
 import re
+import shutil
+import subprocess
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from functools import cache
+from pathlib import Path
 
 import pytest
 from mipgen import describe
 from mipgen import model as m
 from mipgen.targets.c import members, names
-from mipgen.targets.c.comments import Comments, comment, reference
-from support import ROOT, SPECS, model
+from mipgen.targets.c.comments import ELSEWHERE, UNSURE, Comments, comment, reference
+from support import ROOT, SPECS, heavy, model, need
 
 both = pytest.mark.parametrize("spec", sorted(SPECS))
 
 TOKEN = re.compile(
     r"/\*\*(?P<doc>.*?)\*/|/\*.*?\*/"
     r"|^\#define\s+(?P<macro>\w+)[^\n\\]*(?:\\\n[^\n]*)?|^\#[^\n]*"
-    r"|(?P<constant>MIP_\w+) = \d+,?"
+    r"|^ +(?P<constant>MIP_\w+)(?: = \d+)?,?$"
     r"|(?:struct|union|enum)\s*(?P<opened>\w*)\s*\{|(?P<closed>\})|(?P<statement>[^;{}/#]+);",
     re.S | re.M,
 )
@@ -44,19 +47,28 @@ def documented(text: str) -> dict[str, str]:
         if token["macro"] or token["constant"]:
             found.setdefault(token["macro"] or token["constant"], doc)
         elif token["opened"] is not None:
-            scopes.append(token["opened"] or scopes[-1])  # one without a name: its members are those of the outer one
+            # One without a name: its members are those of the outer one.
+            scopes.append(token["opened"] or (scopes[-1] if scopes else ""))
             found.setdefault(token["opened"], doc)
         elif token["closed"]:
             scopes.pop()
-        elif token["statement"] and (name := declared(token["statement"])):
+        elif token["statement"] and (name := declared(token["statement"])) and not is_forward(token["statement"]):
             found.setdefault(f"{scopes[-1]}.{name}" if scopes else name, doc)
         doc = ""
     assert not scopes
     return found
 
 
+def is_forward(statement: str) -> bool:
+    """A structure that is only announced: it is told of where its members are."""
+    return re.fullmatch(r"\s*(?:struct|union) \w+\s*", statement) is not None
+
+
 def declared(statement: str) -> str:
     """The name that a declaration gives: the one before its parameters or brackets."""
+    pointer = re.search(r"\(\*(\w+)\)", statement)
+    if pointer:
+        return pointer[1]
     words = re.split(r"[(\[]", statement)[0].split()
     return words[-1].lstrip("*") if words else ""
 
@@ -92,7 +104,10 @@ def wanted(of: m.Model) -> Iterator[tuple[str, list[str]]]:
     """Where a comment is, and what it must hold."""
     for f in (of.protocol.acknowledge, *of.fields):
         name = names.field_name(f)
-        yield name, [f.title, prose(f.description, of), *said(describe.field(f, of)), *describe.sources(f)]
+        facts = [x for x in describe.field(f, of) if x.topic != "perhaps"]  # those are in profiles.h
+        yield name, [f.title, prose(f.description, of), *said(facts), *describe.sources(f)]
+        if of.devices_of(f, certain=False) and not of.devices_of(f):
+            yield name, [UNSURE]
         place = f"(0x{f.set:02X},0x{f.descriptor:02X})" if f.set else f"0x{f.descriptor:02X}"
         yield name, [f"{f.role} {place}.", *in_full(f)]
         yield from of_record(f, of)
@@ -164,6 +179,60 @@ def test_what_is_compared_holds_all_topics() -> None:
     }  # fmt: skip
 
 
+@both
+def test_headers_leave_what_is_not_certain_to_the_profiles(spec: str) -> None:
+    """Which devices may support a field takes more lines than all else; each file says where it is told."""
+    of = model(spec)
+    assert not [name for name, text in comments(spec).items() if "May be supported by" in text]
+    for s in of.sets:
+        text = (SPECS[spec][1] / f"c/src/mip/{names.module(s.name)}.h").read_text("utf-8")
+        unsure = any(of.devices_of(f, certain=False) for f in s.fields)
+        assert (ELSEWHERE in plain(text.partition("*/")[0])) == unsure
+
+
+@both
+def test_everything_has_a_comment(spec: str) -> None:
+    """Every function, structure, member, macro and value of every header; guards apart."""
+    headers = sorted((SPECS[spec][1] / "c/src").rglob("*.h"))
+    bare, count = [], 0
+    for path in headers:
+        found = documented(path.read_text("utf-8"))
+        count += len(found)
+        guard = re.compile(r"MIP_\w+_H")
+        bare += [f"{path.name}: {name}" for name, doc in found.items() if not doc and not guard.fullmatch(name)]
+    assert not bare, "\n".join(bare[:20])
+    assert len(headers) > 20 and count > 10 * len(model(spec).fields)
+
+
+def test_what_a_header_declares() -> None:
+    """So that the test above sees everything."""
+    found = documented(
+        "struct one;\n/** A. */\nstruct one {\n    /** B. */\n    int b;\n    int (*call)(void);\n};\n"
+        "enum two {\n    MIP_X,\n    /** Y. */\n    MIP_Y = 2\n};\n#define MIP_Z(a) a\n"
+        "/** F. */\nMIP_API bool mip_f(int a,\n    int b);\nextern const int mip_v[];\ntypedef int mip_t;\n"
+        "static inline int mip_g(void) {\n    return 1;\n}\n"
+    )
+    assert found == {
+        "one": "A.", "one.b": "B.", "one.call": "", "two": "", "MIP_X": "", "MIP_Y": "Y.", "MIP_Z": "",
+        "mip_f": "F.", "mip_v": "", "mip_t": "", "mip_g": "",
+    }  # fmt: skip
+
+
+@both
+@heavy("doxygen")
+def test_doxygen_has_nothing_to_complain_of(spec: str, tmp_path: Path) -> None:
+    folder = tmp_path / "c"
+    shutil.copytree(SPECS[spec][1] / "c", folder)
+    done = subprocess.run([need("doxygen")], cwd=folder, capture_output=True, text=True)
+    assert (done.returncode, done.stdout + done.stderr) == (0, "")
+    page = (folder / "html/core_8h.html").read_text("utf-8")
+    assert all(name in page for name in ("mip_parser_flush", "mip_get_16", "MIP_ERROR_TRUNCATED"))
+    header = folder / "src/mip/core.h"  # it would complain
+    header.write_text(header.read_text("utf-8").replace("/** Reads a number of 16 bits, high byte first. */", ""))
+    done = subprocess.run([need("doxygen")], cwd=folder, capture_output=True, text=True)
+    assert done.returncode != 0 and "mip_get_16" in done.stderr and done.stderr.count("is not documented") == 1
+
+
 # --------------------------------------------------------------------------- how it is told
 
 
@@ -198,7 +267,9 @@ def test_words_of_c() -> None:
 def test_the_text_of_a_set() -> None:
     of = model("invented")
     s = replace(of.sets[0], description="As `tools.ping`.", uncertain=("How `mode` is.",))
-    assert Comments(of).set(s) == ["@file", "Tools (0x01). As mip_tools_ping. Uncertain: How enum mip_mode is."]
+    told = ["@file", "Tools (0x01). As mip_tools_ping. Uncertain: How enum mip_mode is."]
+    assert Comments(of).set(s) == [*told, ELSEWHERE]
+    assert Comments(of).set(replace(s, fields=())) == told
 
 
 def test_the_text_of_a_device() -> None:

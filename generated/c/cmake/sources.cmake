@@ -23,7 +23,9 @@ set(MIP_SOURCES
   ${MIP_FOLDER}/src/mip/label.c
   ${MIP_FOLDER}/src/mip/lookup.c
   ${MIP_FOLDER}/src/mip/names.c
+  ${MIP_FOLDER}/src/mip/number.c
   ${MIP_FOLDER}/src/mip/parser.c
+  ${MIP_FOLDER}/src/mip/print.c
   ${MIP_FOLDER}/src/mip/profile.c
   ${MIP_FOLDER}/src/mip/profiles.c
   ${MIP_FOLDER}/src/mip/program.c

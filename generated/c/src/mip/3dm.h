@@ -2,6 +2,8 @@
  * @file
  *
  * 3DM (0x0C). Commands that set up the sensors, the outputs, the pins and the events of a device.
+ *
+ * Devices that may support a field, though it is not certain, are in mip/profiles.h only.
  */
 #ifndef MIP_3DM_H
 #define MIP_3DM_H
@@ -277,8 +279,7 @@ MIP_API const char *mip_3dm_legacy_data_stream_name(uint8_t value);
  * Asks for one sensor data packet (0x80) with the fields listed, in their order.
  *
  * Also called `poll_imu_message`. Not acknowledged if suppress_ack is true. Supported by
- * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
- * 3DM-GX5-45.
+ * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * An empty list polls the stored message format; without one the device refuses.
  *
@@ -299,7 +300,9 @@ struct mip_3dm_poll_imu_data {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_POLL_IMU_DATA 0x0C01
+/** Its descriptor. */
 #define MIP_3DM_POLL_IMU_DATA_DESCRIPTOR 0x01
+/** Its name in the specification. */
 #define MIP_3DM_POLL_IMU_DATA_NAME "3dm.poll_imu_data"
 
 /** Its wire format. */
@@ -316,11 +319,7 @@ static inline mip_error mip_3dm_poll_imu_data_encode(const struct mip_3dm_poll_i
                                                      struct mip_builder *builder) {
     return mip_encode(&mip_3dm_poll_imu_data_codec, value, builder);
 }
-/**
- * Poll IMU Data.
- *
- * Fills the structure and returns its address.
- */
+/** Poll IMU Data. Fills the structure and returns its address. */
 static inline struct mip_3dm_poll_imu_data *
 mip_3dm_poll_imu_data_make(struct mip_3dm_poll_imu_data *command, mip_bool suppress_ack,
                            uint8_t num_descriptors, const struct mip_3dm_poll_entry descriptors[]) {
@@ -338,8 +337,7 @@ mip_3dm_poll_imu_data_make(struct mip_3dm_poll_imu_data *command, mip_bool suppr
  * Asks for one GNSS data packet with the fields listed, in their order.
  *
  * Also called `poll_gnss_message`. Not acknowledged if suppress_ack is true. Supported by
- * 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35. Known
- * from the MicroStrain MIP SDK only.
+ * 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known from the MicroStrain MIP SDK only.
  *
  * An empty list polls what mip_3dm_gnss_message_format has stored; without that the device refuses.
  *
@@ -363,7 +361,9 @@ struct mip_3dm_poll_gnss_data {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_POLL_GNSS_DATA 0x0C02
+/** Its descriptor. */
 #define MIP_3DM_POLL_GNSS_DATA_DESCRIPTOR 0x02
+/** Its name in the specification. */
 #define MIP_3DM_POLL_GNSS_DATA_NAME "3dm.poll_gnss_data"
 
 /** Its wire format. */
@@ -380,11 +380,7 @@ static inline mip_error mip_3dm_poll_gnss_data_encode(const struct mip_3dm_poll_
                                                       struct mip_builder *builder) {
     return mip_encode(&mip_3dm_poll_gnss_data_codec, value, builder);
 }
-/**
- * Poll GNSS Data.
- *
- * Fills the structure and returns its address.
- */
+/** Poll GNSS Data. Fills the structure and returns its address. */
 static inline struct mip_3dm_poll_gnss_data *mip_3dm_poll_gnss_data_make(
     struct mip_3dm_poll_gnss_data *command, mip_bool suppress_ack, uint8_t num_descriptors,
     const struct mip_3dm_poll_entry descriptors[]) {
@@ -423,7 +419,9 @@ struct mip_3dm_poll_filter_data {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_POLL_FILTER_DATA 0x0C03
+/** Its descriptor. */
 #define MIP_3DM_POLL_FILTER_DATA_DESCRIPTOR 0x03
+/** Its name in the specification. */
 #define MIP_3DM_POLL_FILTER_DATA_NAME "3dm.poll_filter_data"
 
 /** Its wire format. */
@@ -440,11 +438,7 @@ static inline mip_error mip_3dm_poll_filter_data_encode(
     const struct mip_3dm_poll_filter_data *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_poll_filter_data_codec, value, builder);
 }
-/**
- * Poll Estimation Filter Data.
- *
- * Fills the structure and returns its address.
- */
+/** Poll Estimation Filter Data. Fills the structure and returns its address. */
 static inline struct mip_3dm_poll_filter_data *mip_3dm_poll_filter_data_make(
     struct mip_3dm_poll_filter_data *command, mip_bool suppress_ack, uint8_t num_descriptors,
     const struct mip_3dm_poll_entry descriptors[]) {
@@ -484,7 +478,9 @@ struct mip_3dm_poll_nmea_data {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_POLL_NMEA_DATA 0x0C04
+/** Its descriptor. */
 #define MIP_3DM_POLL_NMEA_DATA_DESCRIPTOR 0x04
+/** Its name in the specification. */
 #define MIP_3DM_POLL_NMEA_DATA_NAME "3dm.poll_nmea_data"
 
 /** Its wire format. */
@@ -501,11 +497,7 @@ static inline mip_error mip_3dm_poll_nmea_data_encode(const struct mip_3dm_poll_
                                                       struct mip_builder *builder) {
     return mip_encode(&mip_3dm_poll_nmea_data_codec, value, builder);
 }
-/**
- * Poll NMEA Data.
- *
- * Fills the structure and returns its address.
- */
+/** Poll NMEA Data. Fills the structure and returns its address. */
 static inline struct mip_3dm_poll_nmea_data *
 mip_3dm_poll_nmea_data_make(struct mip_3dm_poll_nmea_data *command, mip_bool suppress_ack,
                             uint8_t count, const struct mip_nmea_message format_entries[]) {
@@ -523,8 +515,7 @@ mip_3dm_poll_nmea_data_make(struct mip_3dm_poll_nmea_data *command, mip_bool sup
  * Asks for the rate that the decimations of the IMU message format divide.
  *
  * Also called `imu_get_base_rate`. Answered by mip_3dm_get_imu_base_rate_response. Supported by
- * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
- * 3DM-GX5-35.
+ * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
  */
@@ -535,7 +526,9 @@ struct mip_3dm_get_imu_base_rate {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GET_IMU_BASE_RATE 0x0C06
+/** Its descriptor. */
 #define MIP_3DM_GET_IMU_BASE_RATE_DESCRIPTOR 0x06
+/** Its name in the specification. */
 #define MIP_3DM_GET_IMU_BASE_RATE_NAME "3dm.get_imu_base_rate"
 
 /** Its wire format. */
@@ -557,8 +550,7 @@ static inline mip_error mip_3dm_get_imu_base_rate_encode(
  * Get IMU Data Base Rate response: response (0x0C,0x83).
  *
  * Also called `imu_get_base_rate_response`. Answers mip_3dm_get_imu_base_rate. Supported by
- * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
- * 3DM-GX5-35.
+ * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
  */
@@ -569,7 +561,9 @@ struct mip_3dm_get_imu_base_rate_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GET_IMU_BASE_RATE_RESPONSE 0x0C83
+/** Its descriptor. */
 #define MIP_3DM_GET_IMU_BASE_RATE_RESPONSE_DESCRIPTOR 0x83
+/** Its name in the specification. */
 #define MIP_3DM_GET_IMU_BASE_RATE_RESPONSE_NAME "3dm.get_imu_base_rate_response"
 
 /** Its wire format. */
@@ -629,7 +623,9 @@ struct mip_3dm_get_gnss_base_rate {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GET_GNSS_BASE_RATE 0x0C07
+/** Its descriptor. */
 #define MIP_3DM_GET_GNSS_BASE_RATE_DESCRIPTOR 0x07
+/** Its name in the specification. */
 #define MIP_3DM_GET_GNSS_BASE_RATE_NAME "3dm.get_gnss_base_rate"
 
 /** Its wire format. */
@@ -663,7 +659,9 @@ struct mip_3dm_get_gnss_base_rate_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GET_GNSS_BASE_RATE_RESPONSE 0x0C84
+/** Its descriptor. */
 #define MIP_3DM_GET_GNSS_BASE_RATE_RESPONSE_DESCRIPTOR 0x84
+/** Its name in the specification. */
 #define MIP_3DM_GET_GNSS_BASE_RATE_RESPONSE_NAME "3dm.get_gnss_base_rate_response"
 
 /** Its wire format. */
@@ -722,7 +720,10 @@ static inline mip_error mip_3dm_get_gnss_base_rate_response_encode_inline(
  * - 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08)
  */
 struct mip_3dm_imu_message_format {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -734,7 +735,9 @@ struct mip_3dm_imu_message_format {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_IMU_MESSAGE_FORMAT 0x0C08
+/** Its descriptor. */
 #define MIP_3DM_IMU_MESSAGE_FORMAT_DESCRIPTOR 0x08
+/** Its name in the specification. */
 #define MIP_3DM_IMU_MESSAGE_FORMAT_NAME "3dm.imu_message_format"
 
 /** Its wire format. */
@@ -751,11 +754,7 @@ static inline mip_error mip_3dm_imu_message_format_encode(
     const struct mip_3dm_imu_message_format *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_imu_message_format_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_imu_message_format *mip_3dm_imu_message_format_write(
     struct mip_3dm_imu_message_format *command, uint8_t num_descriptors,
     const struct mip_descriptor_rate descriptors[]) {
@@ -766,44 +765,28 @@ static inline struct mip_3dm_imu_message_format *mip_3dm_imu_message_format_writ
              num_descriptors * sizeof(descriptors[0]));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_imu_message_format *
 mip_3dm_imu_message_format_read(struct mip_3dm_imu_message_format *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_imu_message_format *
 mip_3dm_imu_message_format_save(struct mip_3dm_imu_message_format *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_imu_message_format *
 mip_3dm_imu_message_format_load(struct mip_3dm_imu_message_format *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_imu_message_format *
 mip_3dm_imu_message_format_default(struct mip_3dm_imu_message_format *command) {
     memset(command, 0, sizeof(*command));
@@ -828,7 +811,9 @@ struct mip_3dm_imu_message_format_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_IMU_MESSAGE_FORMAT_RESPONSE 0x0C80
+/** Its descriptor. */
 #define MIP_3DM_IMU_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR 0x80
+/** Its name in the specification. */
 #define MIP_3DM_IMU_MESSAGE_FORMAT_RESPONSE_NAME "3dm.imu_message_format_response"
 
 /** Its wire format. */
@@ -861,7 +846,10 @@ static inline mip_error mip_3dm_imu_message_format_response_encode(
  * - 3dm-gx5-35: 4.2.6 GNSS Message Format (0x0C, 0x09)
  */
 struct mip_3dm_gnss_message_format {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -875,7 +863,9 @@ struct mip_3dm_gnss_message_format {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GNSS_MESSAGE_FORMAT 0x0C09
+/** Its descriptor. */
 #define MIP_3DM_GNSS_MESSAGE_FORMAT_DESCRIPTOR 0x09
+/** Its name in the specification. */
 #define MIP_3DM_GNSS_MESSAGE_FORMAT_NAME "3dm.gnss_message_format"
 
 /** Its wire format. */
@@ -892,11 +882,7 @@ static inline mip_error mip_3dm_gnss_message_format_encode(
     const struct mip_3dm_gnss_message_format *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_message_format_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_gnss_message_format *mip_3dm_gnss_message_format_write(
     struct mip_3dm_gnss_message_format *command, uint8_t num_descriptors,
     const struct mip_descriptor_rate descriptors[]) {
@@ -907,44 +893,28 @@ static inline struct mip_3dm_gnss_message_format *mip_3dm_gnss_message_format_wr
              num_descriptors * sizeof(descriptors[0]));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_gnss_message_format *
 mip_3dm_gnss_message_format_read(struct mip_3dm_gnss_message_format *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_gnss_message_format *
 mip_3dm_gnss_message_format_save(struct mip_3dm_gnss_message_format *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_gnss_message_format *
 mip_3dm_gnss_message_format_load(struct mip_3dm_gnss_message_format *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_gnss_message_format *
 mip_3dm_gnss_message_format_default(struct mip_3dm_gnss_message_format *command) {
     memset(command, 0, sizeof(*command));
@@ -970,7 +940,9 @@ struct mip_3dm_gnss_message_format_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GNSS_MESSAGE_FORMAT_RESPONSE 0x0C81
+/** Its descriptor. */
 #define MIP_3DM_GNSS_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR 0x81
+/** Its name in the specification. */
 #define MIP_3DM_GNSS_MESSAGE_FORMAT_RESPONSE_NAME "3dm.gnss_message_format_response"
 
 /** Its wire format. */
@@ -1006,7 +978,10 @@ static inline mip_error mip_3dm_gnss_message_format_response_encode(
  * - 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
  */
 struct mip_3dm_filter_message_format {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -1018,7 +993,9 @@ struct mip_3dm_filter_message_format {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_FILTER_MESSAGE_FORMAT 0x0C0A
+/** Its descriptor. */
 #define MIP_3DM_FILTER_MESSAGE_FORMAT_DESCRIPTOR 0x0A
+/** Its name in the specification. */
 #define MIP_3DM_FILTER_MESSAGE_FORMAT_NAME "3dm.filter_message_format"
 
 /** Its wire format. */
@@ -1035,11 +1012,7 @@ static inline mip_error mip_3dm_filter_message_format_encode(
     const struct mip_3dm_filter_message_format *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_filter_message_format_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_filter_message_format *mip_3dm_filter_message_format_write(
     struct mip_3dm_filter_message_format *command, uint8_t num_descriptors,
     const struct mip_descriptor_rate descriptors[]) {
@@ -1050,44 +1023,28 @@ static inline struct mip_3dm_filter_message_format *mip_3dm_filter_message_forma
              num_descriptors * sizeof(descriptors[0]));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_filter_message_format *
 mip_3dm_filter_message_format_read(struct mip_3dm_filter_message_format *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_filter_message_format *
 mip_3dm_filter_message_format_save(struct mip_3dm_filter_message_format *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_filter_message_format *
 mip_3dm_filter_message_format_load(struct mip_3dm_filter_message_format *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_filter_message_format *
 mip_3dm_filter_message_format_default(struct mip_3dm_filter_message_format *command) {
     memset(command, 0, sizeof(*command));
@@ -1112,7 +1069,9 @@ struct mip_3dm_filter_message_format_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_FILTER_MESSAGE_FORMAT_RESPONSE 0x0C82
+/** Its descriptor. */
 #define MIP_3DM_FILTER_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR 0x82
+/** Its name in the specification. */
 #define MIP_3DM_FILTER_MESSAGE_FORMAT_RESPONSE_NAME "3dm.filter_message_format_response"
 
 /** Its wire format. */
@@ -1147,7 +1106,9 @@ struct mip_3dm_get_filter_base_rate {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GET_FILTER_BASE_RATE 0x0C0B
+/** Its descriptor. */
 #define MIP_3DM_GET_FILTER_BASE_RATE_DESCRIPTOR 0x0B
+/** Its name in the specification. */
 #define MIP_3DM_GET_FILTER_BASE_RATE_NAME "3dm.get_filter_base_rate"
 
 /** Its wire format. */
@@ -1180,7 +1141,9 @@ struct mip_3dm_get_filter_base_rate_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GET_FILTER_BASE_RATE_RESPONSE 0x0C8A
+/** Its descriptor. */
 #define MIP_3DM_GET_FILTER_BASE_RATE_RESPONSE_DESCRIPTOR 0x8A
+/** Its name in the specification. */
 #define MIP_3DM_GET_FILTER_BASE_RATE_RESPONSE_NAME "3dm.get_filter_base_rate_response"
 
 /** Its wire format. */
@@ -1237,7 +1200,10 @@ static inline mip_error mip_3dm_get_filter_base_rate_response_encode_inline(
  * - 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C)
  */
 struct mip_3dm_nmea_message_format {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -1249,7 +1215,9 @@ struct mip_3dm_nmea_message_format {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_NMEA_MESSAGE_FORMAT 0x0C0C
+/** Its descriptor. */
 #define MIP_3DM_NMEA_MESSAGE_FORMAT_DESCRIPTOR 0x0C
+/** Its name in the specification. */
 #define MIP_3DM_NMEA_MESSAGE_FORMAT_NAME "3dm.nmea_message_format"
 
 /** Its wire format. */
@@ -1266,11 +1234,7 @@ static inline mip_error mip_3dm_nmea_message_format_encode(
     const struct mip_3dm_nmea_message_format *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_nmea_message_format_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_nmea_message_format *
 mip_3dm_nmea_message_format_write(struct mip_3dm_nmea_message_format *command, uint8_t count,
                                   const struct mip_nmea_message format_entries[]) {
@@ -1281,44 +1245,28 @@ mip_3dm_nmea_message_format_write(struct mip_3dm_nmea_message_format *command, u
              count * sizeof(format_entries[0]));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_nmea_message_format *
 mip_3dm_nmea_message_format_read(struct mip_3dm_nmea_message_format *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_nmea_message_format *
 mip_3dm_nmea_message_format_save(struct mip_3dm_nmea_message_format *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_nmea_message_format *
 mip_3dm_nmea_message_format_load(struct mip_3dm_nmea_message_format *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_nmea_message_format *
 mip_3dm_nmea_message_format_default(struct mip_3dm_nmea_message_format *command) {
     memset(command, 0, sizeof(*command));
@@ -1342,7 +1290,9 @@ struct mip_3dm_nmea_message_format_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_NMEA_MESSAGE_FORMAT_RESPONSE 0x0C8C
+/** Its descriptor. */
 #define MIP_3DM_NMEA_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR 0x8C
+/** Its name in the specification. */
 #define MIP_3DM_NMEA_MESSAGE_FORMAT_RESPONSE_NAME "3dm.nmea_message_format_response"
 
 /** Its wire format. */
@@ -1390,7 +1340,9 @@ struct mip_3dm_poll_data {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_POLL_DATA 0x0C0D
+/** Its descriptor. */
 #define MIP_3DM_POLL_DATA_DESCRIPTOR 0x0D
+/** Its name in the specification. */
 #define MIP_3DM_POLL_DATA_NAME "3dm.poll_data"
 
 /** Its wire format. */
@@ -1407,11 +1359,7 @@ static inline mip_error mip_3dm_poll_data_encode(const struct mip_3dm_poll_data 
                                                  struct mip_builder *builder) {
     return mip_encode(&mip_3dm_poll_data_codec, value, builder);
 }
-/**
- * Poll Data.
- *
- * Fills the structure and returns its address.
- */
+/** Poll Data. Fills the structure and returns its address. */
 static inline struct mip_3dm_poll_data *mip_3dm_poll_data_make(struct mip_3dm_poll_data *command,
                                                                uint8_t descriptor_set,
                                                                mip_bool suppress_ack,
@@ -1442,7 +1390,9 @@ struct mip_3dm_get_base_rate {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GET_BASE_RATE 0x0C0E
+/** Its descriptor. */
 #define MIP_3DM_GET_BASE_RATE_DESCRIPTOR 0x0E
+/** Its name in the specification. */
 #define MIP_3DM_GET_BASE_RATE_NAME "3dm.get_base_rate"
 
 /** Its wire format. */
@@ -1483,11 +1433,7 @@ static inline mip_error mip_3dm_get_base_rate_encode_inline(
     mip_put_8(data, value->descriptor_set);
     return MIP_OK;
 }
-/**
- * Get Data Base Rate.
- *
- * Fills the structure and returns its address.
- */
+/** Get Data Base Rate. Fills the structure and returns its address. */
 static inline struct mip_3dm_get_base_rate *
 mip_3dm_get_base_rate_make(struct mip_3dm_get_base_rate *command, uint8_t descriptor_set) {
     memset(command, 0, sizeof(*command));
@@ -1511,7 +1457,9 @@ struct mip_3dm_get_base_rate_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GET_BASE_RATE_RESPONSE 0x0C8E
+/** Its descriptor. */
 #define MIP_3DM_GET_BASE_RATE_RESPONSE_DESCRIPTOR 0x8E
+/** Its name in the specification. */
 #define MIP_3DM_GET_BASE_RATE_RESPONSE_NAME "3dm.get_base_rate_response"
 
 /** Its wire format. */
@@ -1572,7 +1520,10 @@ static inline mip_error mip_3dm_get_base_rate_response_encode_inline(
  * - 3dm-cv7-gnss-ins: Message Format (0x0C,0x0F)
  */
 struct mip_3dm_message_format {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -1586,7 +1537,9 @@ struct mip_3dm_message_format {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_MESSAGE_FORMAT 0x0C0F
+/** Its descriptor. */
 #define MIP_3DM_MESSAGE_FORMAT_DESCRIPTOR 0x0F
+/** Its name in the specification. */
 #define MIP_3DM_MESSAGE_FORMAT_NAME "3dm.message_format"
 
 /** Its wire format. */
@@ -1603,11 +1556,7 @@ static inline mip_error mip_3dm_message_format_encode(const struct mip_3dm_messa
                                                       struct mip_builder *builder) {
     return mip_encode(&mip_3dm_message_format_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_message_format *mip_3dm_message_format_write(
     struct mip_3dm_message_format *command, uint8_t descriptor_set, uint8_t num_descriptors,
     const struct mip_descriptor_rate descriptors[]) {
@@ -1619,11 +1568,7 @@ static inline struct mip_3dm_message_format *mip_3dm_message_format_write(
              num_descriptors * sizeof(descriptors[0]));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_message_format *
 mip_3dm_message_format_read(struct mip_3dm_message_format *command, uint8_t descriptor_set) {
     memset(command, 0, sizeof(*command));
@@ -1631,11 +1576,7 @@ mip_3dm_message_format_read(struct mip_3dm_message_format *command, uint8_t desc
     command->descriptor_set = descriptor_set;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_message_format *
 mip_3dm_message_format_save(struct mip_3dm_message_format *command, uint8_t descriptor_set) {
     memset(command, 0, sizeof(*command));
@@ -1643,11 +1584,7 @@ mip_3dm_message_format_save(struct mip_3dm_message_format *command, uint8_t desc
     command->descriptor_set = descriptor_set;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_message_format *
 mip_3dm_message_format_load(struct mip_3dm_message_format *command, uint8_t descriptor_set) {
     memset(command, 0, sizeof(*command));
@@ -1655,11 +1592,7 @@ mip_3dm_message_format_load(struct mip_3dm_message_format *command, uint8_t desc
     command->descriptor_set = descriptor_set;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_message_format *
 mip_3dm_message_format_default(struct mip_3dm_message_format *command, uint8_t descriptor_set) {
     memset(command, 0, sizeof(*command));
@@ -1686,7 +1619,9 @@ struct mip_3dm_message_format_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_MESSAGE_FORMAT_RESPONSE 0x0C8F
+/** Its descriptor. */
 #define MIP_3DM_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR 0x8F
+/** Its name in the specification. */
 #define MIP_3DM_MESSAGE_FORMAT_RESPONSE_NAME "3dm.message_format_response"
 
 /** Its wire format. */
@@ -1722,7 +1657,9 @@ struct mip_3dm_factory_streaming {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_FACTORY_STREAMING 0x0C10
+/** Its descriptor. */
 #define MIP_3DM_FACTORY_STREAMING_DESCRIPTOR 0x10
+/** Its name in the specification. */
 #define MIP_3DM_FACTORY_STREAMING_NAME "3dm.factory_streaming"
 
 /** Its wire format. */
@@ -1765,11 +1702,7 @@ static inline mip_error mip_3dm_factory_streaming_encode_inline(
     mip_put_8(data + 1, value->reserved);
     return MIP_OK;
 }
-/**
- * Factory Streaming.
- *
- * Fills the structure and returns its address.
- */
+/** Factory Streaming. Fills the structure and returns its address. */
 static inline struct mip_3dm_factory_streaming *mip_3dm_factory_streaming_make(
     struct mip_3dm_factory_streaming *command, enum mip_3dm_factory_streaming_action action) {
     memset(command, 0, sizeof(*command));
@@ -1784,10 +1717,7 @@ static inline struct mip_3dm_factory_streaming *mip_3dm_factory_streaming_make(
  *
  * Also called `datastream_control`. Functions: write, read, save, load and default. Answered by
  * mip_3dm_data_stream_control_response. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
- * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
- * 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
- * 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15,
- * 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45 and 3DM-MV5-AR.
+ * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * 5-series devices name the stream by a number of their own (enum mip_3dm_legacy_data_stream),
  * others by its descriptor set.
@@ -1796,7 +1726,10 @@ static inline struct mip_3dm_factory_streaming *mip_3dm_factory_streaming_make(
  * - 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
  */
 struct mip_3dm_data_stream_control {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -1815,7 +1748,9 @@ struct mip_3dm_data_stream_control {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_DATA_STREAM_CONTROL 0x0C11
+/** Its descriptor. */
 #define MIP_3DM_DATA_STREAM_CONTROL_DESCRIPTOR 0x11
+/** Its name in the specification. */
 #define MIP_3DM_DATA_STREAM_CONTROL_NAME "3dm.data_stream_control"
 
 /** Its wire format. */
@@ -1832,11 +1767,7 @@ static inline mip_error mip_3dm_data_stream_control_encode(
     const struct mip_3dm_data_stream_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_data_stream_control_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_write(
     struct mip_3dm_data_stream_control *command, uint8_t descriptor_set, mip_bool enable) {
     memset(command, 0, sizeof(*command));
@@ -1845,11 +1776,7 @@ static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_wr
     command->enable = enable;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_read(
     struct mip_3dm_data_stream_control *command, uint8_t descriptor_set) {
     memset(command, 0, sizeof(*command));
@@ -1857,11 +1784,7 @@ static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_re
     command->descriptor_set = descriptor_set;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_save(
     struct mip_3dm_data_stream_control *command, uint8_t descriptor_set) {
     memset(command, 0, sizeof(*command));
@@ -1869,11 +1792,7 @@ static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_sa
     command->descriptor_set = descriptor_set;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_load(
     struct mip_3dm_data_stream_control *command, uint8_t descriptor_set) {
     memset(command, 0, sizeof(*command));
@@ -1881,11 +1800,7 @@ static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_lo
     command->descriptor_set = descriptor_set;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_default(
     struct mip_3dm_data_stream_control *command, uint8_t descriptor_set) {
     memset(command, 0, sizeof(*command));
@@ -1899,10 +1814,7 @@ static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_de
  *
  * Also called `datastream_control_response`. Answers mip_3dm_data_stream_control. Supported by
  * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and
- * 3DM-RQ1-45-ST. May be supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25,
- * 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GX3-15, 3DM-GX3-25,
- * 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45
- * and 3DM-MV5-AR.
+ * 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
  * - 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
@@ -1922,7 +1834,9 @@ struct mip_3dm_data_stream_control_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_DATA_STREAM_CONTROL_RESPONSE 0x0C85
+/** Its descriptor. */
 #define MIP_3DM_DATA_STREAM_CONTROL_RESPONSE_DESCRIPTOR 0x85
+/** Its name in the specification. */
 #define MIP_3DM_DATA_STREAM_CONTROL_RESPONSE_NAME "3dm.data_stream_control_response"
 
 /** Its wire format. */
@@ -1972,9 +1886,9 @@ static inline mip_error mip_3dm_data_stream_control_response_encode_inline(
  * Constellations that the GNSS receiver tracks, and how its tracking channels are shared.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_3dm_constellation_settings_response. Supported by 3DM-GQ4-45 and 3DM-GX5-35. May be supported
- * by 3DM-GX5-45. Uncertain: The factory default, as the SDK gives it, names GPS and GLONASS alone
- * as enabled but has channels for SBAS and QZSS too.
+ * mip_3dm_constellation_settings_response. Supported by 3DM-GQ4-45 and 3DM-GX5-35. Uncertain: The
+ * factory default, as the SDK gives it, names GPS and GLONASS alone as enabled but has channels for
+ * SBAS and QZSS too.
  *
  * The device refuses entries whose reserved channels exceed 32 in all. No entry may have fewer
  * channels at most than it reserves.
@@ -1993,7 +1907,10 @@ static inline mip_error mip_3dm_data_stream_control_response_encode_inline(
  * - 3dm-gx5-35: 4.2.8 GNSS Constellation Settings (0x0C, 0x21)
  */
 struct mip_3dm_constellation_settings {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -2012,7 +1929,9 @@ struct mip_3dm_constellation_settings {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_CONSTELLATION_SETTINGS 0x0C21
+/** Its descriptor. */
 #define MIP_3DM_CONSTELLATION_SETTINGS_DESCRIPTOR 0x21
+/** Its name in the specification. */
 #define MIP_3DM_CONSTELLATION_SETTINGS_NAME "3dm.constellation_settings"
 
 /** Its wire format. */
@@ -2029,11 +1948,7 @@ static inline mip_error mip_3dm_constellation_settings_encode(
     const struct mip_3dm_constellation_settings *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_constellation_settings_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_constellation_settings *mip_3dm_constellation_settings_write(
     struct mip_3dm_constellation_settings *command, uint16_t max_channels, uint8_t config_count,
     const struct mip_3dm_constellation_settings_entry settings[]) {
@@ -2045,44 +1960,28 @@ static inline struct mip_3dm_constellation_settings *mip_3dm_constellation_setti
              config_count * sizeof(settings[0]));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_constellation_settings *
 mip_3dm_constellation_settings_read(struct mip_3dm_constellation_settings *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_constellation_settings *
 mip_3dm_constellation_settings_save(struct mip_3dm_constellation_settings *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_constellation_settings *
 mip_3dm_constellation_settings_load(struct mip_3dm_constellation_settings *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_constellation_settings *
 mip_3dm_constellation_settings_default(struct mip_3dm_constellation_settings *command) {
     memset(command, 0, sizeof(*command));
@@ -2095,8 +1994,7 @@ mip_3dm_constellation_settings_default(struct mip_3dm_constellation_settings *co
  *
  * Tracking channels of the receiver and the setting of each constellation.
  *
- * Answers mip_3dm_constellation_settings. Supported by 3DM-GQ4-45 and 3DM-GX5-35. May be supported
- * by 3DM-GX5-45.
+ * Answers mip_3dm_constellation_settings. Supported by 3DM-GQ4-45 and 3DM-GX5-35.
  *
  * - mip-sdk-4: Constellation Settings (0x0C,0x21)
  * - 3dm-gx5-35: 4.2.8 GNSS Constellation Settings (0x0C, 0x21)
@@ -2114,7 +2012,9 @@ struct mip_3dm_constellation_settings_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_CONSTELLATION_SETTINGS_RESPONSE 0x0CA0
+/** Its descriptor. */
 #define MIP_3DM_CONSTELLATION_SETTINGS_RESPONSE_DESCRIPTOR 0xA0
+/** Its name in the specification. */
 #define MIP_3DM_CONSTELLATION_SETTINGS_RESPONSE_NAME "3dm.constellation_settings_response"
 
 /** Its wire format. */
@@ -2138,12 +2038,15 @@ static inline mip_error mip_3dm_constellation_settings_response_encode(
  * How the GNSS receivers use satellite based augmentation.
  *
  * Functions: write, read, save, load and default. Answered by mip_3dm_gnss_sbas_settings_response.
- * Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
+ * Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35.
  *
  * - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
  */
 struct mip_3dm_gnss_sbas_settings {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -2167,7 +2070,9 @@ struct mip_3dm_gnss_sbas_settings {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GNSS_SBAS_SETTINGS 0x0C22
+/** Its descriptor. */
 #define MIP_3DM_GNSS_SBAS_SETTINGS_DESCRIPTOR 0x22
+/** Its name in the specification. */
 #define MIP_3DM_GNSS_SBAS_SETTINGS_NAME "3dm.gnss_sbas_settings"
 
 /** Its wire format. */
@@ -2184,11 +2089,7 @@ static inline mip_error mip_3dm_gnss_sbas_settings_encode(
     const struct mip_3dm_gnss_sbas_settings *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_sbas_settings_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_gnss_sbas_settings *mip_3dm_gnss_sbas_settings_write(
     struct mip_3dm_gnss_sbas_settings *command, uint8_t enable_sbas,
     mip_3dm_sbas_options sbas_options, uint8_t num_included_prns, const uint16_t included_prns[]) {
@@ -2201,44 +2102,28 @@ static inline struct mip_3dm_gnss_sbas_settings *mip_3dm_gnss_sbas_settings_writ
              num_included_prns * sizeof(included_prns[0]));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_gnss_sbas_settings *
 mip_3dm_gnss_sbas_settings_read(struct mip_3dm_gnss_sbas_settings *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_gnss_sbas_settings *
 mip_3dm_gnss_sbas_settings_save(struct mip_3dm_gnss_sbas_settings *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_gnss_sbas_settings *
 mip_3dm_gnss_sbas_settings_load(struct mip_3dm_gnss_sbas_settings *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_gnss_sbas_settings *
 mip_3dm_gnss_sbas_settings_default(struct mip_3dm_gnss_sbas_settings *command) {
     memset(command, 0, sizeof(*command));
@@ -2249,8 +2134,7 @@ mip_3dm_gnss_sbas_settings_default(struct mip_3dm_gnss_sbas_settings *command) {
 /**
  * GNSS SBAS Settings response: response (0x0C,0xA1).
  *
- * Answers mip_3dm_gnss_sbas_settings. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35. May
- * be supported by 3DM-GX5-45.
+ * Answers mip_3dm_gnss_sbas_settings. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35.
  *
  * - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
  */
@@ -2267,7 +2151,9 @@ struct mip_3dm_gnss_sbas_settings_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GNSS_SBAS_SETTINGS_RESPONSE 0x0CA1
+/** Its descriptor. */
 #define MIP_3DM_GNSS_SBAS_SETTINGS_RESPONSE_DESCRIPTOR 0xA1
+/** Its name in the specification. */
 #define MIP_3DM_GNSS_SBAS_SETTINGS_RESPONSE_NAME "3dm.gnss_sbas_settings_response"
 
 /** Its wire format. */
@@ -2291,7 +2177,7 @@ static inline mip_error mip_3dm_gnss_sbas_settings_response_encode(
  * Whether the GNSS receiver keeps the data of its last fix to start from at the next power-up.
  *
  * Functions: write, read, save, load and default. Answered by mip_3dm_gnss_assisted_fix_response.
- * Supported by 3DM-GX5-35. May be supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
+ * Supported by 3DM-GX5-35. Known from the MicroStrain MIP SDK only.
  *
  * The last fix is kept in the flash memory and the FRAM of the receiver.
  *
@@ -2306,7 +2192,10 @@ static inline mip_error mip_3dm_gnss_sbas_settings_response_encode(
  * - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
  */
 struct mip_3dm_gnss_assisted_fix {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -2322,7 +2211,9 @@ struct mip_3dm_gnss_assisted_fix {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GNSS_ASSISTED_FIX 0x0C23
+/** Its descriptor. */
 #define MIP_3DM_GNSS_ASSISTED_FIX_DESCRIPTOR 0x23
+/** Its name in the specification. */
 #define MIP_3DM_GNSS_ASSISTED_FIX_NAME "3dm.gnss_assisted_fix"
 
 /** Its wire format. */
@@ -2339,11 +2230,7 @@ static inline mip_error mip_3dm_gnss_assisted_fix_encode(
     const struct mip_3dm_gnss_assisted_fix *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_assisted_fix_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_gnss_assisted_fix *mip_3dm_gnss_assisted_fix_write(
     struct mip_3dm_gnss_assisted_fix *command, enum mip_3dm_assisted_fix_option option) {
     memset(command, 0, sizeof(*command));
@@ -2352,11 +2239,7 @@ static inline struct mip_3dm_gnss_assisted_fix *mip_3dm_gnss_assisted_fix_write(
     command->flags = 255;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_gnss_assisted_fix *
 mip_3dm_gnss_assisted_fix_read(struct mip_3dm_gnss_assisted_fix *command) {
     memset(command, 0, sizeof(*command));
@@ -2364,11 +2247,7 @@ mip_3dm_gnss_assisted_fix_read(struct mip_3dm_gnss_assisted_fix *command) {
     command->flags = 255;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_gnss_assisted_fix *
 mip_3dm_gnss_assisted_fix_save(struct mip_3dm_gnss_assisted_fix *command) {
     memset(command, 0, sizeof(*command));
@@ -2376,11 +2255,7 @@ mip_3dm_gnss_assisted_fix_save(struct mip_3dm_gnss_assisted_fix *command) {
     command->flags = 255;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_gnss_assisted_fix *
 mip_3dm_gnss_assisted_fix_load(struct mip_3dm_gnss_assisted_fix *command) {
     memset(command, 0, sizeof(*command));
@@ -2388,11 +2263,7 @@ mip_3dm_gnss_assisted_fix_load(struct mip_3dm_gnss_assisted_fix *command) {
     command->flags = 255;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_gnss_assisted_fix *
 mip_3dm_gnss_assisted_fix_default(struct mip_3dm_gnss_assisted_fix *command) {
     memset(command, 0, sizeof(*command));
@@ -2404,8 +2275,8 @@ mip_3dm_gnss_assisted_fix_default(struct mip_3dm_gnss_assisted_fix *command) {
 /**
  * GNSS Assisted Fix response: response (0x0C,0xA2).
  *
- * Answers mip_3dm_gnss_assisted_fix. Supported by 3DM-GX5-35. May be supported by 3DM-GX5-45. Known
- * from the MicroStrain MIP SDK only.
+ * Answers mip_3dm_gnss_assisted_fix. Supported by 3DM-GX5-35. Known from the MicroStrain MIP SDK
+ * only.
  *
  * - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
  */
@@ -2421,7 +2292,9 @@ struct mip_3dm_gnss_assisted_fix_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GNSS_ASSISTED_FIX_RESPONSE 0x0CA2
+/** Its descriptor. */
 #define MIP_3DM_GNSS_ASSISTED_FIX_RESPONSE_DESCRIPTOR 0xA2
+/** Its name in the specification. */
 #define MIP_3DM_GNSS_ASSISTED_FIX_RESPONSE_NAME "3dm.gnss_assisted_fix_response"
 
 /** Its wire format. */
@@ -2471,14 +2344,17 @@ static inline mip_error mip_3dm_gnss_assisted_fix_response_encode_inline(
  * Tells the GNSS receiver the present GPS time.
  *
  * Functions: write and read. Answered by mip_3dm_gnss_time_assistance_response. Supported by
- * 3DM-GX5-35. May be supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
+ * 3DM-GX5-35. Known from the MicroStrain MIP SDK only.
  *
  * It is needed right after power-up if mip_3dm_gnss_assisted_fix was on at power-off.
  *
  * - mip-sdk-4: Gnss Time Assistance (0x0C,0x24)
  */
 struct mip_3dm_gnss_time_assistance {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -2492,7 +2368,9 @@ struct mip_3dm_gnss_time_assistance {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GNSS_TIME_ASSISTANCE 0x0C24
+/** Its descriptor. */
 #define MIP_3DM_GNSS_TIME_ASSISTANCE_DESCRIPTOR 0x24
+/** Its name in the specification. */
 #define MIP_3DM_GNSS_TIME_ASSISTANCE_NAME "3dm.gnss_time_assistance"
 
 /** Its wire format. */
@@ -2509,11 +2387,7 @@ static inline mip_error mip_3dm_gnss_time_assistance_encode(
     const struct mip_3dm_gnss_time_assistance *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_time_assistance_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_gnss_time_assistance *
 mip_3dm_gnss_time_assistance_write(struct mip_3dm_gnss_time_assistance *command, double tow,
                                    uint16_t week_number, float accuracy) {
@@ -2524,11 +2398,7 @@ mip_3dm_gnss_time_assistance_write(struct mip_3dm_gnss_time_assistance *command,
     command->accuracy = accuracy;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_gnss_time_assistance *
 mip_3dm_gnss_time_assistance_read(struct mip_3dm_gnss_time_assistance *command) {
     memset(command, 0, sizeof(*command));
@@ -2539,8 +2409,8 @@ mip_3dm_gnss_time_assistance_read(struct mip_3dm_gnss_time_assistance *command) 
 /**
  * GNSS Time Assistance response: response (0x0C,0xA3).
  *
- * Answers mip_3dm_gnss_time_assistance. Supported by 3DM-GX5-35. May be supported by 3DM-GX5-45.
- * Known from the MicroStrain MIP SDK only.
+ * Answers mip_3dm_gnss_time_assistance. Supported by 3DM-GX5-35. Known from the MicroStrain MIP SDK
+ * only.
  *
  * - mip-sdk-4: Gnss Time Assistance (0x0C,0x24)
  */
@@ -2555,7 +2425,9 @@ struct mip_3dm_gnss_time_assistance_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GNSS_TIME_ASSISTANCE_RESPONSE 0x0CA3
+/** Its descriptor. */
 #define MIP_3DM_GNSS_TIME_ASSISTANCE_RESPONSE_DESCRIPTOR 0xA3
+/** Its name in the specification. */
 #define MIP_3DM_GNSS_TIME_ASSISTANCE_RESPONSE_NAME "3dm.gnss_time_assistance_response"
 
 /** Its wire format. */
@@ -2607,8 +2479,7 @@ static inline mip_error mip_3dm_gnss_time_assistance_response_encode_inline(
  * Where the device takes its pulse per second from.
  *
  * Also called `pps_source`. Functions: write, read, save, load and default. Answered by
- * mip_3dm_pps_source_control_response. Supported by 3DM-CV7-GNSS/INS. May be supported by
- * 3DM-CV7-AHRS and 3DM-CV7-AR.
+ * mip_3dm_pps_source_control_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * The pins are configured apart from this by the GPIO configuration command.
  *
@@ -2617,7 +2488,10 @@ static inline mip_error mip_3dm_gnss_time_assistance_response_encode_inline(
  * - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
  */
 struct mip_3dm_pps_source_control {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -2631,7 +2505,9 @@ struct mip_3dm_pps_source_control {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_PPS_SOURCE_CONTROL 0x0C28
+/** Its descriptor. */
 #define MIP_3DM_PPS_SOURCE_CONTROL_DESCRIPTOR 0x28
+/** Its name in the specification. */
 #define MIP_3DM_PPS_SOURCE_CONTROL_NAME "3dm.pps_source_control"
 
 /** Its wire format. */
@@ -2648,11 +2524,7 @@ static inline mip_error mip_3dm_pps_source_control_encode(
     const struct mip_3dm_pps_source_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_pps_source_control_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_pps_source_control *mip_3dm_pps_source_control_write(
     struct mip_3dm_pps_source_control *command, enum mip_3dm_pps_source source) {
     memset(command, 0, sizeof(*command));
@@ -2660,44 +2532,28 @@ static inline struct mip_3dm_pps_source_control *mip_3dm_pps_source_control_writ
     command->source = (uint8_t)source;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_pps_source_control *
 mip_3dm_pps_source_control_read(struct mip_3dm_pps_source_control *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_pps_source_control *
 mip_3dm_pps_source_control_save(struct mip_3dm_pps_source_control *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_pps_source_control *
 mip_3dm_pps_source_control_load(struct mip_3dm_pps_source_control *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_pps_source_control *
 mip_3dm_pps_source_control_default(struct mip_3dm_pps_source_control *command) {
     memset(command, 0, sizeof(*command));
@@ -2709,7 +2565,7 @@ mip_3dm_pps_source_control_default(struct mip_3dm_pps_source_control *command) {
  * PPS Source Control response: response (0x0C,0xA8).
  *
  * Also called `pps_source_response`. Answers mip_3dm_pps_source_control. Supported by
- * 3DM-CV7-GNSS/INS. May be supported by 3DM-CV7-AHRS and 3DM-CV7-AR.
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
  */
@@ -2723,7 +2579,9 @@ struct mip_3dm_pps_source_control_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_PPS_SOURCE_CONTROL_RESPONSE 0x0CA8
+/** Its descriptor. */
 #define MIP_3DM_PPS_SOURCE_CONTROL_RESPONSE_DESCRIPTOR 0xA8
+/** Its name in the specification. */
 #define MIP_3DM_PPS_SOURCE_CONTROL_RESPONSE_NAME "3dm.pps_source_control_response"
 
 /** Its wire format. */
@@ -2781,7 +2639,9 @@ struct mip_3dm_get_event_support {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GET_EVENT_SUPPORT 0x0C2A
+/** Its descriptor. */
 #define MIP_3DM_GET_EVENT_SUPPORT_DESCRIPTOR 0x2A
+/** Its name in the specification. */
 #define MIP_3DM_GET_EVENT_SUPPORT_NAME "3dm.get_event_support"
 
 /** Its wire format. */
@@ -2822,11 +2682,7 @@ static inline mip_error mip_3dm_get_event_support_encode_inline(
     mip_put_8(data, value->query);
     return MIP_OK;
 }
-/**
- * Get Supported Events.
- *
- * Fills the structure and returns its address.
- */
+/** Get Supported Events. Fills the structure and returns its address. */
 static inline struct mip_3dm_get_event_support *mip_3dm_get_event_support_make(
     struct mip_3dm_get_event_support *command, enum mip_3dm_event_support_query query) {
     memset(command, 0, sizeof(*command));
@@ -2858,7 +2714,9 @@ struct mip_3dm_get_event_support_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GET_EVENT_SUPPORT_RESPONSE 0x0CB4
+/** Its descriptor. */
 #define MIP_3DM_GET_EVENT_SUPPORT_RESPONSE_DESCRIPTOR 0xB4
+/** Its name in the specification. */
 #define MIP_3DM_GET_EVENT_SUPPORT_RESPONSE_NAME "3dm.get_event_support_response"
 
 /** Its wire format. */
@@ -2891,7 +2749,10 @@ static inline mip_error mip_3dm_get_event_support_response_encode(
  * - 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B)
  */
 struct mip_3dm_event_control {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -2906,7 +2767,9 @@ struct mip_3dm_event_control {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_EVENT_CONTROL 0x0C2B
+/** Its descriptor. */
 #define MIP_3DM_EVENT_CONTROL_DESCRIPTOR 0x2B
+/** Its name in the specification. */
 #define MIP_3DM_EVENT_CONTROL_NAME "3dm.event_control"
 
 /** Its wire format. */
@@ -2923,11 +2786,7 @@ static inline mip_error mip_3dm_event_control_encode(const struct mip_3dm_event_
                                                      struct mip_builder *builder) {
     return mip_encode(&mip_3dm_event_control_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_event_control *mip_3dm_event_control_write(
     struct mip_3dm_event_control *command, uint8_t instance, enum mip_event_trigger_mode mode) {
     memset(command, 0, sizeof(*command));
@@ -2936,11 +2795,7 @@ static inline struct mip_3dm_event_control *mip_3dm_event_control_write(
     command->mode = (uint8_t)mode;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_event_control *
 mip_3dm_event_control_read(struct mip_3dm_event_control *command, uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -2948,11 +2803,7 @@ mip_3dm_event_control_read(struct mip_3dm_event_control *command, uint8_t instan
     command->instance = instance;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_event_control *
 mip_3dm_event_control_save(struct mip_3dm_event_control *command, uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -2960,11 +2811,7 @@ mip_3dm_event_control_save(struct mip_3dm_event_control *command, uint8_t instan
     command->instance = instance;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_event_control *
 mip_3dm_event_control_load(struct mip_3dm_event_control *command, uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -2972,11 +2819,7 @@ mip_3dm_event_control_load(struct mip_3dm_event_control *command, uint8_t instan
     command->instance = instance;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_event_control *
 mip_3dm_event_control_default(struct mip_3dm_event_control *command, uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -3003,7 +2846,9 @@ struct mip_3dm_event_control_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_EVENT_CONTROL_RESPONSE 0x0CB5
+/** Its descriptor. */
 #define MIP_3DM_EVENT_CONTROL_RESPONSE_DESCRIPTOR 0xB5
+/** Its name in the specification. */
 #define MIP_3DM_EVENT_CONTROL_RESPONSE_NAME "3dm.event_control_response"
 
 /** Its wire format. */
@@ -3068,7 +2913,9 @@ struct mip_3dm_get_event_trigger_status {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GET_EVENT_TRIGGER_STATUS 0x0C2C
+/** Its descriptor. */
 #define MIP_3DM_GET_EVENT_TRIGGER_STATUS_DESCRIPTOR 0x2C
+/** Its name in the specification. */
 #define MIP_3DM_GET_EVENT_TRIGGER_STATUS_NAME "3dm.get_event_trigger_status"
 
 /** Its wire format. */
@@ -3085,11 +2932,7 @@ static inline mip_error mip_3dm_get_event_trigger_status_encode(
     const struct mip_3dm_get_event_trigger_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_event_trigger_status_codec, value, builder);
 }
-/**
- * Get Event Trigger Status.
- *
- * Fills the structure and returns its address.
- */
+/** Get Event Trigger Status. Fills the structure and returns its address. */
 static inline struct mip_3dm_get_event_trigger_status *mip_3dm_get_event_trigger_status_make(
     struct mip_3dm_get_event_trigger_status *command, uint8_t requested_count,
     const uint8_t requested_instances[]) {
@@ -3116,7 +2959,9 @@ struct mip_3dm_get_event_trigger_status_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GET_EVENT_TRIGGER_STATUS_RESPONSE 0x0CB6
+/** Its descriptor. */
 #define MIP_3DM_GET_EVENT_TRIGGER_STATUS_RESPONSE_DESCRIPTOR 0xB6
+/** Its name in the specification. */
 #define MIP_3DM_GET_EVENT_TRIGGER_STATUS_RESPONSE_NAME "3dm.get_event_trigger_status_response"
 
 /** Its wire format. */
@@ -3155,7 +3000,9 @@ struct mip_3dm_get_event_action_status {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GET_EVENT_ACTION_STATUS 0x0C2D
+/** Its descriptor. */
 #define MIP_3DM_GET_EVENT_ACTION_STATUS_DESCRIPTOR 0x2D
+/** Its name in the specification. */
 #define MIP_3DM_GET_EVENT_ACTION_STATUS_NAME "3dm.get_event_action_status"
 
 /** Its wire format. */
@@ -3172,11 +3019,7 @@ static inline mip_error mip_3dm_get_event_action_status_encode(
     const struct mip_3dm_get_event_action_status *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_event_action_status_codec, value, builder);
 }
-/**
- * Get Event Action Status.
- *
- * Fills the structure and returns its address.
- */
+/** Get Event Action Status. Fills the structure and returns its address. */
 static inline struct mip_3dm_get_event_action_status *
 mip_3dm_get_event_action_status_make(struct mip_3dm_get_event_action_status *command,
                                      uint8_t requested_count, const uint8_t requested_instances[]) {
@@ -3203,7 +3046,9 @@ struct mip_3dm_get_event_action_status_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GET_EVENT_ACTION_STATUS_RESPONSE 0x0CB7
+/** Its descriptor. */
 #define MIP_3DM_GET_EVENT_ACTION_STATUS_RESPONSE_DESCRIPTOR 0xB7
+/** Its name in the specification. */
 #define MIP_3DM_GET_EVENT_ACTION_STATUS_RESPONSE_NAME "3dm.get_event_action_status_response"
 
 /** Its wire format. */
@@ -3252,7 +3097,10 @@ union mip_3dm_event_trigger_config_parameters {
  * - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
  */
 struct mip_3dm_event_trigger_config {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -3272,7 +3120,9 @@ struct mip_3dm_event_trigger_config {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_EVENT_TRIGGER_CONFIG 0x0C2E
+/** Its descriptor. */
 #define MIP_3DM_EVENT_TRIGGER_CONFIG_DESCRIPTOR 0x2E
+/** Its name in the specification. */
 #define MIP_3DM_EVENT_TRIGGER_CONFIG_NAME "3dm.event_trigger_config"
 
 /** Its wire format. */
@@ -3289,11 +3139,7 @@ static inline mip_error mip_3dm_event_trigger_config_encode(
     const struct mip_3dm_event_trigger_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_event_trigger_config_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_event_trigger_config *mip_3dm_event_trigger_config_write(
     struct mip_3dm_event_trigger_config *command, uint8_t instance,
     enum mip_event_trigger_type type,
@@ -3307,11 +3153,7 @@ static inline struct mip_3dm_event_trigger_config *mip_3dm_event_trigger_config_
     }
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_event_trigger_config *
 mip_3dm_event_trigger_config_read(struct mip_3dm_event_trigger_config *command, uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -3319,11 +3161,7 @@ mip_3dm_event_trigger_config_read(struct mip_3dm_event_trigger_config *command, 
     command->instance = instance;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_event_trigger_config *
 mip_3dm_event_trigger_config_save(struct mip_3dm_event_trigger_config *command, uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -3331,11 +3169,7 @@ mip_3dm_event_trigger_config_save(struct mip_3dm_event_trigger_config *command, 
     command->instance = instance;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_event_trigger_config *
 mip_3dm_event_trigger_config_load(struct mip_3dm_event_trigger_config *command, uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -3343,11 +3177,7 @@ mip_3dm_event_trigger_config_load(struct mip_3dm_event_trigger_config *command, 
     command->instance = instance;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_event_trigger_config *mip_3dm_event_trigger_config_default(
     struct mip_3dm_event_trigger_config *command, uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -3394,7 +3224,9 @@ struct mip_3dm_event_trigger_config_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_EVENT_TRIGGER_CONFIG_RESPONSE 0x0CB8
+/** Its descriptor. */
 #define MIP_3DM_EVENT_TRIGGER_CONFIG_RESPONSE_DESCRIPTOR 0xB8
+/** Its name in the specification. */
 #define MIP_3DM_EVENT_TRIGGER_CONFIG_RESPONSE_NAME "3dm.event_trigger_config_response"
 
 /** Its wire format. */
@@ -3435,7 +3267,10 @@ union mip_3dm_event_action_config_parameters {
  * - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
  */
 struct mip_3dm_event_action_config {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -3457,7 +3292,9 @@ struct mip_3dm_event_action_config {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_EVENT_ACTION_CONFIG 0x0C2F
+/** Its descriptor. */
 #define MIP_3DM_EVENT_ACTION_CONFIG_DESCRIPTOR 0x2F
+/** Its name in the specification. */
 #define MIP_3DM_EVENT_ACTION_CONFIG_NAME "3dm.event_action_config"
 
 /** Its wire format. */
@@ -3474,11 +3311,7 @@ static inline mip_error mip_3dm_event_action_config_encode(
     const struct mip_3dm_event_action_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_event_action_config_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_event_action_config *
 mip_3dm_event_action_config_write(struct mip_3dm_event_action_config *command, uint8_t instance,
                                   uint8_t trigger, enum mip_event_action_type type,
@@ -3493,11 +3326,7 @@ mip_3dm_event_action_config_write(struct mip_3dm_event_action_config *command, u
     }
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_event_action_config *
 mip_3dm_event_action_config_read(struct mip_3dm_event_action_config *command, uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -3505,11 +3334,7 @@ mip_3dm_event_action_config_read(struct mip_3dm_event_action_config *command, ui
     command->instance = instance;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_event_action_config *
 mip_3dm_event_action_config_save(struct mip_3dm_event_action_config *command, uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -3517,11 +3342,7 @@ mip_3dm_event_action_config_save(struct mip_3dm_event_action_config *command, ui
     command->instance = instance;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_event_action_config *
 mip_3dm_event_action_config_load(struct mip_3dm_event_action_config *command, uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -3529,11 +3350,7 @@ mip_3dm_event_action_config_load(struct mip_3dm_event_action_config *command, ui
     command->instance = instance;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_event_action_config *
 mip_3dm_event_action_config_default(struct mip_3dm_event_action_config *command, uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -3573,7 +3390,9 @@ struct mip_3dm_event_action_config_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_EVENT_ACTION_CONFIG_RESPONSE 0x0CB9
+/** Its descriptor. */
 #define MIP_3DM_EVENT_ACTION_CONFIG_RESPONSE_DESCRIPTOR 0xB9
+/** Its name in the specification. */
 #define MIP_3DM_EVENT_ACTION_CONFIG_RESPONSE_NAME "3dm.event_action_config_response"
 
 /** Its wire format. */
@@ -3612,7 +3431,9 @@ struct mip_3dm_device_settings {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_DEVICE_SETTINGS 0x0C30
+/** Its descriptor. */
 #define MIP_3DM_DEVICE_SETTINGS_DESCRIPTOR 0x30
+/** Its name in the specification. */
 #define MIP_3DM_DEVICE_SETTINGS_NAME "3dm.device_settings"
 
 /** Its wire format. */
@@ -3653,33 +3474,21 @@ static inline mip_error mip_3dm_device_settings_encode_inline(
     mip_put_8(data, value->function);
     return MIP_OK;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_device_settings *
 mip_3dm_device_settings_save(struct mip_3dm_device_settings *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_device_settings *
 mip_3dm_device_settings_load(struct mip_3dm_device_settings *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_device_settings *
 mip_3dm_device_settings_default(struct mip_3dm_device_settings *command) {
     memset(command, 0, sizeof(*command));
@@ -3716,7 +3525,10 @@ mip_3dm_device_settings_default(struct mip_3dm_device_settings *command) {
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
  */
 struct mip_3dm_sensor_to_vehicle_euler {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -3730,7 +3542,9 @@ struct mip_3dm_sensor_to_vehicle_euler {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_EULER 0x0C31
+/** Its descriptor. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_EULER_DESCRIPTOR 0x31
+/** Its name in the specification. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_EULER_NAME "3dm.sensor_to_vehicle_transform_euler"
 
 /** Its wire format. */
@@ -3747,11 +3561,7 @@ static inline mip_error mip_3dm_sensor_to_vehicle_euler_encode(
     const struct mip_3dm_sensor_to_vehicle_euler *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_sensor_to_vehicle_euler_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_to_vehicle_euler *mip_3dm_sensor_to_vehicle_euler_write(
     struct mip_3dm_sensor_to_vehicle_euler *command, float roll, float pitch, float yaw) {
     memset(command, 0, sizeof(*command));
@@ -3761,44 +3571,28 @@ static inline struct mip_3dm_sensor_to_vehicle_euler *mip_3dm_sensor_to_vehicle_
     command->yaw = yaw;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_to_vehicle_euler *
 mip_3dm_sensor_to_vehicle_euler_read(struct mip_3dm_sensor_to_vehicle_euler *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_to_vehicle_euler *
 mip_3dm_sensor_to_vehicle_euler_save(struct mip_3dm_sensor_to_vehicle_euler *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_to_vehicle_euler *
 mip_3dm_sensor_to_vehicle_euler_load(struct mip_3dm_sensor_to_vehicle_euler *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_to_vehicle_euler *
 mip_3dm_sensor_to_vehicle_euler_default(struct mip_3dm_sensor_to_vehicle_euler *command) {
     memset(command, 0, sizeof(*command));
@@ -3827,7 +3621,9 @@ struct mip_3dm_sensor_to_vehicle_euler_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_EULER_RESPONSE 0x0CB1
+/** Its descriptor. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_EULER_RESPONSE_DESCRIPTOR 0xB1
+/** Its name in the specification. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_EULER_RESPONSE_NAME \
     "3dm.sensor_to_vehicle_transform_euler_response"
 
@@ -3896,7 +3692,10 @@ static inline mip_error mip_3dm_sensor_to_vehicle_euler_response_encode_inline(
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
  */
 struct mip_3dm_sensor_to_vehicle_quaternion {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -3909,7 +3708,9 @@ struct mip_3dm_sensor_to_vehicle_quaternion {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_QUATERNION 0x0C32
+/** Its descriptor. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_QUATERNION_DESCRIPTOR 0x32
+/** Its name in the specification. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_QUATERNION_NAME "3dm.sensor_to_vehicle_transform_quaternion"
 
 /** Its wire format. */
@@ -3926,11 +3727,7 @@ static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_encode(
     const struct mip_3dm_sensor_to_vehicle_quaternion *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_sensor_to_vehicle_quaternion_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_to_vehicle_quaternion *
 mip_3dm_sensor_to_vehicle_quaternion_write(struct mip_3dm_sensor_to_vehicle_quaternion *command,
                                            const float q[4]) {
@@ -3939,44 +3736,28 @@ mip_3dm_sensor_to_vehicle_quaternion_write(struct mip_3dm_sensor_to_vehicle_quat
     memcpy(command->q, q, sizeof(command->q));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_to_vehicle_quaternion *
 mip_3dm_sensor_to_vehicle_quaternion_read(struct mip_3dm_sensor_to_vehicle_quaternion *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_to_vehicle_quaternion *
 mip_3dm_sensor_to_vehicle_quaternion_save(struct mip_3dm_sensor_to_vehicle_quaternion *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_to_vehicle_quaternion *
 mip_3dm_sensor_to_vehicle_quaternion_load(struct mip_3dm_sensor_to_vehicle_quaternion *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_to_vehicle_quaternion *
 mip_3dm_sensor_to_vehicle_quaternion_default(struct mip_3dm_sensor_to_vehicle_quaternion *command) {
     memset(command, 0, sizeof(*command));
@@ -4004,7 +3785,9 @@ struct mip_3dm_sensor_to_vehicle_quaternion_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_QUATERNION_RESPONSE 0x0CB2
+/** Its descriptor. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_QUATERNION_RESPONSE_DESCRIPTOR 0xB2
+/** Its name in the specification. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_QUATERNION_RESPONSE_NAME \
     "3dm.sensor_to_vehicle_transform_quaternion_response"
 
@@ -4074,7 +3857,10 @@ static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_response_encode_inl
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
  */
 struct mip_3dm_sensor_to_vehicle_dcm {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -4087,7 +3873,9 @@ struct mip_3dm_sensor_to_vehicle_dcm {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_DCM 0x0C33
+/** Its descriptor. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_DCM_DESCRIPTOR 0x33
+/** Its name in the specification. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_DCM_NAME "3dm.sensor_to_vehicle_transform_dcm"
 
 /** Its wire format. */
@@ -4104,11 +3892,7 @@ static inline mip_error mip_3dm_sensor_to_vehicle_dcm_encode(
     const struct mip_3dm_sensor_to_vehicle_dcm *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_sensor_to_vehicle_dcm_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_to_vehicle_dcm *mip_3dm_sensor_to_vehicle_dcm_write(
     struct mip_3dm_sensor_to_vehicle_dcm *command, const float dcm[9]) {
     memset(command, 0, sizeof(*command));
@@ -4116,44 +3900,28 @@ static inline struct mip_3dm_sensor_to_vehicle_dcm *mip_3dm_sensor_to_vehicle_dc
     memcpy(command->dcm, dcm, sizeof(command->dcm));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_to_vehicle_dcm *
 mip_3dm_sensor_to_vehicle_dcm_read(struct mip_3dm_sensor_to_vehicle_dcm *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_to_vehicle_dcm *
 mip_3dm_sensor_to_vehicle_dcm_save(struct mip_3dm_sensor_to_vehicle_dcm *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_to_vehicle_dcm *
 mip_3dm_sensor_to_vehicle_dcm_load(struct mip_3dm_sensor_to_vehicle_dcm *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_to_vehicle_dcm *
 mip_3dm_sensor_to_vehicle_dcm_default(struct mip_3dm_sensor_to_vehicle_dcm *command) {
     memset(command, 0, sizeof(*command));
@@ -4181,7 +3949,9 @@ struct mip_3dm_sensor_to_vehicle_dcm_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_DCM_RESPONSE 0x0CB3
+/** Its descriptor. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_DCM_RESPONSE_DESCRIPTOR 0xB3
+/** Its name in the specification. */
 #define MIP_3DM_SENSOR_TO_VEHICLE_DCM_RESPONSE_NAME "3dm.sensor_to_vehicle_transform_dcm_response"
 
 /** Its wire format. */
@@ -4234,14 +4004,17 @@ static inline mip_error mip_3dm_sensor_to_vehicle_dcm_response_encode_inline(
  *
  * For advanced use. Functions: write, read, save, load, default and apply. Answered by
  * mip_3dm_accel_bias_response. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
- * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45. On the 3DM-CV7-GNSS/INS: write,
- * read, save, load and default only.
+ * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the 3DM-CV7-GNSS/INS: write, read, save, load and default
+ * only.
  *
  * - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
  */
 struct mip_3dm_accel_bias {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -4253,7 +4026,9 @@ struct mip_3dm_accel_bias {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_ACCEL_BIAS 0x0C37
+/** Its descriptor. */
 #define MIP_3DM_ACCEL_BIAS_DESCRIPTOR 0x37
+/** Its name in the specification. */
 #define MIP_3DM_ACCEL_BIAS_NAME "3dm.accel_bias"
 
 /** Its wire format. */
@@ -4270,11 +4045,7 @@ static inline mip_error mip_3dm_accel_bias_encode(const struct mip_3dm_accel_bia
                                                   struct mip_builder *builder) {
     return mip_encode(&mip_3dm_accel_bias_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_accel_bias *
 mip_3dm_accel_bias_write(struct mip_3dm_accel_bias *command, const float bias[3]) {
     memset(command, 0, sizeof(*command));
@@ -4282,44 +4053,28 @@ mip_3dm_accel_bias_write(struct mip_3dm_accel_bias *command, const float bias[3]
     memcpy(command->bias, bias, sizeof(command->bias));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_accel_bias *
 mip_3dm_accel_bias_read(struct mip_3dm_accel_bias *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_accel_bias *
 mip_3dm_accel_bias_save(struct mip_3dm_accel_bias *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_accel_bias *
 mip_3dm_accel_bias_load(struct mip_3dm_accel_bias *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_accel_bias *
 mip_3dm_accel_bias_default(struct mip_3dm_accel_bias *command) {
     memset(command, 0, sizeof(*command));
@@ -4327,9 +4082,8 @@ mip_3dm_accel_bias_default(struct mip_3dm_accel_bias *command) {
     return command;
 }
 /**
- * Apply the new setting and send no acknowledge (5-series devices).
- *
- * Fills the structure and returns its address.
+ * Apply the new setting and send no acknowledge (5-series devices). Fills the structure and returns
+ * its address.
  */
 static inline struct mip_3dm_accel_bias *
 mip_3dm_accel_bias_apply(struct mip_3dm_accel_bias *command, const float bias[3]) {
@@ -4343,7 +4097,7 @@ mip_3dm_accel_bias_apply(struct mip_3dm_accel_bias *command, const float bias[3]
  * Accelerometer Bias Configuration response: response (0x0C,0x9A).
  *
  * Answers mip_3dm_accel_bias. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
- * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
+ * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
@@ -4355,7 +4109,9 @@ struct mip_3dm_accel_bias_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_ACCEL_BIAS_RESPONSE 0x0C9A
+/** Its descriptor. */
 #define MIP_3DM_ACCEL_BIAS_RESPONSE_DESCRIPTOR 0x9A
+/** Its name in the specification. */
 #define MIP_3DM_ACCEL_BIAS_RESPONSE_NAME "3dm.accel_bias_response"
 
 /** Its wire format. */
@@ -4408,15 +4164,18 @@ static inline mip_error mip_3dm_accel_bias_response_encode_inline(
  *
  * For advanced use. Functions: write, read, save, load, default and apply. Answered by
  * mip_3dm_gyro_bias_response. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
- * 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35 and 3DM-GX5-45. On
- * the 3DM-CV7-AHRS: write, read, save, load and default only. On the 3DM-CV7-AR: write, read, save,
- * load and default only. On the 3DM-CV7-GNSS/INS: write, read, save, load and default only.
+ * 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the 3DM-CV7-AHRS: write, read, save, load and
+ * default only. On the 3DM-CV7-AR: write, read, save, load and default only. On the
+ * 3DM-CV7-GNSS/INS: write, read, save, load and default only.
  *
  * - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
  * - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
  */
 struct mip_3dm_gyro_bias {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -4428,7 +4187,9 @@ struct mip_3dm_gyro_bias {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GYRO_BIAS 0x0C38
+/** Its descriptor. */
 #define MIP_3DM_GYRO_BIAS_DESCRIPTOR 0x38
+/** Its name in the specification. */
 #define MIP_3DM_GYRO_BIAS_NAME "3dm.gyro_bias"
 
 /** Its wire format. */
@@ -4445,11 +4206,7 @@ static inline mip_error mip_3dm_gyro_bias_encode(const struct mip_3dm_gyro_bias 
                                                  struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gyro_bias_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_gyro_bias *mip_3dm_gyro_bias_write(struct mip_3dm_gyro_bias *command,
                                                                 const float bias[3]) {
     memset(command, 0, sizeof(*command));
@@ -4457,41 +4214,25 @@ static inline struct mip_3dm_gyro_bias *mip_3dm_gyro_bias_write(struct mip_3dm_g
     memcpy(command->bias, bias, sizeof(command->bias));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_gyro_bias *mip_3dm_gyro_bias_read(struct mip_3dm_gyro_bias *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_gyro_bias *mip_3dm_gyro_bias_save(struct mip_3dm_gyro_bias *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_gyro_bias *mip_3dm_gyro_bias_load(struct mip_3dm_gyro_bias *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_gyro_bias *
 mip_3dm_gyro_bias_default(struct mip_3dm_gyro_bias *command) {
     memset(command, 0, sizeof(*command));
@@ -4499,9 +4240,8 @@ mip_3dm_gyro_bias_default(struct mip_3dm_gyro_bias *command) {
     return command;
 }
 /**
- * Apply the new setting and send no acknowledge (5-series devices).
- *
- * Fills the structure and returns its address.
+ * Apply the new setting and send no acknowledge (5-series devices). Fills the structure and returns
+ * its address.
  */
 static inline struct mip_3dm_gyro_bias *mip_3dm_gyro_bias_apply(struct mip_3dm_gyro_bias *command,
                                                                 const float bias[3]) {
@@ -4518,8 +4258,7 @@ static inline struct mip_3dm_gyro_bias *mip_3dm_gyro_bias_apply(struct mip_3dm_g
  *
  * Also called `capture_gyro_bias_response`. Answers mip_3dm_gyro_bias and
  * mip_3dm_capture_gyro_bias. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
- * 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
- * 3DM-GX5-45.
+ * 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
  * - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
@@ -4531,7 +4270,9 @@ struct mip_3dm_gyro_bias_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GYRO_BIAS_RESPONSE 0x0C9B
+/** Its descriptor. */
 #define MIP_3DM_GYRO_BIAS_RESPONSE_DESCRIPTOR 0x9B
+/** Its name in the specification. */
 #define MIP_3DM_GYRO_BIAS_RESPONSE_NAME "3dm.gyro_bias_response"
 
 /** Its wire format. */
@@ -4584,7 +4325,7 @@ static inline mip_error mip_3dm_gyro_bias_response_encode_inline(
  *
  * Answered by mip_3dm_gyro_bias_response. The device may take 31 s to answer. Supported by
  * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35,
- * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
+ * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * The device must stand still, with as little vibration as possible, for the whole time.
  *
@@ -4604,7 +4345,9 @@ struct mip_3dm_capture_gyro_bias {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_CAPTURE_GYRO_BIAS 0x0C39
+/** Its descriptor. */
 #define MIP_3DM_CAPTURE_GYRO_BIAS_DESCRIPTOR 0x39
+/** Its name in the specification. */
 #define MIP_3DM_CAPTURE_GYRO_BIAS_NAME "3dm.capture_gyro_bias"
 
 /** Its wire format. */
@@ -4645,11 +4388,7 @@ static inline mip_error mip_3dm_capture_gyro_bias_encode_inline(
     mip_put_16(data, value->averaging_time_ms);
     return MIP_OK;
 }
-/**
- * Capture Gyroscope Bias.
- *
- * Fills the structure and returns its address.
- */
+/** Capture Gyroscope Bias. Fills the structure and returns its address. */
 static inline struct mip_3dm_capture_gyro_bias *mip_3dm_capture_gyro_bias_make(
     struct mip_3dm_capture_gyro_bias *command, uint16_t averaging_time_ms) {
     memset(command, 0, sizeof(*command));
@@ -4664,9 +4403,9 @@ static inline struct mip_3dm_capture_gyro_bias *mip_3dm_capture_gyro_bias_make(
  *
  * Functions: write, read, save, load, default and apply. Answered by
  * mip_3dm_mag_hard_iron_offset_response. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
- * 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35. On the
- * 3DM-CV7-AHRS: write, read, save, load and default only. On the 3DM-CV7-AR: write, read, save,
- * load and default only. On the 3DM-CV7-GNSS/INS: write, read, save, load and default only.
+ * 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the 3DM-CV7-AHRS: write, read, save,
+ * load and default only. On the 3DM-CV7-AR: write, read, save, load and default only. On the
+ * 3DM-CV7-GNSS/INS: write, read, save, load and default only.
  *
  * The values come from a calibration of the device as it is installed.
  *
@@ -4674,7 +4413,10 @@ static inline struct mip_3dm_capture_gyro_bias *mip_3dm_capture_gyro_bias_make(
  * - 3dm-gx5-45: (0x0C, 0x3A)
  */
 struct mip_3dm_mag_hard_iron_offset {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -4687,7 +4429,9 @@ struct mip_3dm_mag_hard_iron_offset {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_MAG_HARD_IRON_OFFSET 0x0C3A
+/** Its descriptor. */
 #define MIP_3DM_MAG_HARD_IRON_OFFSET_DESCRIPTOR 0x3A
+/** Its name in the specification. */
 #define MIP_3DM_MAG_HARD_IRON_OFFSET_NAME "3dm.mag_hard_iron_offset"
 
 /** Its wire format. */
@@ -4704,11 +4448,7 @@ static inline mip_error mip_3dm_mag_hard_iron_offset_encode(
     const struct mip_3dm_mag_hard_iron_offset *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_mag_hard_iron_offset_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_mag_hard_iron_offset *mip_3dm_mag_hard_iron_offset_write(
     struct mip_3dm_mag_hard_iron_offset *command, const float offset[3]) {
     memset(command, 0, sizeof(*command));
@@ -4716,44 +4456,28 @@ static inline struct mip_3dm_mag_hard_iron_offset *mip_3dm_mag_hard_iron_offset_
     memcpy(command->offset, offset, sizeof(command->offset));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_mag_hard_iron_offset *
 mip_3dm_mag_hard_iron_offset_read(struct mip_3dm_mag_hard_iron_offset *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_mag_hard_iron_offset *
 mip_3dm_mag_hard_iron_offset_save(struct mip_3dm_mag_hard_iron_offset *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_mag_hard_iron_offset *
 mip_3dm_mag_hard_iron_offset_load(struct mip_3dm_mag_hard_iron_offset *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_mag_hard_iron_offset *
 mip_3dm_mag_hard_iron_offset_default(struct mip_3dm_mag_hard_iron_offset *command) {
     memset(command, 0, sizeof(*command));
@@ -4761,9 +4485,8 @@ mip_3dm_mag_hard_iron_offset_default(struct mip_3dm_mag_hard_iron_offset *comman
     return command;
 }
 /**
- * Apply the new setting and send no acknowledge (5-series devices).
- *
- * Fills the structure and returns its address.
+ * Apply the new setting and send no acknowledge (5-series devices). Fills the structure and returns
+ * its address.
  */
 static inline struct mip_3dm_mag_hard_iron_offset *mip_3dm_mag_hard_iron_offset_apply(
     struct mip_3dm_mag_hard_iron_offset *command, const float offset[3]) {
@@ -4777,7 +4500,7 @@ static inline struct mip_3dm_mag_hard_iron_offset *mip_3dm_mag_hard_iron_offset_
  * Magnetometer Hard Iron Offset response: response (0x0C,0x9C).
  *
  * Answers mip_3dm_mag_hard_iron_offset. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
- * 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35.
+ * 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
  * - 3dm-gx5-45: (0x0C, 0x3A)
@@ -4789,7 +4512,9 @@ struct mip_3dm_mag_hard_iron_offset_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_MAG_HARD_IRON_OFFSET_RESPONSE 0x0C9C
+/** Its descriptor. */
 #define MIP_3DM_MAG_HARD_IRON_OFFSET_RESPONSE_DESCRIPTOR 0x9C
+/** Its name in the specification. */
 #define MIP_3DM_MAG_HARD_IRON_OFFSET_RESPONSE_NAME "3dm.mag_hard_iron_offset_response"
 
 /** Its wire format. */
@@ -4842,9 +4567,9 @@ static inline mip_error mip_3dm_mag_hard_iron_offset_response_encode_inline(
  *
  * Functions: write, read, save, load, default and apply. Answered by
  * mip_3dm_mag_soft_iron_matrix_response. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
- * 3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45. On the
- * 3DM-CV7-AHRS: write, read, save, load and default only. On the 3DM-CV7-AR: write, read, save,
- * load and default only. On the 3DM-CV7-GNSS/INS: write, read, save, load and default only.
+ * 3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. On the 3DM-CV7-AHRS: write, read, save,
+ * load and default only. On the 3DM-CV7-AR: write, read, save, load and default only. On the
+ * 3DM-CV7-GNSS/INS: write, read, save, load and default only.
  *
  * The values come from a calibration of the device as it is installed.
  *
@@ -4852,7 +4577,10 @@ static inline mip_error mip_3dm_mag_hard_iron_offset_response_encode_inline(
  * - 3dm-gx5-35: (0x0C, 0x3B)
  */
 struct mip_3dm_mag_soft_iron_matrix {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -4865,7 +4593,9 @@ struct mip_3dm_mag_soft_iron_matrix {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_MAG_SOFT_IRON_MATRIX 0x0C3B
+/** Its descriptor. */
 #define MIP_3DM_MAG_SOFT_IRON_MATRIX_DESCRIPTOR 0x3B
+/** Its name in the specification. */
 #define MIP_3DM_MAG_SOFT_IRON_MATRIX_NAME "3dm.mag_soft_iron_matrix"
 
 /** Its wire format. */
@@ -4882,11 +4612,7 @@ static inline mip_error mip_3dm_mag_soft_iron_matrix_encode(
     const struct mip_3dm_mag_soft_iron_matrix *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_mag_soft_iron_matrix_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_mag_soft_iron_matrix *mip_3dm_mag_soft_iron_matrix_write(
     struct mip_3dm_mag_soft_iron_matrix *command, const float matrix[9]) {
     memset(command, 0, sizeof(*command));
@@ -4894,44 +4620,28 @@ static inline struct mip_3dm_mag_soft_iron_matrix *mip_3dm_mag_soft_iron_matrix_
     memcpy(command->matrix, matrix, sizeof(command->matrix));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_mag_soft_iron_matrix *
 mip_3dm_mag_soft_iron_matrix_read(struct mip_3dm_mag_soft_iron_matrix *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_mag_soft_iron_matrix *
 mip_3dm_mag_soft_iron_matrix_save(struct mip_3dm_mag_soft_iron_matrix *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_mag_soft_iron_matrix *
 mip_3dm_mag_soft_iron_matrix_load(struct mip_3dm_mag_soft_iron_matrix *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_mag_soft_iron_matrix *
 mip_3dm_mag_soft_iron_matrix_default(struct mip_3dm_mag_soft_iron_matrix *command) {
     memset(command, 0, sizeof(*command));
@@ -4939,9 +4649,8 @@ mip_3dm_mag_soft_iron_matrix_default(struct mip_3dm_mag_soft_iron_matrix *comman
     return command;
 }
 /**
- * Apply the new setting and send no acknowledge (5-series devices).
- *
- * Fills the structure and returns its address.
+ * Apply the new setting and send no acknowledge (5-series devices). Fills the structure and returns
+ * its address.
  */
 static inline struct mip_3dm_mag_soft_iron_matrix *mip_3dm_mag_soft_iron_matrix_apply(
     struct mip_3dm_mag_soft_iron_matrix *command, const float matrix[9]) {
@@ -4955,7 +4664,7 @@ static inline struct mip_3dm_mag_soft_iron_matrix *mip_3dm_mag_soft_iron_matrix_
  * Magnetometer Soft Iron Matrix response: response (0x0C,0x9D).
  *
  * Answers mip_3dm_mag_soft_iron_matrix. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
- * 3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
+ * 3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
  * - 3dm-gx5-35: (0x0C, 0x3B)
@@ -4970,7 +4679,9 @@ struct mip_3dm_mag_soft_iron_matrix_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_MAG_SOFT_IRON_MATRIX_RESPONSE 0x0C9D
+/** Its descriptor. */
 #define MIP_3DM_MAG_SOFT_IRON_MATRIX_RESPONSE_DESCRIPTOR 0x9D
+/** Its name in the specification. */
 #define MIP_3DM_MAG_SOFT_IRON_MATRIX_RESPONSE_NAME "3dm.mag_soft_iron_matrix_response"
 
 /** Its wire format. */
@@ -5023,12 +4734,15 @@ static inline mip_error mip_3dm_mag_soft_iron_matrix_response_encode_inline(
  *
  * Functions: write, read, save, load and default. Answered by
  * mip_3dm_coning_sculling_enable_response. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and
- * 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
+ * 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
  */
 struct mip_3dm_coning_sculling_enable {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -5038,7 +4752,9 @@ struct mip_3dm_coning_sculling_enable {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_CONING_SCULLING_ENABLE 0x0C3E
+/** Its descriptor. */
 #define MIP_3DM_CONING_SCULLING_ENABLE_DESCRIPTOR 0x3E
+/** Its name in the specification. */
 #define MIP_3DM_CONING_SCULLING_ENABLE_NAME "3dm.coning_sculling_enable"
 
 /** Its wire format. */
@@ -5055,11 +4771,7 @@ static inline mip_error mip_3dm_coning_sculling_enable_encode(
     const struct mip_3dm_coning_sculling_enable *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_coning_sculling_enable_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_coning_sculling_enable *mip_3dm_coning_sculling_enable_write(
     struct mip_3dm_coning_sculling_enable *command, mip_bool enable) {
     memset(command, 0, sizeof(*command));
@@ -5067,44 +4779,28 @@ static inline struct mip_3dm_coning_sculling_enable *mip_3dm_coning_sculling_ena
     command->enable = enable;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_coning_sculling_enable *
 mip_3dm_coning_sculling_enable_read(struct mip_3dm_coning_sculling_enable *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_coning_sculling_enable *
 mip_3dm_coning_sculling_enable_save(struct mip_3dm_coning_sculling_enable *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_coning_sculling_enable *
 mip_3dm_coning_sculling_enable_load(struct mip_3dm_coning_sculling_enable *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_coning_sculling_enable *
 mip_3dm_coning_sculling_enable_default(struct mip_3dm_coning_sculling_enable *command) {
     memset(command, 0, sizeof(*command));
@@ -5116,7 +4812,7 @@ mip_3dm_coning_sculling_enable_default(struct mip_3dm_coning_sculling_enable *co
  * Coning and Sculling Enable response: response (0x0C,0x9E).
  *
  * Answers mip_3dm_coning_sculling_enable. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and
- * 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
+ * 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
  */
@@ -5127,7 +4823,9 @@ struct mip_3dm_coning_sculling_enable_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_CONING_SCULLING_ENABLE_RESPONSE 0x0C9E
+/** Its descriptor. */
 #define MIP_3DM_CONING_SCULLING_ENABLE_RESPONSE_DESCRIPTOR 0x9E
+/** Its name in the specification. */
 #define MIP_3DM_CONING_SCULLING_ENABLE_RESPONSE_NAME "3dm.coning_sculling_enable_response"
 
 /** Its wire format. */
@@ -5176,7 +4874,7 @@ static inline mip_error mip_3dm_coning_sculling_enable_response_encode_inline(
  *
  * Also called `uart_baudrate`. Functions: write, read, save, load and default. Answered by
  * mip_3dm_uart_baud_rate_response. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15,
- * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35.
+ * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * The 3DM-GX5-15 replies at the old rate and takes commands at the new one 250 ms later.
  *
@@ -5189,7 +4887,10 @@ static inline mip_error mip_3dm_coning_sculling_enable_response_encode_inline(
  * - 3dm-cv7-gnss-ins: UART Baudrate (0x0C,0x40)
  */
 struct mip_3dm_uart_baud_rate {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -5201,7 +4902,9 @@ struct mip_3dm_uart_baud_rate {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_UART_BAUD_RATE 0x0C40
+/** Its descriptor. */
 #define MIP_3DM_UART_BAUD_RATE_DESCRIPTOR 0x40
+/** Its name in the specification. */
 #define MIP_3DM_UART_BAUD_RATE_NAME "3dm.uart_baud_rate"
 
 /** Its wire format. */
@@ -5218,11 +4921,7 @@ static inline mip_error mip_3dm_uart_baud_rate_encode(const struct mip_3dm_uart_
                                                       struct mip_builder *builder) {
     return mip_encode(&mip_3dm_uart_baud_rate_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_uart_baud_rate *
 mip_3dm_uart_baud_rate_write(struct mip_3dm_uart_baud_rate *command, uint32_t baud) {
     memset(command, 0, sizeof(*command));
@@ -5230,44 +4929,28 @@ mip_3dm_uart_baud_rate_write(struct mip_3dm_uart_baud_rate *command, uint32_t ba
     command->baud = baud;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_uart_baud_rate *
 mip_3dm_uart_baud_rate_read(struct mip_3dm_uart_baud_rate *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_uart_baud_rate *
 mip_3dm_uart_baud_rate_save(struct mip_3dm_uart_baud_rate *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_uart_baud_rate *
 mip_3dm_uart_baud_rate_load(struct mip_3dm_uart_baud_rate *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_uart_baud_rate *
 mip_3dm_uart_baud_rate_default(struct mip_3dm_uart_baud_rate *command) {
     memset(command, 0, sizeof(*command));
@@ -5279,8 +4962,7 @@ mip_3dm_uart_baud_rate_default(struct mip_3dm_uart_baud_rate *command) {
  * UART Baud Rate response: response (0x0C,0x87).
  *
  * Also called `uart_baudrate_response`. Answers mip_3dm_uart_baud_rate. Supported by
- * 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be
- * supported by 3DM-GX5-35.
+ * 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.13 UART Baud Rate (0x0C, 0x40)
  * - 3dm-cv7-gnss-ins: UART Baudrate (0x0C,0x40)
@@ -5292,7 +4974,9 @@ struct mip_3dm_uart_baud_rate_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_UART_BAUD_RATE_RESPONSE 0x0C87
+/** Its descriptor. */
 #define MIP_3DM_UART_BAUD_RATE_RESPONSE_DESCRIPTOR 0x87
+/** Its name in the specification. */
 #define MIP_3DM_UART_BAUD_RATE_RESPONSE_NAME "3dm.uart_baud_rate_response"
 
 /** Its wire format. */
@@ -5340,7 +5024,7 @@ static inline mip_error mip_3dm_uart_baud_rate_response_encode_inline(
  * What a GPIO pin is used for.
  *
  * Functions: write, read, save, load and default. Answered by mip_3dm_gpio_config_response.
- * Supported by 3DM-CV7-GNSS/INS. May be supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-GQ7-GNSS/INS.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * Not every pin has every feature.
  *
@@ -5355,7 +5039,10 @@ static inline mip_error mip_3dm_uart_baud_rate_response_encode_inline(
  * - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
  */
 struct mip_3dm_gpio_config {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -5382,7 +5069,9 @@ struct mip_3dm_gpio_config {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GPIO_CONFIG 0x0C41
+/** Its descriptor. */
 #define MIP_3DM_GPIO_CONFIG_DESCRIPTOR 0x41
+/** Its name in the specification. */
 #define MIP_3DM_GPIO_CONFIG_NAME "3dm.gpio_config"
 
 /** Its wire format. */
@@ -5399,11 +5088,7 @@ static inline mip_error mip_3dm_gpio_config_encode(const struct mip_3dm_gpio_con
                                                    struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gpio_config_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_gpio_config *mip_3dm_gpio_config_write(
     struct mip_3dm_gpio_config *command, uint8_t pin, enum mip_gpio_feature feature,
     uint8_t behavior, mip_gpio_pin_mode pin_mode) {
@@ -5415,11 +5100,7 @@ static inline struct mip_3dm_gpio_config *mip_3dm_gpio_config_write(
     command->pin_mode = pin_mode;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_gpio_config *
 mip_3dm_gpio_config_read(struct mip_3dm_gpio_config *command, uint8_t pin) {
     memset(command, 0, sizeof(*command));
@@ -5427,11 +5108,7 @@ mip_3dm_gpio_config_read(struct mip_3dm_gpio_config *command, uint8_t pin) {
     command->pin = pin;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_gpio_config *
 mip_3dm_gpio_config_save(struct mip_3dm_gpio_config *command, uint8_t pin) {
     memset(command, 0, sizeof(*command));
@@ -5439,11 +5116,7 @@ mip_3dm_gpio_config_save(struct mip_3dm_gpio_config *command, uint8_t pin) {
     command->pin = pin;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_gpio_config *
 mip_3dm_gpio_config_load(struct mip_3dm_gpio_config *command, uint8_t pin) {
     memset(command, 0, sizeof(*command));
@@ -5451,11 +5124,7 @@ mip_3dm_gpio_config_load(struct mip_3dm_gpio_config *command, uint8_t pin) {
     command->pin = pin;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_gpio_config *
 mip_3dm_gpio_config_default(struct mip_3dm_gpio_config *command, uint8_t pin) {
     memset(command, 0, sizeof(*command));
@@ -5467,8 +5136,7 @@ mip_3dm_gpio_config_default(struct mip_3dm_gpio_config *command, uint8_t pin) {
 /**
  * GPIO Configuration response: response (0x0C,0xC1).
  *
- * Answers mip_3dm_gpio_config. Supported by 3DM-CV7-GNSS/INS. May be supported by 3DM-CV7-AHRS,
- * 3DM-CV7-AR and 3DM-GQ7-GNSS/INS.
+ * Answers mip_3dm_gpio_config. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
  */
@@ -5493,7 +5161,9 @@ struct mip_3dm_gpio_config_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GPIO_CONFIG_RESPONSE 0x0CC1
+/** Its descriptor. */
 #define MIP_3DM_GPIO_CONFIG_RESPONSE_DESCRIPTOR 0xC1
+/** Its name in the specification. */
 #define MIP_3DM_GPIO_CONFIG_RESPONSE_NAME "3dm.gpio_config_response"
 
 /** Its wire format. */
@@ -5562,7 +5232,10 @@ static inline mip_error mip_3dm_gpio_config_response_encode_inline(
  * - 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42)
  */
 struct mip_3dm_gpio_state {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -5574,7 +5247,9 @@ struct mip_3dm_gpio_state {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GPIO_STATE 0x0C42
+/** Its descriptor. */
 #define MIP_3DM_GPIO_STATE_DESCRIPTOR 0x42
+/** Its name in the specification. */
 #define MIP_3DM_GPIO_STATE_NAME "3dm.gpio_state"
 
 /** Its wire format. */
@@ -5591,11 +5266,7 @@ static inline mip_error mip_3dm_gpio_state_encode(const struct mip_3dm_gpio_stat
                                                   struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gpio_state_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_gpio_state *
 mip_3dm_gpio_state_write(struct mip_3dm_gpio_state *command, uint8_t pin, mip_bool state) {
     memset(command, 0, sizeof(*command));
@@ -5604,11 +5275,7 @@ mip_3dm_gpio_state_write(struct mip_3dm_gpio_state *command, uint8_t pin, mip_bo
     command->state = state;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_gpio_state *mip_3dm_gpio_state_read(struct mip_3dm_gpio_state *command,
                                                                  uint8_t pin) {
     memset(command, 0, sizeof(*command));
@@ -5633,7 +5300,9 @@ struct mip_3dm_gpio_state_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GPIO_STATE_RESPONSE 0x0CC2
+/** Its descriptor. */
 #define MIP_3DM_GPIO_STATE_RESPONSE_DESCRIPTOR 0xC2
+/** Its name in the specification. */
 #define MIP_3DM_GPIO_STATE_RESPONSE_NAME "3dm.gpio_state_response"
 
 /** Its wire format. */
@@ -5688,7 +5357,10 @@ static inline mip_error mip_3dm_gpio_state_response_encode_inline(
  * - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
  */
 struct mip_3dm_odometer_config {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -5707,7 +5379,9 @@ struct mip_3dm_odometer_config {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_ODOMETER_CONFIG 0x0C43
+/** Its descriptor. */
 #define MIP_3DM_ODOMETER_CONFIG_DESCRIPTOR 0x43
+/** Its name in the specification. */
 #define MIP_3DM_ODOMETER_CONFIG_NAME "3dm.odometer_config"
 
 /** Its wire format. */
@@ -5724,11 +5398,7 @@ static inline mip_error mip_3dm_odometer_config_encode(const struct mip_3dm_odom
                                                        struct mip_builder *builder) {
     return mip_encode(&mip_3dm_odometer_config_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_odometer_config *
 mip_3dm_odometer_config_write(struct mip_3dm_odometer_config *command,
                               enum mip_3dm_odometer_mode mode, float scaling, float uncertainty) {
@@ -5739,44 +5409,28 @@ mip_3dm_odometer_config_write(struct mip_3dm_odometer_config *command,
     command->uncertainty = uncertainty;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_odometer_config *
 mip_3dm_odometer_config_read(struct mip_3dm_odometer_config *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_odometer_config *
 mip_3dm_odometer_config_save(struct mip_3dm_odometer_config *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_odometer_config *
 mip_3dm_odometer_config_load(struct mip_3dm_odometer_config *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_odometer_config *
 mip_3dm_odometer_config_default(struct mip_3dm_odometer_config *command) {
     memset(command, 0, sizeof(*command));
@@ -5806,7 +5460,9 @@ struct mip_3dm_odometer_config_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_ODOMETER_CONFIG_RESPONSE 0x0CC3
+/** Its descriptor. */
 #define MIP_3DM_ODOMETER_CONFIG_RESPONSE_DESCRIPTOR 0xC3
+/** Its name in the specification. */
 #define MIP_3DM_ODOMETER_CONFIG_RESPONSE_NAME "3dm.odometer_config_response"
 
 /** Its wire format. */
@@ -5859,8 +5515,7 @@ static inline mip_error mip_3dm_odometer_config_response_encode_inline(
  *
  * For advanced use. Also called `imu_lowpass_filter`. Functions: write, read, save, load and
  * default. Answered by mip_3dm_imu_low_pass_filter_response. Supported by 3DM-CV7-GNSS/INS,
- * 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-CV7-AHRS,
- * 3DM-CV7-AR, 3DM-GQ7-GNSS/INS, 3DM-GX5-35 and 3DM-GX5-45. Deprecated on the 3DM-CV7-AHRS: use
+ * 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Deprecated on the 3DM-CV7-AHRS: use
  * mip_3dm_low_pass_filter instead. Deprecated on the 3DM-CV7-AR: use mip_3dm_low_pass_filter
  * instead. Deprecated on the 3DM-CV7-GNSS/INS: use mip_3dm_low_pass_filter instead. Deprecated on
  * the 3DM-GQ7-GNSS/INS: use mip_3dm_low_pass_filter instead.
@@ -5872,7 +5527,10 @@ static inline mip_error mip_3dm_odometer_config_response_encode_inline(
  * - 3dm-cv7-gnss-ins: Advanced Low-Pass Filter Settings (0x0C,0x50)
  */
 struct mip_3dm_imu_low_pass_filter {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -5901,7 +5559,9 @@ struct mip_3dm_imu_low_pass_filter {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_IMU_LOW_PASS_FILTER 0x0C50
+/** Its descriptor. */
 #define MIP_3DM_IMU_LOW_PASS_FILTER_DESCRIPTOR 0x50
+/** Its name in the specification. */
 #define MIP_3DM_IMU_LOW_PASS_FILTER_NAME "3dm.imu_low_pass_filter"
 
 /** Its wire format. */
@@ -5918,11 +5578,7 @@ static inline mip_error mip_3dm_imu_low_pass_filter_encode(
     const struct mip_3dm_imu_low_pass_filter *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_imu_low_pass_filter_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_write(
     struct mip_3dm_imu_low_pass_filter *command, uint8_t target_descriptor, mip_bool enable,
     mip_bool manual, uint16_t frequency) {
@@ -5934,11 +5590,7 @@ static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_wr
     command->frequency = frequency;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_read(
     struct mip_3dm_imu_low_pass_filter *command, uint8_t target_descriptor) {
     memset(command, 0, sizeof(*command));
@@ -5946,11 +5598,7 @@ static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_re
     command->target_descriptor = target_descriptor;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_save(
     struct mip_3dm_imu_low_pass_filter *command, uint8_t target_descriptor) {
     memset(command, 0, sizeof(*command));
@@ -5958,11 +5606,7 @@ static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_sa
     command->target_descriptor = target_descriptor;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_load(
     struct mip_3dm_imu_low_pass_filter *command, uint8_t target_descriptor) {
     memset(command, 0, sizeof(*command));
@@ -5970,11 +5614,7 @@ static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_lo
     command->target_descriptor = target_descriptor;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_default(
     struct mip_3dm_imu_low_pass_filter *command, uint8_t target_descriptor) {
     memset(command, 0, sizeof(*command));
@@ -5987,8 +5627,7 @@ static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_de
  * Advanced Low-Pass Filter Settings response: response (0x0C,0x8B).
  *
  * Also called `imu_lowpass_filter_response`. Answers mip_3dm_imu_low_pass_filter. Supported by
- * 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
- * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-GQ7-GNSS/INS, 3DM-GX5-35 and 3DM-GX5-45.
+ * 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50)
  * - 3dm-cv7-gnss-ins: Advanced Low-Pass Filter Settings (0x0C,0x50)
@@ -6013,7 +5652,9 @@ struct mip_3dm_imu_low_pass_filter_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_IMU_LOW_PASS_FILTER_RESPONSE 0x0C8B
+/** Its descriptor. */
 #define MIP_3DM_IMU_LOW_PASS_FILTER_RESPONSE_DESCRIPTOR 0x8B
+/** Its name in the specification. */
 #define MIP_3DM_IMU_LOW_PASS_FILTER_RESPONSE_NAME "3dm.imu_low_pass_filter_response"
 
 /** Its wire format. */
@@ -6070,8 +5711,7 @@ static inline mip_error mip_3dm_imu_low_pass_filter_response_encode_inline(
  *
  * Functions: write, read, save, load and default. Answered by
  * mip_3dm_complementary_filter_response. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and
- * 3DM-GX5-35. May be supported by 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15,
- * 3DM-GX5-10 and 3DM-GX5-45.
+ * 3DM-GX5-35.
  *
  * Pitch and roll follow the accelerometers, which takes the mean acceleration to be zero.
  *
@@ -6085,7 +5725,10 @@ static inline mip_error mip_3dm_imu_low_pass_filter_response_encode_inline(
  * - 3dm-cv7-gnss-ins: Complementary Filter Configuration (0x0C,0x51)
  */
 struct mip_3dm_complementary_filter {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -6114,7 +5757,9 @@ struct mip_3dm_complementary_filter {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_COMPLEMENTARY_FILTER 0x0C51
+/** Its descriptor. */
 #define MIP_3DM_COMPLEMENTARY_FILTER_DESCRIPTOR 0x51
+/** Its name in the specification. */
 #define MIP_3DM_COMPLEMENTARY_FILTER_NAME "3dm.complementary_filter"
 
 /** Its wire format. */
@@ -6131,11 +5776,7 @@ static inline mip_error mip_3dm_complementary_filter_encode(
     const struct mip_3dm_complementary_filter *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_complementary_filter_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_complementary_filter *mip_3dm_complementary_filter_write(
     struct mip_3dm_complementary_filter *command, mip_bool pitch_roll_enable,
     mip_bool heading_enable, float pitch_roll_time_constant, float heading_time_constant) {
@@ -6147,44 +5788,28 @@ static inline struct mip_3dm_complementary_filter *mip_3dm_complementary_filter_
     command->heading_time_constant = heading_time_constant;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_complementary_filter *
 mip_3dm_complementary_filter_read(struct mip_3dm_complementary_filter *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_complementary_filter *
 mip_3dm_complementary_filter_save(struct mip_3dm_complementary_filter *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_complementary_filter *
 mip_3dm_complementary_filter_load(struct mip_3dm_complementary_filter *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_complementary_filter *
 mip_3dm_complementary_filter_default(struct mip_3dm_complementary_filter *command) {
     memset(command, 0, sizeof(*command));
@@ -6196,8 +5821,7 @@ mip_3dm_complementary_filter_default(struct mip_3dm_complementary_filter *comman
  * Complementary Filter Configuration response: response (0x0C,0x97).
  *
  * Answers mip_3dm_complementary_filter. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and
- * 3DM-GX5-35. May be supported by 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15,
- * 3DM-GX5-10 and 3DM-GX5-45.
+ * 3DM-GX5-35.
  *
  * - 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51)
  * - 3dm-cv7-gnss-ins: Complementary Filter Configuration (0x0C,0x51)
@@ -6217,7 +5841,9 @@ struct mip_3dm_complementary_filter_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_COMPLEMENTARY_FILTER_RESPONSE 0x0C97
+/** Its descriptor. */
 #define MIP_3DM_COMPLEMENTARY_FILTER_RESPONSE_DESCRIPTOR 0x97
+/** Its name in the specification. */
 #define MIP_3DM_COMPLEMENTARY_FILTER_RESPONSE_NAME "3dm.complementary_filter_response"
 
 /** Its wire format. */
@@ -6279,7 +5905,10 @@ static inline mip_error mip_3dm_complementary_filter_response_encode_inline(
  * - 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
  */
 struct mip_3dm_sensor_range {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -6291,7 +5920,9 @@ struct mip_3dm_sensor_range {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_SENSOR_RANGE 0x0C52
+/** Its descriptor. */
 #define MIP_3DM_SENSOR_RANGE_DESCRIPTOR 0x52
+/** Its name in the specification. */
 #define MIP_3DM_SENSOR_RANGE_NAME "3dm.sensor_range"
 
 /** Its wire format. */
@@ -6308,11 +5939,7 @@ static inline mip_error mip_3dm_sensor_range_encode(const struct mip_3dm_sensor_
                                                     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_sensor_range_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_write(
     struct mip_3dm_sensor_range *command, enum mip_3dm_sensor_range_type sensor, uint8_t setting) {
     memset(command, 0, sizeof(*command));
@@ -6321,11 +5948,7 @@ static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_write(
     command->setting = setting;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_read(
     struct mip_3dm_sensor_range *command, enum mip_3dm_sensor_range_type sensor) {
     memset(command, 0, sizeof(*command));
@@ -6333,11 +5956,7 @@ static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_read(
     command->sensor = (uint8_t)sensor;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_save(
     struct mip_3dm_sensor_range *command, enum mip_3dm_sensor_range_type sensor) {
     memset(command, 0, sizeof(*command));
@@ -6345,11 +5964,7 @@ static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_save(
     command->sensor = (uint8_t)sensor;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_load(
     struct mip_3dm_sensor_range *command, enum mip_3dm_sensor_range_type sensor) {
     memset(command, 0, sizeof(*command));
@@ -6357,11 +5972,7 @@ static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_load(
     command->sensor = (uint8_t)sensor;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_default(
     struct mip_3dm_sensor_range *command, enum mip_3dm_sensor_range_type sensor) {
     memset(command, 0, sizeof(*command));
@@ -6386,7 +5997,9 @@ struct mip_3dm_sensor_range_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_SENSOR_RANGE_RESPONSE 0x0CD2
+/** Its descriptor. */
 #define MIP_3DM_SENSOR_RANGE_RESPONSE_DESCRIPTOR 0xD2
+/** Its name in the specification. */
 #define MIP_3DM_SENSOR_RANGE_RESPONSE_NAME "3dm.sensor_range_response"
 
 /** Its wire format. */
@@ -6447,7 +6060,9 @@ struct mip_3dm_get_calibrated_sensor_ranges {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GET_CALIBRATED_SENSOR_RANGES 0x0C53
+/** Its descriptor. */
 #define MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_DESCRIPTOR 0x53
+/** Its name in the specification. */
 #define MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_NAME "3dm.get_calibrated_sensor_ranges"
 
 /** Its wire format. */
@@ -6488,11 +6103,7 @@ static inline mip_error mip_3dm_get_calibrated_sensor_ranges_encode_inline(
     mip_put_8(data, value->sensor);
     return MIP_OK;
 }
-/**
- * Get Calibrated Sensor Ranges.
- *
- * Fills the structure and returns its address.
- */
+/** Get Calibrated Sensor Ranges. Fills the structure and returns its address. */
 static inline struct mip_3dm_get_calibrated_sensor_ranges *
 mip_3dm_get_calibrated_sensor_ranges_make(struct mip_3dm_get_calibrated_sensor_ranges *command,
                                           enum mip_3dm_sensor_range_type sensor) {
@@ -6525,7 +6136,9 @@ struct mip_3dm_get_calibrated_sensor_ranges_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_RESPONSE 0x0CD3
+/** Its descriptor. */
 #define MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_RESPONSE_DESCRIPTOR 0xD3
+/** Its name in the specification. */
 #define MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_RESPONSE_NAME \
     "3dm.get_calibrated_sensor_ranges_response"
 
@@ -6551,15 +6164,17 @@ static inline mip_error mip_3dm_get_calibrated_sensor_ranges_response_encode(
  * Low-pass filter of a data field.
  *
  * Also called `lowpass_filter`. Functions: write, read, save, load and default. Answered by
- * mip_3dm_low_pass_filter_response. Supported by 3DM-CV7-GNSS/INS. May be supported by
- * 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-GQ7-GNSS/INS.
+ * mip_3dm_low_pass_filter_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * Except for read, a field descriptor of 0 means all fields of the set, and both 0 mean all sets.
  *
  * - 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54)
  */
 struct mip_3dm_low_pass_filter {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -6583,7 +6198,9 @@ struct mip_3dm_low_pass_filter {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_LOW_PASS_FILTER 0x0C54
+/** Its descriptor. */
 #define MIP_3DM_LOW_PASS_FILTER_DESCRIPTOR 0x54
+/** Its name in the specification. */
 #define MIP_3DM_LOW_PASS_FILTER_NAME "3dm.low_pass_filter"
 
 /** Its wire format. */
@@ -6600,11 +6217,7 @@ static inline mip_error mip_3dm_low_pass_filter_encode(const struct mip_3dm_low_
                                                        struct mip_builder *builder) {
     return mip_encode(&mip_3dm_low_pass_filter_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_write(
     struct mip_3dm_low_pass_filter *command, uint8_t descriptor_set, uint8_t field_descriptor,
     mip_bool enable, mip_bool manual, float frequency) {
@@ -6617,11 +6230,7 @@ static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_write(
     command->frequency = frequency;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_read(
     struct mip_3dm_low_pass_filter *command, uint8_t descriptor_set, uint8_t field_descriptor) {
     memset(command, 0, sizeof(*command));
@@ -6630,11 +6239,7 @@ static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_read(
     command->field_descriptor = field_descriptor;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_save(
     struct mip_3dm_low_pass_filter *command, uint8_t descriptor_set, uint8_t field_descriptor) {
     memset(command, 0, sizeof(*command));
@@ -6643,11 +6248,7 @@ static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_save(
     command->field_descriptor = field_descriptor;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_load(
     struct mip_3dm_low_pass_filter *command, uint8_t descriptor_set, uint8_t field_descriptor) {
     memset(command, 0, sizeof(*command));
@@ -6656,11 +6257,7 @@ static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_load(
     command->field_descriptor = field_descriptor;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_default(
     struct mip_3dm_low_pass_filter *command, uint8_t descriptor_set, uint8_t field_descriptor) {
     memset(command, 0, sizeof(*command));
@@ -6674,7 +6271,7 @@ static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_default(
  * Low-Pass Anti-Aliasing Filter response: response (0x0C,0xD4).
  *
  * Also called `lowpass_filter_response`. Answers mip_3dm_low_pass_filter. Supported by
- * 3DM-CV7-GNSS/INS. May be supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-GQ7-GNSS/INS.
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54)
  */
@@ -6693,7 +6290,9 @@ struct mip_3dm_low_pass_filter_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_LOW_PASS_FILTER_RESPONSE 0x0CD4
+/** Its descriptor. */
 #define MIP_3DM_LOW_PASS_FILTER_RESPONSE_DESCRIPTOR 0xD4
+/** Its name in the specification. */
 #define MIP_3DM_LOW_PASS_FILTER_RESPONSE_NAME "3dm.low_pass_filter_response"
 
 /** Its wire format. */
@@ -6753,9 +6352,7 @@ static inline mip_error mip_3dm_low_pass_filter_response_encode_inline(
  * mip_3dm_device_status_diagnostic_gnss_response, mip_3dm_device_status_diagnostic_gq4_45_response,
  * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response
  * or mip_3dm_device_status_diagnostic_imu_response. Supported by 3DM-GQ4-45, 3DM-GX5-15,
- * 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-CL5-15,
- * 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
- * 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and 3DM-GX5-25.
+ * 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * The device expects its own model number, which mip_base_get_device_info tells.
  *
@@ -6778,7 +6375,9 @@ struct mip_3dm_device_status {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_DEVICE_STATUS 0x0C64
+/** Its descriptor. */
 #define MIP_3DM_DEVICE_STATUS_DESCRIPTOR 0x64
+/** Its name in the specification. */
 #define MIP_3DM_DEVICE_STATUS_NAME "3dm.device_status"
 
 /** Its wire format. */
@@ -6821,11 +6420,7 @@ static inline mip_error mip_3dm_device_status_encode_inline(
     mip_put_8(data + 2, value->status_selector);
     return MIP_OK;
 }
-/**
- * Device Status.
- *
- * Fills the structure and returns its address.
- */
+/** Device Status. Fills the structure and returns its address. */
 static inline struct mip_3dm_device_status *
 mip_3dm_device_status_make(struct mip_3dm_device_status *command, uint16_t model_number,
                            enum mip_3dm_device_status_selector status_selector) {
@@ -6842,10 +6437,7 @@ mip_3dm_device_status_make(struct mip_3dm_device_status *command, uint16_t model
  *
  * Answers mip_3dm_device_status. Told from mip_3dm_device_status_basic_stateless_response by the
  * size of its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC. Supported by
- * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported
- * by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15,
- * 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and
- * 3DM-GX5-25.
+ * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * On the wire only, without a member:
  * - status_selector: Basic status. Always 1.
@@ -6868,7 +6460,9 @@ struct mip_3dm_device_status_basic_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_DEVICE_STATUS_BASIC_RESPONSE 0x0C90
+/** Its descriptor. */
 #define MIP_3DM_DEVICE_STATUS_BASIC_RESPONSE_DESCRIPTOR 0x90
+/** Its name in the specification. */
 #define MIP_3DM_DEVICE_STATUS_BASIC_RESPONSE_NAME "3dm.device_status_basic_response"
 
 /** Its wire format. */
@@ -6895,12 +6489,10 @@ static inline mip_error mip_3dm_device_status_basic_response_encode(
  *
  * Answers mip_3dm_device_status. Told from mip_3dm_device_status_basic_response by the size of its
  * data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC. Supported by 3DM-GQ4-45,
- * 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
- * 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
- * 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and 3DM-GX5-25. Uncertain:
- * MSCL has it for the 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10. Uncertain: The
- * manual of the 3DM-GX5-45 prints it too, but for the model number of another device; MSCL has the
- * layout with a state for that device.
+ * 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Uncertain: MSCL has it for
+ * the 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10. Uncertain: The manual of the
+ * 3DM-GX5-45 prints it too, but for the model number of another device; MSCL has the layout with a
+ * state for that device.
  *
  * On the wire only, without a member:
  * - status_selector: Basic status. Always 1.
@@ -6921,7 +6513,9 @@ struct mip_3dm_device_status_basic_stateless_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_DEVICE_STATUS_BASIC_STATELESS_RESPONSE 0x0C90
+/** Its descriptor. */
 #define MIP_3DM_DEVICE_STATUS_BASIC_STATELESS_RESPONSE_DESCRIPTOR 0x90
+/** Its name in the specification. */
 #define MIP_3DM_DEVICE_STATUS_BASIC_STATELESS_RESPONSE_NAME \
     "3dm.device_status_basic_without_state_response"
 
@@ -6951,9 +6545,7 @@ static inline mip_error mip_3dm_device_status_basic_stateless_response_encode(
  * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response
  * and mip_3dm_device_status_diagnostic_imu_response by the size of its data. Sent if
  * status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Supported by 3DM-GQ4-45,
- * 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
- * 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
- * 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and 3DM-GX5-25.
+ * 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * On the wire only, without a member:
  * - status_selector: Diagnostic status. Always 2.
@@ -6998,7 +6590,9 @@ struct mip_3dm_device_status_diagnostic_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RESPONSE 0x0C90
+/** Its descriptor. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RESPONSE_DESCRIPTOR 0x90
+/** Its name in the specification. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RESPONSE_NAME "3dm.device_status_diagnostic_response"
 
 /** Its wire format. */
@@ -7026,12 +6620,10 @@ static inline mip_error mip_3dm_device_status_diagnostic_response_encode(
  * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response
  * and mip_3dm_device_status_diagnostic_imu_response by the size of its data. Sent if
  * status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Supported by 3DM-GQ4-45,
- * 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
- * 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
- * 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and 3DM-GX5-25. Uncertain:
- * MSCL has it for the 3DM-GX4-45 and the -35 and -45 of GX5 and CX5; its length is that of a
- * manual. Uncertain: MSCL names the values only; the descriptions follow from the names, and times
- * in ms from the system timer.
+ * 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Uncertain: MSCL has it for
+ * the 3DM-GX4-45 and the -35 and -45 of GX5 and CX5; its length is that of a manual. Uncertain:
+ * MSCL names the values only; the descriptions follow from the names, and times in ms from the
+ * system timer.
  *
  * On the wire only, without a member:
  * - status_selector: Diagnostic status. Always 2.
@@ -7092,7 +6684,9 @@ struct mip_3dm_device_status_diagnostic_gnss_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GNSS_RESPONSE 0x0C90
+/** Its descriptor. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GNSS_RESPONSE_DESCRIPTOR 0x90
+/** Its name in the specification. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GNSS_RESPONSE_NAME \
     "3dm.device_status_diagnostic_gnss_response"
 
@@ -7121,11 +6715,9 @@ static inline mip_error mip_3dm_device_status_diagnostic_gnss_response_encode(
  * mip_3dm_device_status_diagnostic_gnss_response, mip_3dm_device_status_diagnostic_rq1_45_response,
  * mip_3dm_device_status_diagnostic_gx4_response and mip_3dm_device_status_diagnostic_imu_response
  * by the size of its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC.
- * Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May
- * be supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10,
- * 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10
- * and 3DM-GX5-25. Uncertain: No manual is known that prints it. Uncertain: MSCL names the values
- * only; the descriptions follow from the names, and times in ms from the system timer.
+ * Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Uncertain: No manual is known that prints it. Uncertain: MSCL names the values only; the
+ * descriptions follow from the names, and times in ms from the system timer.
  *
  * On the wire only, without a member:
  * - status_selector: Diagnostic status. Always 2.
@@ -7192,7 +6784,9 @@ struct mip_3dm_device_status_diagnostic_gq4_45_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GQ4_45_RESPONSE 0x0C90
+/** Its descriptor. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GQ4_45_RESPONSE_DESCRIPTOR 0x90
+/** Its name in the specification. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GQ4_45_RESPONSE_NAME \
     "3dm.device_status_diagnostic_gq4_45_response"
 
@@ -7221,11 +6815,9 @@ static inline mip_error mip_3dm_device_status_diagnostic_gq4_45_response_encode(
  * mip_3dm_device_status_diagnostic_gnss_response, mip_3dm_device_status_diagnostic_gq4_45_response,
  * mip_3dm_device_status_diagnostic_gx4_response and mip_3dm_device_status_diagnostic_imu_response
  * by the size of its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC.
- * Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May
- * be supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10,
- * 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10
- * and 3DM-GX5-25. Uncertain: No manual is known that prints it. Uncertain: MSCL names the values
- * only; the descriptions follow from the names, and times in ms from the system timer.
+ * Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Uncertain: No manual is known that prints it. Uncertain: MSCL names the values only; the
+ * descriptions follow from the names, and times in ms from the system timer.
  *
  * On the wire only, without a member:
  * - status_selector: Diagnostic status. Always 2.
@@ -7292,7 +6884,9 @@ struct mip_3dm_device_status_diagnostic_rq1_45_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RQ1_45_RESPONSE 0x0C90
+/** Its descriptor. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RQ1_45_RESPONSE_DESCRIPTOR 0x90
+/** Its name in the specification. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RQ1_45_RESPONSE_NAME \
     "3dm.device_status_diagnostic_rq1_45_response"
 
@@ -7322,12 +6916,9 @@ static inline mip_error mip_3dm_device_status_diagnostic_rq1_45_response_encode(
  * mip_3dm_device_status_diagnostic_rq1_45_response and
  * mip_3dm_device_status_diagnostic_imu_response by the size of its data. Sent if status_selector is
  * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
- * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-CL5-15, 3DM-CL5-25,
- * 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45,
- * 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and 3DM-GX5-25. Uncertain: No manual is known that
- * prints it for these devices; the offsets 49 to 69 of that of the 3DM-GX5-45 agree. Uncertain:
- * MSCL names the values only; the descriptions follow from the names, and times in ms from the
- * system timer.
+ * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Uncertain: No manual is known that prints it for
+ * these devices; the offsets 49 to 69 of that of the 3DM-GX5-45 agree. Uncertain: MSCL names the
+ * values only; the descriptions follow from the names, and times in ms from the system timer.
  *
  * On the wire only, without a member:
  * - status_selector: Diagnostic status. Always 2.
@@ -7382,7 +6973,9 @@ struct mip_3dm_device_status_diagnostic_gx4_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX4_RESPONSE 0x0C90
+/** Its descriptor. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX4_RESPONSE_DESCRIPTOR 0x90
+/** Its name in the specification. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_GX4_RESPONSE_NAME \
     "3dm.device_status_diagnostic_gx4_response"
 
@@ -7412,12 +7005,10 @@ static inline mip_error mip_3dm_device_status_diagnostic_gx4_response_encode(
  * mip_3dm_device_status_diagnostic_rq1_45_response and
  * mip_3dm_device_status_diagnostic_gx4_response by the size of its data. Sent if status_selector is
  * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
- * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-CL5-15, 3DM-CL5-25,
- * 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45,
- * 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and 3DM-GX5-25. Uncertain: MSCL has it for the
- * 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10; no manual is known that prints it. Uncertain: MSCL names
- * the values only; the descriptions follow from the names, and times in ms from the system timer.
- * Uncertain: The units of the ranges are open.
+ * 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Uncertain: MSCL has it for the 3DM-GX5-10,
+ * 3DM-CX5-10 and 3DM-CV5-10; no manual is known that prints it. Uncertain: MSCL names the values
+ * only; the descriptions follow from the names, and times in ms from the system timer. Uncertain:
+ * The units of the ranges are open.
  *
  * On the wire only, without a member:
  * - status_selector: Diagnostic status. Always 2.
@@ -7472,7 +7063,9 @@ struct mip_3dm_device_status_diagnostic_imu_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_IMU_RESPONSE 0x0C90
+/** Its descriptor. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_IMU_RESPONSE_DESCRIPTOR 0x90
+/** Its name in the specification. */
 #define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_IMU_RESPONSE_NAME \
     "3dm.device_status_diagnostic_imu_response"
 

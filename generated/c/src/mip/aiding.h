@@ -123,7 +123,10 @@ union mip_aiding_frame_config_rotation {
  * - 3dm-cv7-gnss-ins: Aiding Frames
  */
 struct mip_aiding_frame_config {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -147,7 +150,9 @@ struct mip_aiding_frame_config {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_AIDING_FRAME_CONFIG 0x1301
+/** Its descriptor. */
 #define MIP_AIDING_FRAME_CONFIG_DESCRIPTOR 0x01
+/** Its name in the specification. */
 #define MIP_AIDING_FRAME_CONFIG_NAME "aiding.frame_config"
 
 /** Its wire format. */
@@ -164,11 +169,7 @@ static inline mip_error mip_aiding_frame_config_encode(const struct mip_aiding_f
                                                        struct mip_builder *builder) {
     return mip_encode(&mip_aiding_frame_config_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_aiding_frame_config *mip_aiding_frame_config_write(
     struct mip_aiding_frame_config *command, uint8_t frame_id, enum mip_aiding_frame_format format,
     mip_bool tracking_enabled, const float translation[3],
@@ -184,11 +185,7 @@ static inline struct mip_aiding_frame_config *mip_aiding_frame_config_write(
     }
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_aiding_frame_config *
 mip_aiding_frame_config_read(struct mip_aiding_frame_config *command, uint8_t frame_id,
                              enum mip_aiding_frame_format format) {
@@ -198,11 +195,7 @@ mip_aiding_frame_config_read(struct mip_aiding_frame_config *command, uint8_t fr
     command->format = (uint8_t)format;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_aiding_frame_config *
 mip_aiding_frame_config_save(struct mip_aiding_frame_config *command, uint8_t frame_id) {
     memset(command, 0, sizeof(*command));
@@ -210,11 +203,7 @@ mip_aiding_frame_config_save(struct mip_aiding_frame_config *command, uint8_t fr
     command->frame_id = frame_id;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_aiding_frame_config *
 mip_aiding_frame_config_load(struct mip_aiding_frame_config *command, uint8_t frame_id) {
     memset(command, 0, sizeof(*command));
@@ -222,11 +211,7 @@ mip_aiding_frame_config_load(struct mip_aiding_frame_config *command, uint8_t fr
     command->frame_id = frame_id;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_aiding_frame_config *
 mip_aiding_frame_config_default(struct mip_aiding_frame_config *command, uint8_t frame_id) {
     memset(command, 0, sizeof(*command));
@@ -272,7 +257,9 @@ struct mip_aiding_frame_config_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_AIDING_FRAME_CONFIG_RESPONSE 0x1381
+/** Its descriptor. */
 #define MIP_AIDING_FRAME_CONFIG_RESPONSE_DESCRIPTOR 0x81
+/** Its name in the specification. */
 #define MIP_AIDING_FRAME_CONFIG_RESPONSE_NAME "aiding.frame_config_response"
 
 /** Its wire format. */
@@ -304,7 +291,10 @@ static inline mip_error mip_aiding_frame_config_response_encode(
  * - 3dm-cv7-gnss-ins: Aiding Command Echo Control
  */
 struct mip_aiding_echo_control {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -314,7 +304,9 @@ struct mip_aiding_echo_control {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_AIDING_ECHO_CONTROL 0x131F
+/** Its descriptor. */
 #define MIP_AIDING_ECHO_CONTROL_DESCRIPTOR 0x1F
+/** Its name in the specification. */
 #define MIP_AIDING_ECHO_CONTROL_NAME "aiding.echo_control"
 
 /** Its wire format. */
@@ -331,11 +323,7 @@ static inline mip_error mip_aiding_echo_control_encode(const struct mip_aiding_e
                                                        struct mip_builder *builder) {
     return mip_encode(&mip_aiding_echo_control_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_aiding_echo_control *mip_aiding_echo_control_write(
     struct mip_aiding_echo_control *command, enum mip_aiding_echo_mode mode) {
     memset(command, 0, sizeof(*command));
@@ -343,44 +331,28 @@ static inline struct mip_aiding_echo_control *mip_aiding_echo_control_write(
     command->mode = (uint8_t)mode;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_aiding_echo_control *
 mip_aiding_echo_control_read(struct mip_aiding_echo_control *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_aiding_echo_control *
 mip_aiding_echo_control_save(struct mip_aiding_echo_control *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_aiding_echo_control *
 mip_aiding_echo_control_load(struct mip_aiding_echo_control *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_aiding_echo_control *
 mip_aiding_echo_control_default(struct mip_aiding_echo_control *command) {
     memset(command, 0, sizeof(*command));
@@ -403,7 +375,9 @@ struct mip_aiding_echo_control_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_AIDING_ECHO_CONTROL_RESPONSE 0x139F
+/** Its descriptor. */
 #define MIP_AIDING_ECHO_CONTROL_RESPONSE_DESCRIPTOR 0x9F
+/** Its name in the specification. */
 #define MIP_AIDING_ECHO_CONTROL_RESPONSE_NAME "aiding.echo_control_response"
 
 /** Its wire format. */
@@ -484,7 +458,9 @@ struct mip_aiding_ecef_position {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_AIDING_ECEF_POSITION 0x1321
+/** Its descriptor. */
 #define MIP_AIDING_ECEF_POSITION_DESCRIPTOR 0x21
+/** Its name in the specification. */
 #define MIP_AIDING_ECEF_POSITION_NAME "aiding.ecef_position"
 
 /** Its wire format. */
@@ -545,11 +521,7 @@ static inline mip_error mip_aiding_ecef_position_encode_inline(
     mip_put_16(data + 47, value->valid_flags);
     return MIP_OK;
 }
-/**
- * ECEF position.
- *
- * Fills the structure and returns its address.
- */
+/** ECEF position. Fills the structure and returns its address. */
 static inline struct mip_aiding_ecef_position *mip_aiding_ecef_position_make(
     struct mip_aiding_ecef_position *command, const struct mip_aiding_measurement_time *time,
     uint8_t frame_id, const double position[3], const float uncertainty[3],
@@ -612,7 +584,9 @@ struct mip_aiding_llh_position {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_AIDING_LLH_POSITION 0x1322
+/** Its descriptor. */
 #define MIP_AIDING_LLH_POSITION_DESCRIPTOR 0x22
+/** Its name in the specification. */
 #define MIP_AIDING_LLH_POSITION_NAME "aiding.llh_position"
 
 /** Its wire format. */
@@ -673,11 +647,7 @@ static inline mip_error mip_aiding_llh_position_encode_inline(
     mip_put_16(data + 47, value->valid_flags);
     return MIP_OK;
 }
-/**
- * LLH position.
- *
- * Fills the structure and returns its address.
- */
+/** LLH position. Fills the structure and returns its address. */
 static inline struct mip_aiding_llh_position *mip_aiding_llh_position_make(
     struct mip_aiding_llh_position *command, const struct mip_aiding_measurement_time *time,
     uint8_t frame_id, double latitude, double longitude, double height, const float uncertainty[3],
@@ -721,7 +691,9 @@ struct mip_aiding_height_above_ellipsoid {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_AIDING_HEIGHT_ABOVE_ELLIPSOID 0x1323
+/** Its descriptor. */
 #define MIP_AIDING_HEIGHT_ABOVE_ELLIPSOID_DESCRIPTOR 0x23
+/** Its name in the specification. */
 #define MIP_AIDING_HEIGHT_ABOVE_ELLIPSOID_NAME "aiding.height_above_ellipsoid"
 
 /** Its wire format. */
@@ -774,11 +746,7 @@ static inline mip_error mip_aiding_height_above_ellipsoid_encode_inline(
     mip_put_16(data + 19, value->valid_flags);
     return MIP_OK;
 }
-/**
- * Height above ellipsoid.
- *
- * Fills the structure and returns its address.
- */
+/** Height above ellipsoid. Fills the structure and returns its address. */
 static inline struct mip_aiding_height_above_ellipsoid *mip_aiding_height_above_ellipsoid_make(
     struct mip_aiding_height_above_ellipsoid *command,
     const struct mip_aiding_measurement_time *time, uint8_t frame_id, float height,
@@ -833,7 +801,9 @@ struct mip_aiding_ecef_velocity {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_AIDING_ECEF_VELOCITY 0x1328
+/** Its descriptor. */
 #define MIP_AIDING_ECEF_VELOCITY_DESCRIPTOR 0x28
+/** Its name in the specification. */
 #define MIP_AIDING_ECEF_VELOCITY_NAME "aiding.ecef_velocity"
 
 /** Its wire format. */
@@ -894,11 +864,7 @@ static inline mip_error mip_aiding_ecef_velocity_encode_inline(
     mip_put_16(data + 35, value->valid_flags);
     return MIP_OK;
 }
-/**
- * ECEF velocity.
- *
- * Fills the structure and returns its address.
- */
+/** ECEF velocity. Fills the structure and returns its address. */
 static inline struct mip_aiding_ecef_velocity *mip_aiding_ecef_velocity_make(
     struct mip_aiding_ecef_velocity *command, const struct mip_aiding_measurement_time *time,
     uint8_t frame_id, const float velocity[3], const float uncertainty[3],
@@ -953,7 +919,9 @@ struct mip_aiding_ned_velocity {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_AIDING_NED_VELOCITY 0x1329
+/** Its descriptor. */
 #define MIP_AIDING_NED_VELOCITY_DESCRIPTOR 0x29
+/** Its name in the specification. */
 #define MIP_AIDING_NED_VELOCITY_NAME "aiding.ned_velocity"
 
 /** Its wire format. */
@@ -1014,11 +982,7 @@ static inline mip_error mip_aiding_ned_velocity_encode_inline(
     mip_put_16(data + 35, value->valid_flags);
     return MIP_OK;
 }
-/**
- * NED velocity.
- *
- * Fills the structure and returns its address.
- */
+/** NED velocity. Fills the structure and returns its address. */
 static inline struct mip_aiding_ned_velocity *mip_aiding_ned_velocity_make(
     struct mip_aiding_ned_velocity *command, const struct mip_aiding_measurement_time *time,
     uint8_t frame_id, const float velocity[3], const float uncertainty[3],
@@ -1081,7 +1045,9 @@ struct mip_aiding_body_frame_velocity {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_AIDING_BODY_FRAME_VELOCITY 0x132A
+/** Its descriptor. */
 #define MIP_AIDING_BODY_FRAME_VELOCITY_DESCRIPTOR 0x2A
+/** Its name in the specification. */
 #define MIP_AIDING_BODY_FRAME_VELOCITY_NAME "aiding.body_frame_velocity"
 
 /** Its wire format. */
@@ -1142,11 +1108,7 @@ static inline mip_error mip_aiding_body_frame_velocity_encode_inline(
     mip_put_16(data + 35, value->valid_flags);
     return MIP_OK;
 }
-/**
- * Body frame velocity.
- *
- * Fills the structure and returns its address.
- */
+/** Body frame velocity. Fills the structure and returns its address. */
 static inline struct mip_aiding_body_frame_velocity *mip_aiding_body_frame_velocity_make(
     struct mip_aiding_body_frame_velocity *command, const struct mip_aiding_measurement_time *time,
     uint8_t frame_id, const float velocity[3], const float uncertainty[3],
@@ -1189,7 +1151,9 @@ struct mip_aiding_true_heading {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_AIDING_TRUE_HEADING 0x1331
+/** Its descriptor. */
 #define MIP_AIDING_TRUE_HEADING_DESCRIPTOR 0x31
+/** Its name in the specification. */
 #define MIP_AIDING_TRUE_HEADING_NAME "aiding.true_heading"
 
 /** Its wire format. */
@@ -1242,11 +1206,7 @@ static inline mip_error mip_aiding_true_heading_encode_inline(
     mip_put_16(data + 19, value->valid_flags);
     return MIP_OK;
 }
-/**
- * True heading.
- *
- * Fills the structure and returns its address.
- */
+/** True heading. Fills the structure and returns its address. */
 static inline struct mip_aiding_true_heading *mip_aiding_true_heading_make(
     struct mip_aiding_true_heading *command, const struct mip_aiding_measurement_time *time,
     uint8_t frame_id, float heading, float uncertainty, uint16_t valid_flags) {
@@ -1299,7 +1259,9 @@ struct mip_aiding_magnetic_field {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_AIDING_MAGNETIC_FIELD 0x1332
+/** Its descriptor. */
 #define MIP_AIDING_MAGNETIC_FIELD_DESCRIPTOR 0x32
+/** Its name in the specification. */
 #define MIP_AIDING_MAGNETIC_FIELD_NAME "aiding.magnetic_field"
 
 /** Its wire format. */
@@ -1360,11 +1322,7 @@ static inline mip_error mip_aiding_magnetic_field_encode_inline(
     mip_put_16(data + 35, value->valid_flags);
     return MIP_OK;
 }
-/**
- * Magnetic field.
- *
- * Fills the structure and returns its address.
- */
+/** Magnetic field. Fills the structure and returns its address. */
 static inline struct mip_aiding_magnetic_field *mip_aiding_magnetic_field_make(
     struct mip_aiding_magnetic_field *command, const struct mip_aiding_measurement_time *time,
     uint8_t frame_id, const float magnetic_field[3], const float uncertainty[3],
@@ -1407,7 +1365,9 @@ struct mip_aiding_pressure {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_AIDING_PRESSURE 0x1333
+/** Its descriptor. */
 #define MIP_AIDING_PRESSURE_DESCRIPTOR 0x33
+/** Its name in the specification. */
 #define MIP_AIDING_PRESSURE_NAME "aiding.pressure"
 
 /** Its wire format. */
@@ -1460,11 +1420,7 @@ static inline mip_error mip_aiding_pressure_encode_inline(const struct mip_aidin
     mip_put_16(data + 19, value->valid_flags);
     return MIP_OK;
 }
-/**
- * Pressure.
- *
- * Fills the structure and returns its address.
- */
+/** Pressure. Fills the structure and returns its address. */
 static inline struct mip_aiding_pressure *mip_aiding_pressure_make(
     struct mip_aiding_pressure *command, const struct mip_aiding_measurement_time *time,
     uint8_t frame_id, float pressure, float uncertainty, uint16_t valid_flags) {

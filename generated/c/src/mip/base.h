@@ -3,6 +3,8 @@
  *
  * Base (0x01). Commands common to all devices: identity, supported descriptors, idle and resume,
  * self test, reset.
+ *
+ * Devices that may support a field, though it is not certain, are in mip/profiles.h only.
  */
 #ifndef MIP_BASE_H
 #define MIP_BASE_H
@@ -58,11 +60,7 @@ MIP_API const char *mip_base_gps_time_field_name(uint8_t value);
  * Asks whether a device is there and answers commands.
  *
  * Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and
- * 3DM-RQ1-45-ST. May be supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15,
- * 3DM-CV5-25, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
- * 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS,
- * 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10,
- * 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR and 3DM-RTK.
+ * 3DM-RQ1-45-ST.
  *
  * A device that is not in a normal operating mode may refuse the command.
  *
@@ -76,7 +74,9 @@ struct mip_base_ping {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_BASE_PING 0x0101
+/** Its descriptor. */
 #define MIP_BASE_PING_DESCRIPTOR 0x01
+/** Its name in the specification. */
 #define MIP_BASE_PING_NAME "base.ping"
 
 /** Its wire format. */
@@ -99,12 +99,7 @@ static inline mip_error mip_base_ping_encode(const struct mip_base_ping *value,
  *
  * Stops all data streams, and wakes a sleeping device, so that it can be set up.
  *
- * Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be
- * supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25,
- * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
- * 3DM-CX5-45, 3DM-DH3, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15,
- * 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25,
- * 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR and 3DM-RTK.
+ * Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * The resume command restores the previous mode.
  *
@@ -120,7 +115,9 @@ struct mip_base_set_idle {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_BASE_SET_IDLE 0x0102
+/** Its descriptor. */
 #define MIP_BASE_SET_IDLE_DESCRIPTOR 0x02
+/** Its name in the specification. */
 #define MIP_BASE_SET_IDLE_NAME "base.set_idle"
 
 /** Its wire format. */
@@ -144,11 +141,7 @@ static inline mip_error mip_base_set_idle_encode(const struct mip_base_set_idle 
  * Gets the firmware version and the identity strings of the device.
  *
  * Answered by mip_base_get_device_info_response. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
- * 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
- * 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV7-AHRS, 3DM-CV7-AR,
- * 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3,
- * 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35,
- * 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-MV5-AR and 3DM-RTK.
+ * 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
  * - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
@@ -160,7 +153,9 @@ struct mip_base_get_device_info {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_BASE_GET_DEVICE_INFO 0x0103
+/** Its descriptor. */
 #define MIP_BASE_GET_DEVICE_INFO_DESCRIPTOR 0x03
+/** Its name in the specification. */
 #define MIP_BASE_GET_DEVICE_INFO_NAME "base.get_device_info"
 
 /** Its wire format. */
@@ -182,11 +177,7 @@ static inline mip_error mip_base_get_device_info_encode(
  * Get device information response: response (0x01,0x81).
  *
  * Answers mip_base_get_device_info. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15,
- * 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-CL5-10,
- * 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV7-AHRS, 3DM-CV7-AR,
- * 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3,
- * 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35,
- * 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-MV5-AR and 3DM-RTK.
+ * 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
  * - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
@@ -198,7 +189,9 @@ struct mip_base_get_device_info_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_BASE_GET_DEVICE_INFO_RESPONSE 0x0181
+/** Its descriptor. */
 #define MIP_BASE_GET_DEVICE_INFO_RESPONSE_DESCRIPTOR 0x81
+/** Its name in the specification. */
 #define MIP_BASE_GET_DEVICE_INFO_RESPONSE_NAME "base.get_device_info_response"
 
 /** Its wire format. */
@@ -261,12 +254,7 @@ static inline mip_error mip_base_get_device_info_response_encode_inline(
  * Gets the command and data descriptors that the device supports.
  *
  * Answered by mip_base_get_device_descriptors_response. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
- * 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-CL5-10,
- * 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV7-AHRS, 3DM-CV7-AR,
- * 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3,
- * 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35,
- * 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR
- * and 3DM-RTK.
+ * 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * If the list contains the descriptor of mip_base_get_extended_descriptors, that command gives
  * more.
@@ -281,7 +269,9 @@ struct mip_base_get_device_descriptors {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_BASE_GET_DEVICE_DESCRIPTORS 0x0104
+/** Its descriptor. */
 #define MIP_BASE_GET_DEVICE_DESCRIPTORS_DESCRIPTOR 0x04
+/** Its name in the specification. */
 #define MIP_BASE_GET_DEVICE_DESCRIPTORS_NAME "base.get_device_descriptors"
 
 /** Its wire format. */
@@ -303,11 +293,7 @@ static inline mip_error mip_base_get_device_descriptors_encode(
  * Get device descriptors response: response (0x01,0x82).
  *
  * Answers mip_base_get_device_descriptors. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15,
- * 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-CL5-10, 3DM-CL5-15,
- * 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
- * 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ7-GNSS/INS,
- * 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
- * 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR and 3DM-RTK.
+ * 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.1.4 Get Device Descriptor Sets (0x01, 0x04)
  * - 3dm-cv7-gnss-ins: Get device descriptors (0x01,0x04)
@@ -324,7 +310,9 @@ struct mip_base_get_device_descriptors_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_BASE_GET_DEVICE_DESCRIPTORS_RESPONSE 0x0182
+/** Its descriptor. */
 #define MIP_BASE_GET_DEVICE_DESCRIPTORS_RESPONSE_DESCRIPTOR 0x82
+/** Its name in the specification. */
 #define MIP_BASE_GET_DEVICE_DESCRIPTORS_RESPONSE_NAME "base.get_device_descriptors_response"
 
 /** Its wire format. */
@@ -348,9 +336,9 @@ static inline mip_error mip_base_get_device_descriptors_response_encode(
  * Runs the self test of the device and gets its result.
  *
  * Answered by mip_base_built_in_test_response. The device may take 10 s to answer. Supported by
- * 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
- * 3DM-GX5-35 and 3DM-GX5-45. Uncertain: How long the test takes at most. The manual of the 3DM-CV7
- * says several seconds; 10 s leaves room for that.
+ * 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Uncertain: How long
+ * the test takes at most. The manual of the 3DM-CV7 says several seconds; 10 s leaves room for
+ * that.
  *
  * The test interrupts normal operation for up to several seconds; no data is available meanwhile.
  *
@@ -369,7 +357,9 @@ struct mip_base_built_in_test {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_BASE_BUILT_IN_TEST 0x0105
+/** Its descriptor. */
 #define MIP_BASE_BUILT_IN_TEST_DESCRIPTOR 0x05
+/** Its name in the specification. */
 #define MIP_BASE_BUILT_IN_TEST_NAME "base.built_in_test"
 
 /** Its wire format. */
@@ -391,7 +381,7 @@ static inline mip_error mip_base_built_in_test_encode(const struct mip_base_buil
  * Built-in test response: response (0x01,0x83).
  *
  * Answers mip_base_built_in_test. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15,
- * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
+ * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05)
  * - 3dm-cv7-gnss-ins: Built in test (0x01,0x05)
@@ -409,7 +399,9 @@ struct mip_base_built_in_test_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_BASE_BUILT_IN_TEST_RESPONSE 0x0183
+/** Its descriptor. */
 #define MIP_BASE_BUILT_IN_TEST_RESPONSE_DESCRIPTOR 0x83
+/** Its name in the specification. */
 #define MIP_BASE_BUILT_IN_TEST_RESPONSE_NAME "base.built_in_test_response"
 
 /** Its wire format. */
@@ -456,12 +448,7 @@ static inline mip_error mip_base_built_in_test_response_encode_inline(
  *
  * Ends idle mode and returns the device to the mode that it was in before.
  *
- * Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be
- * supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25,
- * 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
- * 3DM-CX5-45, 3DM-DH3, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15,
- * 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25,
- * 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR and 3DM-RTK.
+ * Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * If the device was not idle, it enters its default mode (3DM-GX5-15).
  *
@@ -475,7 +462,9 @@ struct mip_base_resume {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_BASE_RESUME 0x0106
+/** Its descriptor. */
 #define MIP_BASE_RESUME_DESCRIPTOR 0x06
+/** Its name in the specification. */
 #define MIP_BASE_RESUME_NAME "base.resume"
 
 /** Its wire format. */
@@ -499,7 +488,7 @@ static inline mip_error mip_base_resume_encode(const struct mip_base_resume *val
  * Gets the supported descriptors that did not fit into the reply of get device descriptors.
  *
  * Answered by mip_base_get_extended_descriptors_response. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15
- * and 3DM-GX5-35. May be supported by 3DM-GX5-45.
+ * and 3DM-GX5-35.
  *
  * Only supported if mip_base_get_device_descriptors lists it.
  *
@@ -513,7 +502,9 @@ struct mip_base_get_extended_descriptors {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_BASE_GET_EXTENDED_DESCRIPTORS 0x0107
+/** Its descriptor. */
 #define MIP_BASE_GET_EXTENDED_DESCRIPTORS_DESCRIPTOR 0x07
+/** Its name in the specification. */
 #define MIP_BASE_GET_EXTENDED_DESCRIPTORS_NAME "base.get_extended_descriptors"
 
 /** Its wire format. */
@@ -535,7 +526,7 @@ static inline mip_error mip_base_get_extended_descriptors_encode(
  * Get device descriptors (extended) response: response (0x01,0x86).
  *
  * Answers mip_base_get_extended_descriptors. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and
- * 3DM-GX5-35. May be supported by 3DM-GX5-45.
+ * 3DM-GX5-35.
  *
  * - 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07)
  * - 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07)
@@ -552,7 +543,9 @@ struct mip_base_get_extended_descriptors_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_BASE_GET_EXTENDED_DESCRIPTORS_RESPONSE 0x0186
+/** Its descriptor. */
 #define MIP_BASE_GET_EXTENDED_DESCRIPTORS_RESPONSE_DESCRIPTOR 0x86
+/** Its name in the specification. */
 #define MIP_BASE_GET_EXTENDED_DESCRIPTORS_RESPONSE_NAME "base.get_extended_descriptors_response"
 
 /** Its wire format. */
@@ -594,7 +587,9 @@ struct mip_base_continuous_built_in_test {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_BASE_CONTINUOUS_BUILT_IN_TEST 0x0108
+/** Its descriptor. */
 #define MIP_BASE_CONTINUOUS_BUILT_IN_TEST_DESCRIPTOR 0x08
+/** Its name in the specification. */
 #define MIP_BASE_CONTINUOUS_BUILT_IN_TEST_NAME "base.continuous_built_in_test"
 
 /** Its wire format. */
@@ -630,7 +625,9 @@ struct mip_base_continuous_built_in_test_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_BASE_CONTINUOUS_BUILT_IN_TEST_RESPONSE 0x0188
+/** Its descriptor. */
 #define MIP_BASE_CONTINUOUS_BUILT_IN_TEST_RESPONSE_DESCRIPTOR 0x88
+/** Its name in the specification. */
 #define MIP_BASE_CONTINUOUS_BUILT_IN_TEST_RESPONSE_NAME "base.continuous_built_in_test_response"
 
 /** Its wire format. */
@@ -689,7 +686,10 @@ static inline mip_error mip_base_continuous_built_in_test_response_encode_inline
  * - 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09)
  */
 struct mip_base_comm_speed {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -701,7 +701,9 @@ struct mip_base_comm_speed {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_BASE_COMM_SPEED 0x0109
+/** Its descriptor. */
 #define MIP_BASE_COMM_SPEED_DESCRIPTOR 0x09
+/** Its name in the specification. */
 #define MIP_BASE_COMM_SPEED_NAME "base.comm_speed"
 
 /** Its wire format. */
@@ -718,11 +720,7 @@ static inline mip_error mip_base_comm_speed_encode(const struct mip_base_comm_sp
                                                    struct mip_builder *builder) {
     return mip_encode(&mip_base_comm_speed_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_base_comm_speed *
 mip_base_comm_speed_write(struct mip_base_comm_speed *command, uint8_t port, uint32_t baud) {
     memset(command, 0, sizeof(*command));
@@ -731,11 +729,7 @@ mip_base_comm_speed_write(struct mip_base_comm_speed *command, uint8_t port, uin
     command->baud = baud;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_base_comm_speed *
 mip_base_comm_speed_read(struct mip_base_comm_speed *command, uint8_t port) {
     memset(command, 0, sizeof(*command));
@@ -743,11 +737,7 @@ mip_base_comm_speed_read(struct mip_base_comm_speed *command, uint8_t port) {
     command->port = port;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_base_comm_speed *
 mip_base_comm_speed_save(struct mip_base_comm_speed *command, uint8_t port) {
     memset(command, 0, sizeof(*command));
@@ -755,11 +745,7 @@ mip_base_comm_speed_save(struct mip_base_comm_speed *command, uint8_t port) {
     command->port = port;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_base_comm_speed *
 mip_base_comm_speed_load(struct mip_base_comm_speed *command, uint8_t port) {
     memset(command, 0, sizeof(*command));
@@ -767,11 +753,7 @@ mip_base_comm_speed_load(struct mip_base_comm_speed *command, uint8_t port) {
     command->port = port;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_base_comm_speed *
 mip_base_comm_speed_default(struct mip_base_comm_speed *command, uint8_t port) {
     memset(command, 0, sizeof(*command));
@@ -796,7 +778,9 @@ struct mip_base_comm_speed_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_BASE_COMM_SPEED_RESPONSE 0x0189
+/** Its descriptor. */
 #define MIP_BASE_COMM_SPEED_RESPONSE_DESCRIPTOR 0x89
+/** Its name in the specification. */
 #define MIP_BASE_COMM_SPEED_RESPONSE_NAME "base.comm_speed_response"
 
 /** Its wire format. */
@@ -847,7 +831,7 @@ static inline mip_error mip_base_comm_speed_response_encode_inline(
  *
  * Functions: write, read and apply. Answered by mip_base_gps_time_update_week_number_response or
  * mip_base_gps_time_update_tow_response. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and
- * 3DM-GX5-35. May be supported by 3DM-GX5-45. On the 3DM-CV7-GNSS/INS: write only.
+ * 3DM-GX5-35. On the 3DM-CV7-GNSS/INS: write only.
  *
  * Send it once for the time of week and once for the week number after the PPS is locked.
  *
@@ -864,7 +848,10 @@ static inline mip_error mip_base_comm_speed_response_encode_inline(
  * - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
  */
 struct mip_base_gps_time_update {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -880,7 +867,9 @@ struct mip_base_gps_time_update {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_BASE_GPS_TIME_UPDATE 0x0172
+/** Its descriptor. */
 #define MIP_BASE_GPS_TIME_UPDATE_DESCRIPTOR 0x72
+/** Its name in the specification. */
 #define MIP_BASE_GPS_TIME_UPDATE_NAME "base.gps_time_update"
 
 /** Its wire format. */
@@ -897,11 +886,7 @@ static inline mip_error mip_base_gps_time_update_encode(
     const struct mip_base_gps_time_update *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_gps_time_update_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_base_gps_time_update *
 mip_base_gps_time_update_write(struct mip_base_gps_time_update *command,
                                enum mip_base_gps_time_field field_id, uint32_t value) {
@@ -911,11 +896,7 @@ mip_base_gps_time_update_write(struct mip_base_gps_time_update *command,
     command->value = value;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_base_gps_time_update *mip_base_gps_time_update_read(
     struct mip_base_gps_time_update *command, enum mip_base_gps_time_field field_id) {
     memset(command, 0, sizeof(*command));
@@ -924,9 +905,8 @@ static inline struct mip_base_gps_time_update *mip_base_gps_time_update_read(
     return command;
 }
 /**
- * Apply the new setting and send no acknowledge (5-series devices).
- *
- * Fills the structure and returns its address.
+ * Apply the new setting and send no acknowledge (5-series devices). Fills the structure and returns
+ * its address.
  */
 static inline struct mip_base_gps_time_update *
 mip_base_gps_time_update_apply(struct mip_base_gps_time_update *command,
@@ -944,7 +924,7 @@ mip_base_gps_time_update_apply(struct mip_base_gps_time_update *command,
  * The current week number.
  *
  * Answers mip_base_gps_time_update. Sent if field_id is MIP_BASE_GPS_TIME_FIELD_WEEK_NUMBER.
- * Supported by 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
+ * Supported by 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35.
  *
  * - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
  * - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
@@ -956,7 +936,9 @@ struct mip_base_gps_time_update_week_number_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_BASE_GPS_TIME_UPDATE_WEEK_NUMBER_RESPONSE 0x0184
+/** Its descriptor. */
 #define MIP_BASE_GPS_TIME_UPDATE_WEEK_NUMBER_RESPONSE_DESCRIPTOR 0x84
+/** Its name in the specification. */
 #define MIP_BASE_GPS_TIME_UPDATE_WEEK_NUMBER_RESPONSE_NAME \
     "base.gps_time_update_week_number_response"
 
@@ -1007,7 +989,7 @@ static inline mip_error mip_base_gps_time_update_week_number_response_encode_inl
  * The current time of week.
  *
  * Answers mip_base_gps_time_update. Sent if field_id is MIP_BASE_GPS_TIME_FIELD_TOW. Supported by
- * 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
+ * 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35.
  *
  * - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
  * - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
@@ -1019,7 +1001,9 @@ struct mip_base_gps_time_update_tow_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_BASE_GPS_TIME_UPDATE_TOW_RESPONSE 0x0185
+/** Its descriptor. */
 #define MIP_BASE_GPS_TIME_UPDATE_TOW_RESPONSE_DESCRIPTOR 0x85
+/** Its name in the specification. */
 #define MIP_BASE_GPS_TIME_UPDATE_TOW_RESPONSE_NAME "base.gps_time_update_tow_response"
 
 /** Its wire format. */
@@ -1067,7 +1051,7 @@ static inline mip_error mip_base_gps_time_update_tow_response_encode_inline(
  * Acknowledges the command, then resets the device at once.
  *
  * Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and
- * 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35.
+ * 3DM-RQ1-45-ST.
  *
  * - 3dm-gx5-15: 4.1.9 Device Reset (0x01, 0x7E)
  * - 3dm-cv7-gnss-ins: Reset device (0x01,0x7E)
@@ -1079,7 +1063,9 @@ struct mip_base_soft_reset {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_BASE_SOFT_RESET 0x017E
+/** Its descriptor. */
 #define MIP_BASE_SOFT_RESET_DESCRIPTOR 0x7E
+/** Its name in the specification. */
 #define MIP_BASE_SOFT_RESET_NAME "base.soft_reset"
 
 /** Its wire format. */

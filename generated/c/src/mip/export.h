@@ -10,6 +10,7 @@
 #define MIP_EXPORT_H
 
 #ifndef MIP_SHARED
+/** Stands before what a program may use of a shared library. */
 #define MIP_API
 #elif defined(_WIN32) || defined(__CYGWIN__)
 #ifdef MIP_BUILDING

@@ -2,6 +2,8 @@
  * @file
  *
  * Filter commands (0x0D). Commands that set up, start and aid the navigation filter.
+ *
+ * Devices that may support a field, though it is not certain, are in mip/profiles.h only.
  */
 #ifndef MIP_FILTER_H
 #define MIP_FILTER_H
@@ -321,7 +323,7 @@ MIP_API const char *mip_filter_reference_point_name(uint8_t value);
  * Puts the filter back into its initialization state.
  *
  * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-RQ1-45-LT and
- * 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
+ * 3DM-RQ1-45-ST.
  *
  * If automatic initialization is off, the attitude or heading must be set before the filter runs
  * again.
@@ -338,7 +340,9 @@ struct mip_filter_reset {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_RESET 0x0D01
+/** Its descriptor. */
 #define MIP_FILTER_RESET_DESCRIPTOR 0x01
+/** Its name in the specification. */
 #define MIP_FILTER_RESET_NAME "filter.reset"
 
 /** Its wire format. */
@@ -361,7 +365,7 @@ static inline mip_error mip_filter_reset_encode(const struct mip_filter_reset *v
  *
  * Gives the filter its initial attitude, the orientation of the sensor frame in the NED frame.
  *
- * Supported by 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
+ * Supported by 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * Accepted only in the initialization state.
  *
@@ -380,7 +384,9 @@ struct mip_filter_set_initial_attitude {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_SET_INITIAL_ATTITUDE 0x0D02
+/** Its descriptor. */
 #define MIP_FILTER_SET_INITIAL_ATTITUDE_DESCRIPTOR 0x02
+/** Its name in the specification. */
 #define MIP_FILTER_SET_INITIAL_ATTITUDE_NAME "filter.set_initial_attitude"
 
 /** Its wire format. */
@@ -425,11 +431,7 @@ static inline mip_error mip_filter_set_initial_attitude_encode_inline(
     mip_put_float(data + 8, &value->heading);
     return MIP_OK;
 }
-/**
- * Set initial attitude.
- *
- * Fills the structure and returns its address.
- */
+/** Set initial attitude. Fills the structure and returns its address. */
 static inline struct mip_filter_set_initial_attitude *mip_filter_set_initial_attitude_make(
     struct mip_filter_set_initial_attitude *command, float roll, float pitch, float heading) {
     memset(command, 0, sizeof(*command));
@@ -462,7 +464,9 @@ struct mip_filter_set_initial_heading {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_SET_INITIAL_HEADING 0x0D03
+/** Its descriptor. */
 #define MIP_FILTER_SET_INITIAL_HEADING_DESCRIPTOR 0x03
+/** Its name in the specification. */
 #define MIP_FILTER_SET_INITIAL_HEADING_NAME "filter.set_initial_heading"
 
 /** Its wire format. */
@@ -503,11 +507,7 @@ static inline mip_error mip_filter_set_initial_heading_encode_inline(
     mip_put_float(data, &value->heading);
     return MIP_OK;
 }
-/**
- * Set initial heading.
- *
- * Fills the structure and returns its address.
- */
+/** Set initial heading. Fills the structure and returns its address. */
 static inline struct mip_filter_set_initial_heading *
 mip_filter_set_initial_heading_make(struct mip_filter_set_initial_heading *command, float heading) {
     memset(command, 0, sizeof(*command));
@@ -534,7 +534,9 @@ struct mip_filter_run {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_RUN 0x0D05
+/** Its descriptor. */
 #define MIP_FILTER_RUN_DESCRIPTOR 0x05
+/** Its name in the specification. */
 #define MIP_FILTER_RUN_NAME "filter.run"
 
 /** Its wire format. */
@@ -558,13 +560,16 @@ static inline mip_error mip_filter_run_encode(const struct mip_filter_run *value
  * Kind of vehicle that the filter is tuned for.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_vehicle_dynamics_mode_response. Supported by 3DM-GX5-45. May be supported by
- * 3DM-GX3-45. Known from the MicroStrain MIP SDK only.
+ * mip_filter_vehicle_dynamics_mode_response. Supported by 3DM-GX5-45. Known from the MicroStrain
+ * MIP SDK only.
  *
  * - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
  */
 struct mip_filter_vehicle_dynamics_mode {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -578,7 +583,9 @@ struct mip_filter_vehicle_dynamics_mode {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_VEHICLE_DYNAMICS_MODE 0x0D10
+/** Its descriptor. */
 #define MIP_FILTER_VEHICLE_DYNAMICS_MODE_DESCRIPTOR 0x10
+/** Its name in the specification. */
 #define MIP_FILTER_VEHICLE_DYNAMICS_MODE_NAME "filter.vehicle_dynamics_mode"
 
 /** Its wire format. */
@@ -595,11 +602,7 @@ static inline mip_error mip_filter_vehicle_dynamics_mode_encode(
     const struct mip_filter_vehicle_dynamics_mode *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_vehicle_dynamics_mode_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_vehicle_dynamics_mode *mip_filter_vehicle_dynamics_mode_write(
     struct mip_filter_vehicle_dynamics_mode *command, enum mip_filter_dynamics_mode mode) {
     memset(command, 0, sizeof(*command));
@@ -607,44 +610,28 @@ static inline struct mip_filter_vehicle_dynamics_mode *mip_filter_vehicle_dynami
     command->mode = (uint8_t)mode;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_vehicle_dynamics_mode *
 mip_filter_vehicle_dynamics_mode_read(struct mip_filter_vehicle_dynamics_mode *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_vehicle_dynamics_mode *
 mip_filter_vehicle_dynamics_mode_save(struct mip_filter_vehicle_dynamics_mode *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_vehicle_dynamics_mode *
 mip_filter_vehicle_dynamics_mode_load(struct mip_filter_vehicle_dynamics_mode *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_vehicle_dynamics_mode *
 mip_filter_vehicle_dynamics_mode_default(struct mip_filter_vehicle_dynamics_mode *command) {
     memset(command, 0, sizeof(*command));
@@ -655,8 +642,8 @@ mip_filter_vehicle_dynamics_mode_default(struct mip_filter_vehicle_dynamics_mode
 /**
  * Vehicle dynamics mode response: response (0x0D,0x80).
  *
- * Answers mip_filter_vehicle_dynamics_mode. Supported by 3DM-GX5-45. May be supported by
- * 3DM-GX3-45. Known from the MicroStrain MIP SDK only.
+ * Answers mip_filter_vehicle_dynamics_mode. Supported by 3DM-GX5-45. Known from the MicroStrain MIP
+ * SDK only.
  *
  * - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
  */
@@ -667,7 +654,9 @@ struct mip_filter_vehicle_dynamics_mode_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_VEHICLE_DYNAMICS_MODE_RESPONSE 0x0D80
+/** Its descriptor. */
 #define MIP_FILTER_VEHICLE_DYNAMICS_MODE_RESPONSE_DESCRIPTOR 0x80
+/** Its name in the specification. */
 #define MIP_FILTER_VEHICLE_DYNAMICS_MODE_RESPONSE_NAME "filter.vehicle_dynamics_mode_response"
 
 /** Its wire format. */
@@ -728,7 +717,10 @@ static inline mip_error mip_filter_vehicle_dynamics_mode_response_encode_inline(
  * - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
  */
 struct mip_filter_sensor_to_vehicle_euler {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -742,7 +734,9 @@ struct mip_filter_sensor_to_vehicle_euler {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_EULER 0x0D11
+/** Its descriptor. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_EULER_DESCRIPTOR 0x11
+/** Its name in the specification. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_EULER_NAME "filter.sensor_to_vehicle_rotation_euler"
 
 /** Its wire format. */
@@ -759,11 +753,7 @@ static inline mip_error mip_filter_sensor_to_vehicle_euler_encode(
     const struct mip_filter_sensor_to_vehicle_euler *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_sensor_to_vehicle_euler_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_euler *mip_filter_sensor_to_vehicle_euler_write(
     struct mip_filter_sensor_to_vehicle_euler *command, float roll, float pitch, float yaw) {
     memset(command, 0, sizeof(*command));
@@ -773,44 +763,28 @@ static inline struct mip_filter_sensor_to_vehicle_euler *mip_filter_sensor_to_ve
     command->yaw = yaw;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_euler *
 mip_filter_sensor_to_vehicle_euler_read(struct mip_filter_sensor_to_vehicle_euler *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_euler *
 mip_filter_sensor_to_vehicle_euler_save(struct mip_filter_sensor_to_vehicle_euler *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_euler *
 mip_filter_sensor_to_vehicle_euler_load(struct mip_filter_sensor_to_vehicle_euler *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_euler *
 mip_filter_sensor_to_vehicle_euler_default(struct mip_filter_sensor_to_vehicle_euler *command) {
     memset(command, 0, sizeof(*command));
@@ -838,7 +812,9 @@ struct mip_filter_sensor_to_vehicle_euler_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_EULER_RESPONSE 0x0D81
+/** Its descriptor. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_EULER_RESPONSE_DESCRIPTOR 0x81
+/** Its name in the specification. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_EULER_RESPONSE_NAME \
     "filter.sensor_to_vehicle_rotation_euler_response"
 
@@ -902,7 +878,10 @@ static inline mip_error mip_filter_sensor_to_vehicle_euler_response_encode_inlin
  * - mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12)
  */
 struct mip_filter_sensor_to_vehicle_offset {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -915,7 +894,9 @@ struct mip_filter_sensor_to_vehicle_offset {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET 0x0D12
+/** Its descriptor. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET_DESCRIPTOR 0x12
+/** Its name in the specification. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET_NAME "filter.sensor_to_vehicle_offset"
 
 /** Its wire format. */
@@ -932,11 +913,7 @@ static inline mip_error mip_filter_sensor_to_vehicle_offset_encode(
     const struct mip_filter_sensor_to_vehicle_offset *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_sensor_to_vehicle_offset_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_offset *mip_filter_sensor_to_vehicle_offset_write(
     struct mip_filter_sensor_to_vehicle_offset *command, const float offset[3]) {
     memset(command, 0, sizeof(*command));
@@ -944,44 +921,28 @@ static inline struct mip_filter_sensor_to_vehicle_offset *mip_filter_sensor_to_v
     memcpy(command->offset, offset, sizeof(command->offset));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_offset *
 mip_filter_sensor_to_vehicle_offset_read(struct mip_filter_sensor_to_vehicle_offset *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_offset *
 mip_filter_sensor_to_vehicle_offset_save(struct mip_filter_sensor_to_vehicle_offset *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_offset *
 mip_filter_sensor_to_vehicle_offset_load(struct mip_filter_sensor_to_vehicle_offset *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_offset *
 mip_filter_sensor_to_vehicle_offset_default(struct mip_filter_sensor_to_vehicle_offset *command) {
     memset(command, 0, sizeof(*command));
@@ -1007,7 +968,9 @@ struct mip_filter_sensor_to_vehicle_offset_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET_RESPONSE 0x0D82
+/** Its descriptor. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET_RESPONSE_DESCRIPTOR 0x82
+/** Its name in the specification. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET_RESPONSE_NAME "filter.sensor_to_vehicle_offset_response"
 
 /** Its wire format. */
@@ -1069,7 +1032,10 @@ static inline mip_error mip_filter_sensor_to_vehicle_offset_response_encode_inli
  * - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
  */
 struct mip_filter_antenna_offset {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -1082,7 +1048,9 @@ struct mip_filter_antenna_offset {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_ANTENNA_OFFSET 0x0D13
+/** Its descriptor. */
 #define MIP_FILTER_ANTENNA_OFFSET_DESCRIPTOR 0x13
+/** Its name in the specification. */
 #define MIP_FILTER_ANTENNA_OFFSET_NAME "filter.antenna_offset"
 
 /** Its wire format. */
@@ -1099,11 +1067,7 @@ static inline mip_error mip_filter_antenna_offset_encode(
     const struct mip_filter_antenna_offset *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_antenna_offset_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_antenna_offset *
 mip_filter_antenna_offset_write(struct mip_filter_antenna_offset *command, const float offset[3]) {
     memset(command, 0, sizeof(*command));
@@ -1111,44 +1075,28 @@ mip_filter_antenna_offset_write(struct mip_filter_antenna_offset *command, const
     memcpy(command->offset, offset, sizeof(command->offset));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_antenna_offset *
 mip_filter_antenna_offset_read(struct mip_filter_antenna_offset *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_antenna_offset *
 mip_filter_antenna_offset_save(struct mip_filter_antenna_offset *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_antenna_offset *
 mip_filter_antenna_offset_load(struct mip_filter_antenna_offset *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_antenna_offset *
 mip_filter_antenna_offset_default(struct mip_filter_antenna_offset *command) {
     memset(command, 0, sizeof(*command));
@@ -1173,7 +1121,9 @@ struct mip_filter_antenna_offset_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_ANTENNA_OFFSET_RESPONSE 0x0D83
+/** Its descriptor. */
 #define MIP_FILTER_ANTENNA_OFFSET_RESPONSE_DESCRIPTOR 0x83
+/** Its name in the specification. */
 #define MIP_FILTER_ANTENNA_OFFSET_RESPONSE_NAME "filter.antenna_offset_response"
 
 /** Its wire format. */
@@ -1225,14 +1175,15 @@ static inline mip_error mip_filter_antenna_offset_response_encode_inline(
  * Which states the filter estimates.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_estimation_control_response. Supported by 3DM-GX5-15 and 3DM-GX5-45. May be supported
- * by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15,
- * 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * mip_filter_estimation_control_response. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
  */
 struct mip_filter_estimation_control {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -1251,7 +1202,9 @@ struct mip_filter_estimation_control {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_ESTIMATION_CONTROL 0x0D14
+/** Its descriptor. */
 #define MIP_FILTER_ESTIMATION_CONTROL_DESCRIPTOR 0x14
+/** Its name in the specification. */
 #define MIP_FILTER_ESTIMATION_CONTROL_NAME "filter.estimation_control"
 
 /** Its wire format. */
@@ -1268,11 +1221,7 @@ static inline mip_error mip_filter_estimation_control_encode(
     const struct mip_filter_estimation_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_estimation_control_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_estimation_control *mip_filter_estimation_control_write(
     struct mip_filter_estimation_control *command, mip_filter_estimated_states flags) {
     memset(command, 0, sizeof(*command));
@@ -1280,44 +1229,28 @@ static inline struct mip_filter_estimation_control *mip_filter_estimation_contro
     command->flags = flags;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_estimation_control *
 mip_filter_estimation_control_read(struct mip_filter_estimation_control *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_estimation_control *
 mip_filter_estimation_control_save(struct mip_filter_estimation_control *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_estimation_control *
 mip_filter_estimation_control_load(struct mip_filter_estimation_control *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_estimation_control *
 mip_filter_estimation_control_default(struct mip_filter_estimation_control *command) {
     memset(command, 0, sizeof(*command));
@@ -1328,9 +1261,7 @@ mip_filter_estimation_control_default(struct mip_filter_estimation_control *comm
 /**
  * Estimation control flags response: response (0x0D,0x84).
  *
- * Answers mip_filter_estimation_control. Supported by 3DM-GX5-15 and 3DM-GX5-45. May be supported
- * by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15,
- * 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Answers mip_filter_estimation_control. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
  */
@@ -1341,7 +1272,9 @@ struct mip_filter_estimation_control_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_ESTIMATION_CONTROL_RESPONSE 0x0D84
+/** Its descriptor. */
 #define MIP_FILTER_ESTIMATION_CONTROL_RESPONSE_DESCRIPTOR 0x84
+/** Its name in the specification. */
 #define MIP_FILTER_ESTIMATION_CONTROL_RESPONSE_NAME "filter.estimation_control_response"
 
 /** Its wire format. */
@@ -1397,7 +1330,10 @@ static inline mip_error mip_filter_estimation_control_response_encode_inline(
  * - 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
  */
 struct mip_filter_gnss_source {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -1409,7 +1345,9 @@ struct mip_filter_gnss_source {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_GNSS_SOURCE 0x0D15
+/** Its descriptor. */
 #define MIP_FILTER_GNSS_SOURCE_DESCRIPTOR 0x15
+/** Its name in the specification. */
 #define MIP_FILTER_GNSS_SOURCE_NAME "filter.gnss_source"
 
 /** Its wire format. */
@@ -1426,11 +1364,7 @@ static inline mip_error mip_filter_gnss_source_encode(const struct mip_filter_gn
                                                       struct mip_builder *builder) {
     return mip_encode(&mip_filter_gnss_source_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_gnss_source *mip_filter_gnss_source_write(
     struct mip_filter_gnss_source *command, enum mip_filter_gnss_aiding_source source) {
     memset(command, 0, sizeof(*command));
@@ -1438,44 +1372,28 @@ static inline struct mip_filter_gnss_source *mip_filter_gnss_source_write(
     command->source = (uint8_t)source;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_gnss_source *
 mip_filter_gnss_source_read(struct mip_filter_gnss_source *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_gnss_source *
 mip_filter_gnss_source_save(struct mip_filter_gnss_source *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_gnss_source *
 mip_filter_gnss_source_load(struct mip_filter_gnss_source *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_gnss_source *
 mip_filter_gnss_source_default(struct mip_filter_gnss_source *command) {
     memset(command, 0, sizeof(*command));
@@ -1497,7 +1415,9 @@ struct mip_filter_gnss_source_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_GNSS_SOURCE_RESPONSE 0x0D86
+/** Its descriptor. */
 #define MIP_FILTER_GNSS_SOURCE_RESPONSE_DESCRIPTOR 0x86
+/** Its name in the specification. */
 #define MIP_FILTER_GNSS_SOURCE_RESPONSE_NAME "filter.gnss_source_response"
 
 /** Its wire format. */
@@ -1573,7 +1493,9 @@ struct mip_filter_external_gnss_update {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_EXTERNAL_GNSS_UPDATE 0x0D16
+/** Its descriptor. */
 #define MIP_FILTER_EXTERNAL_GNSS_UPDATE_DESCRIPTOR 0x16
+/** Its name in the specification. */
 #define MIP_FILTER_EXTERNAL_GNSS_UPDATE_NAME "filter.external_gnss_update"
 
 /** Its wire format. */
@@ -1640,11 +1562,7 @@ static inline mip_error mip_filter_external_gnss_update_encode_inline(
     }
     return MIP_OK;
 }
-/**
- * External GNSS update.
- *
- * Fills the structure and returns its address.
- */
+/** External GNSS update. Fills the structure and returns its address. */
 static inline struct mip_filter_external_gnss_update *mip_filter_external_gnss_update_make(
     struct mip_filter_external_gnss_update *command, double tow, uint16_t week_number,
     double latitude, double longitude, double height, const float velocity[3],
@@ -1698,7 +1616,9 @@ struct mip_filter_external_heading_update {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_EXTERNAL_HEADING_UPDATE 0x0D17
+/** Its descriptor. */
 #define MIP_FILTER_EXTERNAL_HEADING_UPDATE_DESCRIPTOR 0x17
+/** Its name in the specification. */
 #define MIP_FILTER_EXTERNAL_HEADING_UPDATE_NAME "filter.external_heading_update"
 
 /** Its wire format. */
@@ -1743,11 +1663,7 @@ static inline mip_error mip_filter_external_heading_update_encode_inline(
     mip_put_8(data + 8, value->type);
     return MIP_OK;
 }
-/**
- * External heading update.
- *
- * Fills the structure and returns its address.
- */
+/** External heading update. Fills the structure and returns its address. */
 static inline struct mip_filter_external_heading_update *mip_filter_external_heading_update_make(
     struct mip_filter_external_heading_update *command, float heading, float heading_uncertainty,
     enum mip_filter_heading_type type) {
@@ -1764,14 +1680,15 @@ static inline struct mip_filter_external_heading_update *mip_filter_external_hea
  * Source of the heading that aids the filter.
  *
  * Functions: write, read, save, load and default. Answered by mip_filter_heading_source_response.
- * Supported by 3DM-GX5-15 and 3DM-GX5-45. May be supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15,
- * 3DM-CV5-25, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and
- * 3DM-RQ1-45-ST.
+ * Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
  */
 struct mip_filter_heading_source {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -1791,7 +1708,9 @@ struct mip_filter_heading_source {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_HEADING_SOURCE 0x0D18
+/** Its descriptor. */
 #define MIP_FILTER_HEADING_SOURCE_DESCRIPTOR 0x18
+/** Its name in the specification. */
 #define MIP_FILTER_HEADING_SOURCE_NAME "filter.heading_source"
 
 /** Its wire format. */
@@ -1808,11 +1727,7 @@ static inline mip_error mip_filter_heading_source_encode(
     const struct mip_filter_heading_source *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_heading_source_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_heading_source *mip_filter_heading_source_write(
     struct mip_filter_heading_source *command, enum mip_filter_heading_update_source source) {
     memset(command, 0, sizeof(*command));
@@ -1820,44 +1735,28 @@ static inline struct mip_filter_heading_source *mip_filter_heading_source_write(
     command->source = (uint8_t)source;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_heading_source *
 mip_filter_heading_source_read(struct mip_filter_heading_source *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_heading_source *
 mip_filter_heading_source_save(struct mip_filter_heading_source *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_heading_source *
 mip_filter_heading_source_load(struct mip_filter_heading_source *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_heading_source *
 mip_filter_heading_source_default(struct mip_filter_heading_source *command) {
     memset(command, 0, sizeof(*command));
@@ -1868,9 +1767,7 @@ mip_filter_heading_source_default(struct mip_filter_heading_source *command) {
 /**
  * Heading update control response: response (0x0D,0x87).
  *
- * Answers mip_filter_heading_source. Supported by 3DM-GX5-15 and 3DM-GX5-45. May be supported by
- * 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-25, 3DM-GX4-45,
- * 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Answers mip_filter_heading_source. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
  */
@@ -1881,7 +1778,9 @@ struct mip_filter_heading_source_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_HEADING_SOURCE_RESPONSE 0x0D87
+/** Its descriptor. */
 #define MIP_FILTER_HEADING_SOURCE_RESPONSE_DESCRIPTOR 0x87
+/** Its name in the specification. */
 #define MIP_FILTER_HEADING_SOURCE_RESPONSE_NAME "filter.heading_source_response"
 
 /** Its wire format. */
@@ -1936,7 +1835,10 @@ static inline mip_error mip_filter_heading_source_response_encode_inline(
  * - 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19)
  */
 struct mip_filter_auto_initialization_control {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -1946,7 +1848,9 @@ struct mip_filter_auto_initialization_control {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_AUTO_INITIALIZATION_CONTROL 0x0D19
+/** Its descriptor. */
 #define MIP_FILTER_AUTO_INITIALIZATION_CONTROL_DESCRIPTOR 0x19
+/** Its name in the specification. */
 #define MIP_FILTER_AUTO_INITIALIZATION_CONTROL_NAME "filter.auto_initialization_control"
 
 /** Its wire format. */
@@ -1963,11 +1867,7 @@ static inline mip_error mip_filter_auto_initialization_control_encode(
     const struct mip_filter_auto_initialization_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_auto_initialization_control_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_auto_initialization_control *
 mip_filter_auto_initialization_control_write(struct mip_filter_auto_initialization_control *command,
                                              uint8_t enable) {
@@ -1976,11 +1876,7 @@ mip_filter_auto_initialization_control_write(struct mip_filter_auto_initializati
     command->enable = enable;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_auto_initialization_control *
 mip_filter_auto_initialization_control_read(
     struct mip_filter_auto_initialization_control *command) {
@@ -1988,11 +1884,7 @@ mip_filter_auto_initialization_control_read(
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_auto_initialization_control *
 mip_filter_auto_initialization_control_save(
     struct mip_filter_auto_initialization_control *command) {
@@ -2000,11 +1892,7 @@ mip_filter_auto_initialization_control_save(
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_auto_initialization_control *
 mip_filter_auto_initialization_control_load(
     struct mip_filter_auto_initialization_control *command) {
@@ -2012,11 +1900,7 @@ mip_filter_auto_initialization_control_load(
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_auto_initialization_control *
 mip_filter_auto_initialization_control_default(
     struct mip_filter_auto_initialization_control *command) {
@@ -2040,7 +1924,9 @@ struct mip_filter_auto_initialization_control_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_AUTO_INITIALIZATION_CONTROL_RESPONSE 0x0D88
+/** Its descriptor. */
 #define MIP_FILTER_AUTO_INITIALIZATION_CONTROL_RESPONSE_DESCRIPTOR 0x88
+/** Its name in the specification. */
 #define MIP_FILTER_AUTO_INITIALIZATION_CONTROL_RESPONSE_NAME \
     "filter.auto_initialization_control_response"
 
@@ -2099,7 +1985,10 @@ static inline mip_error mip_filter_auto_initialization_control_response_encode_i
  * - 3dm-gx5-15: 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A)
  */
 struct mip_filter_accel_noise {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -2112,7 +2001,9 @@ struct mip_filter_accel_noise {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_ACCEL_NOISE 0x0D1A
+/** Its descriptor. */
 #define MIP_FILTER_ACCEL_NOISE_DESCRIPTOR 0x1A
+/** Its name in the specification. */
 #define MIP_FILTER_ACCEL_NOISE_NAME "filter.accel_noise"
 
 /** Its wire format. */
@@ -2129,11 +2020,7 @@ static inline mip_error mip_filter_accel_noise_encode(const struct mip_filter_ac
                                                       struct mip_builder *builder) {
     return mip_encode(&mip_filter_accel_noise_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_accel_noise *
 mip_filter_accel_noise_write(struct mip_filter_accel_noise *command, const float noise[3]) {
     memset(command, 0, sizeof(*command));
@@ -2141,44 +2028,28 @@ mip_filter_accel_noise_write(struct mip_filter_accel_noise *command, const float
     memcpy(command->noise, noise, sizeof(command->noise));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_accel_noise *
 mip_filter_accel_noise_read(struct mip_filter_accel_noise *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_accel_noise *
 mip_filter_accel_noise_save(struct mip_filter_accel_noise *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_accel_noise *
 mip_filter_accel_noise_load(struct mip_filter_accel_noise *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_accel_noise *
 mip_filter_accel_noise_default(struct mip_filter_accel_noise *command) {
     memset(command, 0, sizeof(*command));
@@ -2201,7 +2072,9 @@ struct mip_filter_accel_noise_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_ACCEL_NOISE_RESPONSE 0x0D89
+/** Its descriptor. */
 #define MIP_FILTER_ACCEL_NOISE_RESPONSE_DESCRIPTOR 0x89
+/** Its name in the specification. */
 #define MIP_FILTER_ACCEL_NOISE_RESPONSE_NAME "filter.accel_noise_response"
 
 /** Its wire format. */
@@ -2261,7 +2134,10 @@ static inline mip_error mip_filter_accel_noise_response_encode_inline(
  * - 3dm-gx5-15: 4.3.13 Gyroscope Noise Standard Deviation (0x0D, 0x1B)
  */
 struct mip_filter_gyro_noise {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -2274,7 +2150,9 @@ struct mip_filter_gyro_noise {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_GYRO_NOISE 0x0D1B
+/** Its descriptor. */
 #define MIP_FILTER_GYRO_NOISE_DESCRIPTOR 0x1B
+/** Its name in the specification. */
 #define MIP_FILTER_GYRO_NOISE_NAME "filter.gyro_noise"
 
 /** Its wire format. */
@@ -2291,11 +2169,7 @@ static inline mip_error mip_filter_gyro_noise_encode(const struct mip_filter_gyr
                                                      struct mip_builder *builder) {
     return mip_encode(&mip_filter_gyro_noise_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_gyro_noise *
 mip_filter_gyro_noise_write(struct mip_filter_gyro_noise *command, const float noise[3]) {
     memset(command, 0, sizeof(*command));
@@ -2303,44 +2177,28 @@ mip_filter_gyro_noise_write(struct mip_filter_gyro_noise *command, const float n
     memcpy(command->noise, noise, sizeof(command->noise));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_gyro_noise *
 mip_filter_gyro_noise_read(struct mip_filter_gyro_noise *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_gyro_noise *
 mip_filter_gyro_noise_save(struct mip_filter_gyro_noise *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_gyro_noise *
 mip_filter_gyro_noise_load(struct mip_filter_gyro_noise *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_gyro_noise *
 mip_filter_gyro_noise_default(struct mip_filter_gyro_noise *command) {
     memset(command, 0, sizeof(*command));
@@ -2363,7 +2221,9 @@ struct mip_filter_gyro_noise_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_GYRO_NOISE_RESPONSE 0x0D8A
+/** Its descriptor. */
 #define MIP_FILTER_GYRO_NOISE_RESPONSE_DESCRIPTOR 0x8A
+/** Its name in the specification. */
 #define MIP_FILTER_GYRO_NOISE_RESPONSE_NAME "filter.gyro_noise_response"
 
 /** Its wire format. */
@@ -2420,7 +2280,10 @@ static inline mip_error mip_filter_gyro_noise_response_encode_inline(
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
  */
 struct mip_filter_accel_bias_model {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -2438,7 +2301,9 @@ struct mip_filter_accel_bias_model {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_ACCEL_BIAS_MODEL 0x0D1C
+/** Its descriptor. */
 #define MIP_FILTER_ACCEL_BIAS_MODEL_DESCRIPTOR 0x1C
+/** Its name in the specification. */
 #define MIP_FILTER_ACCEL_BIAS_MODEL_NAME "filter.accel_bias_model"
 
 /** Its wire format. */
@@ -2455,11 +2320,7 @@ static inline mip_error mip_filter_accel_bias_model_encode(
     const struct mip_filter_accel_bias_model *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_accel_bias_model_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_accel_bias_model *mip_filter_accel_bias_model_write(
     struct mip_filter_accel_bias_model *command, const float beta[3], const float noise[3]) {
     memset(command, 0, sizeof(*command));
@@ -2468,44 +2329,28 @@ static inline struct mip_filter_accel_bias_model *mip_filter_accel_bias_model_wr
     memcpy(command->noise, noise, sizeof(command->noise));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_accel_bias_model *
 mip_filter_accel_bias_model_read(struct mip_filter_accel_bias_model *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_accel_bias_model *
 mip_filter_accel_bias_model_save(struct mip_filter_accel_bias_model *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_accel_bias_model *
 mip_filter_accel_bias_model_load(struct mip_filter_accel_bias_model *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_accel_bias_model *
 mip_filter_accel_bias_model_default(struct mip_filter_accel_bias_model *command) {
     memset(command, 0, sizeof(*command));
@@ -2532,7 +2377,9 @@ struct mip_filter_accel_bias_model_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_ACCEL_BIAS_MODEL_RESPONSE 0x0D8B
+/** Its descriptor. */
 #define MIP_FILTER_ACCEL_BIAS_MODEL_RESPONSE_DESCRIPTOR 0x8B
+/** Its name in the specification. */
 #define MIP_FILTER_ACCEL_BIAS_MODEL_RESPONSE_NAME "filter.accel_bias_model_response"
 
 /** Its wire format. */
@@ -2596,7 +2443,10 @@ static inline mip_error mip_filter_accel_bias_model_response_encode_inline(
  * - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
  */
 struct mip_filter_gyro_bias_model {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -2614,7 +2464,9 @@ struct mip_filter_gyro_bias_model {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_GYRO_BIAS_MODEL 0x0D1D
+/** Its descriptor. */
 #define MIP_FILTER_GYRO_BIAS_MODEL_DESCRIPTOR 0x1D
+/** Its name in the specification. */
 #define MIP_FILTER_GYRO_BIAS_MODEL_NAME "filter.gyro_bias_model"
 
 /** Its wire format. */
@@ -2631,11 +2483,7 @@ static inline mip_error mip_filter_gyro_bias_model_encode(
     const struct mip_filter_gyro_bias_model *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gyro_bias_model_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_gyro_bias_model *mip_filter_gyro_bias_model_write(
     struct mip_filter_gyro_bias_model *command, const float beta[3], const float noise[3]) {
     memset(command, 0, sizeof(*command));
@@ -2644,44 +2492,28 @@ static inline struct mip_filter_gyro_bias_model *mip_filter_gyro_bias_model_writ
     memcpy(command->noise, noise, sizeof(command->noise));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_gyro_bias_model *
 mip_filter_gyro_bias_model_read(struct mip_filter_gyro_bias_model *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_gyro_bias_model *
 mip_filter_gyro_bias_model_save(struct mip_filter_gyro_bias_model *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_gyro_bias_model *
 mip_filter_gyro_bias_model_load(struct mip_filter_gyro_bias_model *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_gyro_bias_model *
 mip_filter_gyro_bias_model_default(struct mip_filter_gyro_bias_model *command) {
     memset(command, 0, sizeof(*command));
@@ -2709,7 +2541,9 @@ struct mip_filter_gyro_bias_model_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_GYRO_BIAS_MODEL_RESPONSE 0x0D8C
+/** Its descriptor. */
 #define MIP_FILTER_GYRO_BIAS_MODEL_RESPONSE_DESCRIPTOR 0x8C
+/** Its name in the specification. */
 #define MIP_FILTER_GYRO_BIAS_MODEL_RESPONSE_NAME "filter.gyro_bias_model_response"
 
 /** Its wire format. */
@@ -2774,7 +2608,10 @@ static inline mip_error mip_filter_gyro_bias_model_response_encode_inline(
  * - mip-sdk-4: Auto Zupt (0x0D,0x1E)
  */
 struct mip_filter_auto_zupt {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -2786,7 +2623,9 @@ struct mip_filter_auto_zupt {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_AUTO_ZUPT 0x0D1E
+/** Its descriptor. */
 #define MIP_FILTER_AUTO_ZUPT_DESCRIPTOR 0x1E
+/** Its name in the specification. */
 #define MIP_FILTER_AUTO_ZUPT_NAME "filter.auto_zupt"
 
 /** Its wire format. */
@@ -2803,11 +2642,7 @@ static inline mip_error mip_filter_auto_zupt_encode(const struct mip_filter_auto
                                                     struct mip_builder *builder) {
     return mip_encode(&mip_filter_auto_zupt_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_auto_zupt *
 mip_filter_auto_zupt_write(struct mip_filter_auto_zupt *command, uint8_t enable, float threshold) {
     memset(command, 0, sizeof(*command));
@@ -2816,44 +2651,28 @@ mip_filter_auto_zupt_write(struct mip_filter_auto_zupt *command, uint8_t enable,
     command->threshold = threshold;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_auto_zupt *
 mip_filter_auto_zupt_read(struct mip_filter_auto_zupt *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_auto_zupt *
 mip_filter_auto_zupt_save(struct mip_filter_auto_zupt *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_auto_zupt *
 mip_filter_auto_zupt_load(struct mip_filter_auto_zupt *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_auto_zupt *
 mip_filter_auto_zupt_default(struct mip_filter_auto_zupt *command) {
     memset(command, 0, sizeof(*command));
@@ -2878,7 +2697,9 @@ struct mip_filter_auto_zupt_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_AUTO_ZUPT_RESPONSE 0x0D8D
+/** Its descriptor. */
 #define MIP_FILTER_AUTO_ZUPT_RESPONSE_DESCRIPTOR 0x8D
+/** Its name in the specification. */
 #define MIP_FILTER_AUTO_ZUPT_RESPONSE_NAME "filter.auto_zupt_response"
 
 /** Its wire format. */
@@ -2964,7 +2785,9 @@ struct mip_filter_external_heading_update_with_time {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_EXTERNAL_HEADING_UPDATE_WITH_TIME 0x0D1F
+/** Its descriptor. */
 #define MIP_FILTER_EXTERNAL_HEADING_UPDATE_WITH_TIME_DESCRIPTOR 0x1F
+/** Its name in the specification. */
 #define MIP_FILTER_EXTERNAL_HEADING_UPDATE_WITH_TIME_NAME "filter.external_heading_update_with_time"
 
 /** Its wire format. */
@@ -3013,11 +2836,7 @@ static inline mip_error mip_filter_external_heading_update_with_time_encode_inli
     mip_put_8(data + 18, value->type);
     return MIP_OK;
 }
-/**
- * External heading update with time.
- *
- * Fills the structure and returns its address.
- */
+/** External heading update with time. Fills the structure and returns its address. */
 static inline struct mip_filter_external_heading_update_with_time *
 mip_filter_external_heading_update_with_time_make(
     struct mip_filter_external_heading_update_with_time *command, double tow, uint16_t week_number,
@@ -3046,7 +2865,10 @@ mip_filter_external_heading_update_with_time_make(
  * - 3dm-gx5-15: 4.3.15 Zero Angular Rate Update Control (0x0D, 0x20)
  */
 struct mip_filter_auto_angular_zupt {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -3061,7 +2883,9 @@ struct mip_filter_auto_angular_zupt {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_AUTO_ANGULAR_ZUPT 0x0D20
+/** Its descriptor. */
 #define MIP_FILTER_AUTO_ANGULAR_ZUPT_DESCRIPTOR 0x20
+/** Its name in the specification. */
 #define MIP_FILTER_AUTO_ANGULAR_ZUPT_NAME "filter.auto_angular_zupt"
 
 /** Its wire format. */
@@ -3078,11 +2902,7 @@ static inline mip_error mip_filter_auto_angular_zupt_encode(
     const struct mip_filter_auto_angular_zupt *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_auto_angular_zupt_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_auto_angular_zupt *mip_filter_auto_angular_zupt_write(
     struct mip_filter_auto_angular_zupt *command, uint8_t enable, float threshold) {
     memset(command, 0, sizeof(*command));
@@ -3091,44 +2911,28 @@ static inline struct mip_filter_auto_angular_zupt *mip_filter_auto_angular_zupt_
     command->threshold = threshold;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_auto_angular_zupt *
 mip_filter_auto_angular_zupt_read(struct mip_filter_auto_angular_zupt *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_auto_angular_zupt *
 mip_filter_auto_angular_zupt_save(struct mip_filter_auto_angular_zupt *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_auto_angular_zupt *
 mip_filter_auto_angular_zupt_load(struct mip_filter_auto_angular_zupt *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_auto_angular_zupt *
 mip_filter_auto_angular_zupt_default(struct mip_filter_auto_angular_zupt *command) {
     memset(command, 0, sizeof(*command));
@@ -3154,7 +2958,9 @@ struct mip_filter_auto_angular_zupt_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_AUTO_ANGULAR_ZUPT_RESPONSE 0x0D8E
+/** Its descriptor. */
 #define MIP_FILTER_AUTO_ANGULAR_ZUPT_RESPONSE_DESCRIPTOR 0x8E
+/** Its name in the specification. */
 #define MIP_FILTER_AUTO_ANGULAR_ZUPT_RESPONSE_NAME "filter.auto_angular_zupt_response"
 
 /** Its wire format. */
@@ -3213,7 +3019,10 @@ static inline mip_error mip_filter_auto_angular_zupt_response_encode_inline(
  * - mip-sdk-4: Tare Orientation (0x0D,0x21)
  */
 struct mip_filter_tare_orientation {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -3223,7 +3032,9 @@ struct mip_filter_tare_orientation {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_TARE_ORIENTATION 0x0D21
+/** Its descriptor. */
 #define MIP_FILTER_TARE_ORIENTATION_DESCRIPTOR 0x21
+/** Its name in the specification. */
 #define MIP_FILTER_TARE_ORIENTATION_NAME "filter.tare_orientation"
 
 /** Its wire format. */
@@ -3240,11 +3051,7 @@ static inline mip_error mip_filter_tare_orientation_encode(
     const struct mip_filter_tare_orientation *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_tare_orientation_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_tare_orientation *mip_filter_tare_orientation_write(
     struct mip_filter_tare_orientation *command, mip_filter_tare_axes axes) {
     memset(command, 0, sizeof(*command));
@@ -3252,44 +3059,28 @@ static inline struct mip_filter_tare_orientation *mip_filter_tare_orientation_wr
     command->axes = axes;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_tare_orientation *
 mip_filter_tare_orientation_read(struct mip_filter_tare_orientation *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_tare_orientation *
 mip_filter_tare_orientation_save(struct mip_filter_tare_orientation *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_tare_orientation *
 mip_filter_tare_orientation_load(struct mip_filter_tare_orientation *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_tare_orientation *
 mip_filter_tare_orientation_default(struct mip_filter_tare_orientation *command) {
     memset(command, 0, sizeof(*command));
@@ -3314,7 +3105,9 @@ struct mip_filter_tare_orientation_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_TARE_ORIENTATION_RESPONSE 0x0DA1
+/** Its descriptor. */
 #define MIP_FILTER_TARE_ORIENTATION_RESPONSE_DESCRIPTOR 0xA1
+/** Its name in the specification. */
 #define MIP_FILTER_TARE_ORIENTATION_RESPONSE_NAME "filter.tare_orientation_response"
 
 /** Its wire format. */
@@ -3374,7 +3167,9 @@ struct mip_filter_commanded_zupt {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_COMMANDED_ZUPT 0x0D22
+/** Its descriptor. */
 #define MIP_FILTER_COMMANDED_ZUPT_DESCRIPTOR 0x22
+/** Its name in the specification. */
 #define MIP_FILTER_COMMANDED_ZUPT_NAME "filter.commanded_zupt"
 
 /** Its wire format. */
@@ -3410,7 +3205,9 @@ struct mip_filter_commanded_angular_zupt {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_COMMANDED_ANGULAR_ZUPT 0x0D23
+/** Its descriptor. */
 #define MIP_FILTER_COMMANDED_ANGULAR_ZUPT_DESCRIPTOR 0x23
+/** Its name in the specification. */
 #define MIP_FILTER_COMMANDED_ANGULAR_ZUPT_NAME "filter.commanded_angular_zupt"
 
 /** Its wire format. */
@@ -3439,7 +3236,10 @@ static inline mip_error mip_filter_commanded_angular_zupt_encode(
  * - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
  */
 struct mip_filter_reference_position {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -3455,7 +3255,9 @@ struct mip_filter_reference_position {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_REFERENCE_POSITION 0x0D26
+/** Its descriptor. */
 #define MIP_FILTER_REFERENCE_POSITION_DESCRIPTOR 0x26
+/** Its name in the specification. */
 #define MIP_FILTER_REFERENCE_POSITION_NAME "filter.reference_position"
 
 /** Its wire format. */
@@ -3472,11 +3274,7 @@ static inline mip_error mip_filter_reference_position_encode(
     const struct mip_filter_reference_position *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_reference_position_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_reference_position *
 mip_filter_reference_position_write(struct mip_filter_reference_position *command, uint8_t enable,
                                     double latitude, double longitude, double altitude) {
@@ -3488,44 +3286,28 @@ mip_filter_reference_position_write(struct mip_filter_reference_position *comman
     command->altitude = altitude;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_reference_position *
 mip_filter_reference_position_read(struct mip_filter_reference_position *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_reference_position *
 mip_filter_reference_position_save(struct mip_filter_reference_position *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_reference_position *
 mip_filter_reference_position_load(struct mip_filter_reference_position *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_reference_position *
 mip_filter_reference_position_default(struct mip_filter_reference_position *command) {
     memset(command, 0, sizeof(*command));
@@ -3553,7 +3335,9 @@ struct mip_filter_reference_position_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_REFERENCE_POSITION_RESPONSE 0x0D90
+/** Its descriptor. */
 #define MIP_FILTER_REFERENCE_POSITION_RESPONSE_DESCRIPTOR 0x90
+/** Its name in the specification. */
 #define MIP_FILTER_REFERENCE_POSITION_RESPONSE_NAME "filter.reference_position_response"
 
 /** Its wire format. */
@@ -3623,7 +3407,9 @@ struct mip_filter_mag_capture_auto_calibration {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_MAG_CAPTURE_AUTO_CALIBRATION 0x0D27
+/** Its descriptor. */
 #define MIP_FILTER_MAG_CAPTURE_AUTO_CALIBRATION_DESCRIPTOR 0x27
+/** Its name in the specification. */
 #define MIP_FILTER_MAG_CAPTURE_AUTO_CALIBRATION_NAME "filter.mag_capture_auto_calibration"
 
 /** Its wire format. */
@@ -3664,11 +3450,7 @@ static inline mip_error mip_filter_mag_capture_auto_calibration_encode_inline(
     mip_put_8(data, value->function);
     return MIP_OK;
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_capture_auto_calibration *
 mip_filter_mag_capture_auto_calibration_write(
     struct mip_filter_mag_capture_auto_calibration *command) {
@@ -3676,11 +3458,7 @@ mip_filter_mag_capture_auto_calibration_write(
     command->function = MIP_FUNCTION_SELECTOR_WRITE;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_capture_auto_calibration *
 mip_filter_mag_capture_auto_calibration_save(
     struct mip_filter_mag_capture_auto_calibration *command) {
@@ -3703,7 +3481,10 @@ mip_filter_mag_capture_auto_calibration_save(
  * - 3dm-gx5-15: 4.3.11 Gravity Noise Standard Deviation (0x0D, 0x28)
  */
 struct mip_filter_gravity_noise {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -3716,7 +3497,9 @@ struct mip_filter_gravity_noise {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_GRAVITY_NOISE 0x0D28
+/** Its descriptor. */
 #define MIP_FILTER_GRAVITY_NOISE_DESCRIPTOR 0x28
+/** Its name in the specification. */
 #define MIP_FILTER_GRAVITY_NOISE_NAME "filter.gravity_noise"
 
 /** Its wire format. */
@@ -3733,11 +3516,7 @@ static inline mip_error mip_filter_gravity_noise_encode(
     const struct mip_filter_gravity_noise *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gravity_noise_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_gravity_noise *
 mip_filter_gravity_noise_write(struct mip_filter_gravity_noise *command, const float noise[3]) {
     memset(command, 0, sizeof(*command));
@@ -3745,44 +3524,28 @@ mip_filter_gravity_noise_write(struct mip_filter_gravity_noise *command, const f
     memcpy(command->noise, noise, sizeof(command->noise));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_gravity_noise *
 mip_filter_gravity_noise_read(struct mip_filter_gravity_noise *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_gravity_noise *
 mip_filter_gravity_noise_save(struct mip_filter_gravity_noise *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_gravity_noise *
 mip_filter_gravity_noise_load(struct mip_filter_gravity_noise *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_gravity_noise *
 mip_filter_gravity_noise_default(struct mip_filter_gravity_noise *command) {
     memset(command, 0, sizeof(*command));
@@ -3805,7 +3568,9 @@ struct mip_filter_gravity_noise_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_GRAVITY_NOISE_RESPONSE 0x0D93
+/** Its descriptor. */
 #define MIP_FILTER_GRAVITY_NOISE_RESPONSE_DESCRIPTOR 0x93
+/** Its name in the specification. */
 #define MIP_FILTER_GRAVITY_NOISE_RESPONSE_NAME "filter.gravity_noise_response"
 
 /** Its wire format. */
@@ -3865,7 +3630,10 @@ static inline mip_error mip_filter_gravity_noise_response_encode_inline(
  * - mip-sdk-4: Pressure Altitude Noise (0x0D,0x29)
  */
 struct mip_filter_pressure_altitude_noise {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -3875,7 +3643,9 @@ struct mip_filter_pressure_altitude_noise {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_PRESSURE_ALTITUDE_NOISE 0x0D29
+/** Its descriptor. */
 #define MIP_FILTER_PRESSURE_ALTITUDE_NOISE_DESCRIPTOR 0x29
+/** Its name in the specification. */
 #define MIP_FILTER_PRESSURE_ALTITUDE_NOISE_NAME "filter.pressure_altitude_noise"
 
 /** Its wire format. */
@@ -3892,11 +3662,7 @@ static inline mip_error mip_filter_pressure_altitude_noise_encode(
     const struct mip_filter_pressure_altitude_noise *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_pressure_altitude_noise_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_pressure_altitude_noise *mip_filter_pressure_altitude_noise_write(
     struct mip_filter_pressure_altitude_noise *command, float noise) {
     memset(command, 0, sizeof(*command));
@@ -3904,44 +3670,28 @@ static inline struct mip_filter_pressure_altitude_noise *mip_filter_pressure_alt
     command->noise = noise;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_pressure_altitude_noise *
 mip_filter_pressure_altitude_noise_read(struct mip_filter_pressure_altitude_noise *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_pressure_altitude_noise *
 mip_filter_pressure_altitude_noise_save(struct mip_filter_pressure_altitude_noise *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_pressure_altitude_noise *
 mip_filter_pressure_altitude_noise_load(struct mip_filter_pressure_altitude_noise *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_pressure_altitude_noise *
 mip_filter_pressure_altitude_noise_default(struct mip_filter_pressure_altitude_noise *command) {
     memset(command, 0, sizeof(*command));
@@ -3964,7 +3714,9 @@ struct mip_filter_pressure_altitude_noise_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_PRESSURE_ALTITUDE_NOISE_RESPONSE 0x0D94
+/** Its descriptor. */
 #define MIP_FILTER_PRESSURE_ALTITUDE_NOISE_RESPONSE_DESCRIPTOR 0x94
+/** Its name in the specification. */
 #define MIP_FILTER_PRESSURE_ALTITUDE_NOISE_RESPONSE_NAME "filter.pressure_altitude_noise_response"
 
 /** Its wire format. */
@@ -4018,7 +3770,10 @@ static inline mip_error mip_filter_pressure_altitude_noise_response_encode_inlin
  * - mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B)
  */
 struct mip_filter_hard_iron_offset_noise {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -4031,7 +3786,9 @@ struct mip_filter_hard_iron_offset_noise {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_HARD_IRON_OFFSET_NOISE 0x0D2B
+/** Its descriptor. */
 #define MIP_FILTER_HARD_IRON_OFFSET_NOISE_DESCRIPTOR 0x2B
+/** Its name in the specification. */
 #define MIP_FILTER_HARD_IRON_OFFSET_NOISE_NAME "filter.hard_iron_offset_noise"
 
 /** Its wire format. */
@@ -4048,11 +3805,7 @@ static inline mip_error mip_filter_hard_iron_offset_noise_encode(
     const struct mip_filter_hard_iron_offset_noise *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_hard_iron_offset_noise_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_hard_iron_offset_noise *mip_filter_hard_iron_offset_noise_write(
     struct mip_filter_hard_iron_offset_noise *command, const float noise[3]) {
     memset(command, 0, sizeof(*command));
@@ -4060,44 +3813,28 @@ static inline struct mip_filter_hard_iron_offset_noise *mip_filter_hard_iron_off
     memcpy(command->noise, noise, sizeof(command->noise));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_hard_iron_offset_noise *
 mip_filter_hard_iron_offset_noise_read(struct mip_filter_hard_iron_offset_noise *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_hard_iron_offset_noise *
 mip_filter_hard_iron_offset_noise_save(struct mip_filter_hard_iron_offset_noise *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_hard_iron_offset_noise *
 mip_filter_hard_iron_offset_noise_load(struct mip_filter_hard_iron_offset_noise *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_hard_iron_offset_noise *
 mip_filter_hard_iron_offset_noise_default(struct mip_filter_hard_iron_offset_noise *command) {
     memset(command, 0, sizeof(*command));
@@ -4120,7 +3857,9 @@ struct mip_filter_hard_iron_offset_noise_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_HARD_IRON_OFFSET_NOISE_RESPONSE 0x0D96
+/** Its descriptor. */
 #define MIP_FILTER_HARD_IRON_OFFSET_NOISE_RESPONSE_DESCRIPTOR 0x96
+/** Its name in the specification. */
 #define MIP_FILTER_HARD_IRON_OFFSET_NOISE_RESPONSE_NAME "filter.hard_iron_offset_noise_response"
 
 /** Its wire format. */
@@ -4178,7 +3917,10 @@ static inline mip_error mip_filter_hard_iron_offset_noise_response_encode_inline
  * - mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C)
  */
 struct mip_filter_soft_iron_matrix_noise {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -4191,7 +3933,9 @@ struct mip_filter_soft_iron_matrix_noise {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_SOFT_IRON_MATRIX_NOISE 0x0D2C
+/** Its descriptor. */
 #define MIP_FILTER_SOFT_IRON_MATRIX_NOISE_DESCRIPTOR 0x2C
+/** Its name in the specification. */
 #define MIP_FILTER_SOFT_IRON_MATRIX_NOISE_NAME "filter.soft_iron_matrix_noise"
 
 /** Its wire format. */
@@ -4208,11 +3952,7 @@ static inline mip_error mip_filter_soft_iron_matrix_noise_encode(
     const struct mip_filter_soft_iron_matrix_noise *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_soft_iron_matrix_noise_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_soft_iron_matrix_noise *mip_filter_soft_iron_matrix_noise_write(
     struct mip_filter_soft_iron_matrix_noise *command, const float noise[9]) {
     memset(command, 0, sizeof(*command));
@@ -4220,44 +3960,28 @@ static inline struct mip_filter_soft_iron_matrix_noise *mip_filter_soft_iron_mat
     memcpy(command->noise, noise, sizeof(command->noise));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_soft_iron_matrix_noise *
 mip_filter_soft_iron_matrix_noise_read(struct mip_filter_soft_iron_matrix_noise *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_soft_iron_matrix_noise *
 mip_filter_soft_iron_matrix_noise_save(struct mip_filter_soft_iron_matrix_noise *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_soft_iron_matrix_noise *
 mip_filter_soft_iron_matrix_noise_load(struct mip_filter_soft_iron_matrix_noise *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_soft_iron_matrix_noise *
 mip_filter_soft_iron_matrix_noise_default(struct mip_filter_soft_iron_matrix_noise *command) {
     memset(command, 0, sizeof(*command));
@@ -4283,7 +4007,9 @@ struct mip_filter_soft_iron_matrix_noise_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_SOFT_IRON_MATRIX_NOISE_RESPONSE 0x0D97
+/** Its descriptor. */
 #define MIP_FILTER_SOFT_IRON_MATRIX_NOISE_RESPONSE_DESCRIPTOR 0x97
+/** Its name in the specification. */
 #define MIP_FILTER_SOFT_IRON_MATRIX_NOISE_RESPONSE_NAME "filter.soft_iron_matrix_noise_response"
 
 /** Its wire format. */
@@ -4340,7 +4066,10 @@ static inline mip_error mip_filter_soft_iron_matrix_noise_response_encode_inline
  * - 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
  */
 struct mip_filter_enable_measurements {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -4350,7 +4079,9 @@ struct mip_filter_enable_measurements {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_ENABLE_MEASUREMENTS 0x0D41
+/** Its descriptor. */
 #define MIP_FILTER_ENABLE_MEASUREMENTS_DESCRIPTOR 0x41
+/** Its name in the specification. */
 #define MIP_FILTER_ENABLE_MEASUREMENTS_NAME "filter.enable_measurements"
 
 /** Its wire format. */
@@ -4367,11 +4098,7 @@ static inline mip_error mip_filter_enable_measurements_encode(
     const struct mip_filter_enable_measurements *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_enable_measurements_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_enable_measurements *mip_filter_enable_measurements_write(
     struct mip_filter_enable_measurements *command, mip_filter_measurement_flags control) {
     memset(command, 0, sizeof(*command));
@@ -4379,44 +4106,28 @@ static inline struct mip_filter_enable_measurements *mip_filter_enable_measureme
     command->control = control;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_enable_measurements *
 mip_filter_enable_measurements_read(struct mip_filter_enable_measurements *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_enable_measurements *
 mip_filter_enable_measurements_save(struct mip_filter_enable_measurements *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_enable_measurements *
 mip_filter_enable_measurements_load(struct mip_filter_enable_measurements *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_enable_measurements *
 mip_filter_enable_measurements_default(struct mip_filter_enable_measurements *command) {
     memset(command, 0, sizeof(*command));
@@ -4438,7 +4149,9 @@ struct mip_filter_enable_measurements_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_ENABLE_MEASUREMENTS_RESPONSE 0x0DB0
+/** Its descriptor. */
 #define MIP_FILTER_ENABLE_MEASUREMENTS_RESPONSE_DESCRIPTOR 0xB0
+/** Its name in the specification. */
 #define MIP_FILTER_ENABLE_MEASUREMENTS_RESPONSE_NAME "filter.enable_measurements_response"
 
 /** Its wire format. */
@@ -4492,7 +4205,10 @@ static inline mip_error mip_filter_enable_measurements_response_encode_inline(
  * - mip-sdk-4: Mag Noise (0x0D,0x42)
  */
 struct mip_filter_mag_noise {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -4505,7 +4221,9 @@ struct mip_filter_mag_noise {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_MAG_NOISE 0x0D42
+/** Its descriptor. */
 #define MIP_FILTER_MAG_NOISE_DESCRIPTOR 0x42
+/** Its name in the specification. */
 #define MIP_FILTER_MAG_NOISE_NAME "filter.mag_noise"
 
 /** Its wire format. */
@@ -4522,11 +4240,7 @@ static inline mip_error mip_filter_mag_noise_encode(const struct mip_filter_mag_
                                                     struct mip_builder *builder) {
     return mip_encode(&mip_filter_mag_noise_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_noise *
 mip_filter_mag_noise_write(struct mip_filter_mag_noise *command, const float noise[3]) {
     memset(command, 0, sizeof(*command));
@@ -4534,44 +4248,28 @@ mip_filter_mag_noise_write(struct mip_filter_mag_noise *command, const float noi
     memcpy(command->noise, noise, sizeof(command->noise));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_noise *
 mip_filter_mag_noise_read(struct mip_filter_mag_noise *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_noise *
 mip_filter_mag_noise_save(struct mip_filter_mag_noise *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_noise *
 mip_filter_mag_noise_load(struct mip_filter_mag_noise *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_noise *
 mip_filter_mag_noise_default(struct mip_filter_mag_noise *command) {
     memset(command, 0, sizeof(*command));
@@ -4593,7 +4291,9 @@ struct mip_filter_mag_noise_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_MAG_NOISE_RESPONSE 0x0DB1
+/** Its descriptor. */
 #define MIP_FILTER_MAG_NOISE_RESPONSE_DESCRIPTOR 0xB1
+/** Its name in the specification. */
 #define MIP_FILTER_MAG_NOISE_RESPONSE_NAME "filter.mag_noise_response"
 
 /** Its wire format. */
@@ -4653,7 +4353,10 @@ static inline mip_error mip_filter_mag_noise_response_encode_inline(
  * - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
  */
 struct mip_filter_magnetic_declination_source {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -4669,7 +4372,9 @@ struct mip_filter_magnetic_declination_source {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_MAGNETIC_DECLINATION_SOURCE 0x0D43
+/** Its descriptor. */
 #define MIP_FILTER_MAGNETIC_DECLINATION_SOURCE_DESCRIPTOR 0x43
+/** Its name in the specification. */
 #define MIP_FILTER_MAGNETIC_DECLINATION_SOURCE_NAME "filter.magnetic_declination_source"
 
 /** Its wire format. */
@@ -4686,11 +4391,7 @@ static inline mip_error mip_filter_magnetic_declination_source_encode(
     const struct mip_filter_magnetic_declination_source *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_magnetic_declination_source_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_magnetic_declination_source *
 mip_filter_magnetic_declination_source_write(struct mip_filter_magnetic_declination_source *command,
                                              enum mip_filter_mag_parameter_source source,
@@ -4701,11 +4402,7 @@ mip_filter_magnetic_declination_source_write(struct mip_filter_magnetic_declinat
     command->declination = declination;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_magnetic_declination_source *
 mip_filter_magnetic_declination_source_read(
     struct mip_filter_magnetic_declination_source *command) {
@@ -4713,11 +4410,7 @@ mip_filter_magnetic_declination_source_read(
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_magnetic_declination_source *
 mip_filter_magnetic_declination_source_save(
     struct mip_filter_magnetic_declination_source *command) {
@@ -4725,11 +4418,7 @@ mip_filter_magnetic_declination_source_save(
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_magnetic_declination_source *
 mip_filter_magnetic_declination_source_load(
     struct mip_filter_magnetic_declination_source *command) {
@@ -4737,11 +4426,7 @@ mip_filter_magnetic_declination_source_load(
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_magnetic_declination_source *
 mip_filter_magnetic_declination_source_default(
     struct mip_filter_magnetic_declination_source *command) {
@@ -4767,7 +4452,9 @@ struct mip_filter_magnetic_declination_source_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_MAGNETIC_DECLINATION_SOURCE_RESPONSE 0x0DB2
+/** Its descriptor. */
 #define MIP_FILTER_MAGNETIC_DECLINATION_SOURCE_RESPONSE_DESCRIPTOR 0xB2
+/** Its name in the specification. */
 #define MIP_FILTER_MAGNETIC_DECLINATION_SOURCE_RESPONSE_NAME \
     "filter.magnetic_declination_source_response"
 
@@ -4822,9 +4509,7 @@ static inline mip_error mip_filter_magnetic_declination_source_response_encode_i
  * In full: filter.accel_magnitude_error_adaptive_measurement.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_accel_magnitude_adaptive_response. Supported by 3DM-GX5-15 and 3DM-GX5-45. May be
- * supported by 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and
- * 3DM-RQ1-45-ST.
+ * mip_filter_accel_magnitude_adaptive_response. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * Also called accelerometer magnitude error adaptive measurement.
  *
@@ -4838,7 +4523,11 @@ static inline mip_error mip_filter_magnetic_declination_source_response_encode_i
  * - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
  */
 struct mip_filter_accel_magnitude_adaptive {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required; with a ..._WITH_... constant, all up to that
+     * one.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -4865,7 +4554,9 @@ struct mip_filter_accel_magnitude_adaptive {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE 0x0D44
+/** Its descriptor. */
 #define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_DESCRIPTOR 0x44
+/** Its name in the specification. */
 #define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_NAME "filter.accel_magnitude_error_adaptive_measurement"
 /** The value of `present` if frequency is the last parameter that is there. */
 #define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_WITH_FREQUENCY 2
@@ -4894,11 +4585,7 @@ static inline mip_error mip_filter_accel_magnitude_adaptive_encode(
     const struct mip_filter_accel_magnitude_adaptive *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_accel_magnitude_adaptive_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_accel_magnitude_adaptive *mip_filter_accel_magnitude_adaptive_write(
     struct mip_filter_accel_magnitude_adaptive *command,
     enum mip_filter_adaptive_measurement_selector adaptive_measurement) {
@@ -4907,44 +4594,28 @@ static inline struct mip_filter_accel_magnitude_adaptive *mip_filter_accel_magni
     command->adaptive_measurement = (uint8_t)adaptive_measurement;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_accel_magnitude_adaptive *
 mip_filter_accel_magnitude_adaptive_read(struct mip_filter_accel_magnitude_adaptive *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_accel_magnitude_adaptive *
 mip_filter_accel_magnitude_adaptive_save(struct mip_filter_accel_magnitude_adaptive *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_accel_magnitude_adaptive *
 mip_filter_accel_magnitude_adaptive_load(struct mip_filter_accel_magnitude_adaptive *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_accel_magnitude_adaptive *
 mip_filter_accel_magnitude_adaptive_default(struct mip_filter_accel_magnitude_adaptive *command) {
     memset(command, 0, sizeof(*command));
@@ -4957,9 +4628,7 @@ mip_filter_accel_magnitude_adaptive_default(struct mip_filter_accel_magnitude_ad
  *
  * In full: filter.accel_magnitude_error_adaptive_measurement_response.
  *
- * Answers mip_filter_accel_magnitude_adaptive. Supported by 3DM-GX5-15 and 3DM-GX5-45. May be
- * supported by 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and
- * 3DM-RQ1-45-ST.
+ * Answers mip_filter_accel_magnitude_adaptive. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
  * - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
  */
@@ -4982,7 +4651,9 @@ struct mip_filter_accel_magnitude_adaptive_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_RESPONSE 0x0DB3
+/** Its descriptor. */
 #define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_RESPONSE_DESCRIPTOR 0xB3
+/** Its name in the specification. */
 #define MIP_FILTER_ACCEL_MAGNITUDE_ADAPTIVE_RESPONSE_NAME \
     "filter.accel_magnitude_error_adaptive_measurement_response"
 
@@ -5045,10 +4716,9 @@ static inline mip_error mip_filter_accel_magnitude_adaptive_response_encode_inli
  * In full: filter.mag_magnitude_error_adaptive_measurement.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_mag_magnitude_adaptive_response. Supported by 3DM-GX5-45. May be supported by
- * 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
- * Known from the MicroStrain MIP SDK only. Uncertain: Whether the parameters behind the selector
- * may be left out on write, as those of mip_filter_accel_magnitude_adaptive may.
+ * mip_filter_mag_magnitude_adaptive_response. Supported by 3DM-GX5-45. Known from the MicroStrain
+ * MIP SDK only. Uncertain: Whether the parameters behind the selector may be left out on write, as
+ * those of mip_filter_accel_magnitude_adaptive may.
  *
  * The limits and the low-pass filter take effect only with `fixed`; with `auto` the device finds
  * limits.
@@ -5059,7 +4729,10 @@ static inline mip_error mip_filter_accel_magnitude_adaptive_response_encode_inli
  * - mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
  */
 struct mip_filter_mag_magnitude_adaptive {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -5106,7 +4779,9 @@ struct mip_filter_mag_magnitude_adaptive {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_MAG_MAGNITUDE_ADAPTIVE 0x0D45
+/** Its descriptor. */
 #define MIP_FILTER_MAG_MAGNITUDE_ADAPTIVE_DESCRIPTOR 0x45
+/** Its name in the specification. */
 #define MIP_FILTER_MAG_MAGNITUDE_ADAPTIVE_NAME "filter.mag_magnitude_error_adaptive_measurement"
 
 /** Its wire format. */
@@ -5123,11 +4798,7 @@ static inline mip_error mip_filter_mag_magnitude_adaptive_encode(
     const struct mip_filter_mag_magnitude_adaptive *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_mag_magnitude_adaptive_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_magnitude_adaptive *mip_filter_mag_magnitude_adaptive_write(
     struct mip_filter_mag_magnitude_adaptive *command,
     enum mip_filter_adaptive_measurement_selector adaptive_measurement, float frequency,
@@ -5144,44 +4815,28 @@ static inline struct mip_filter_mag_magnitude_adaptive *mip_filter_mag_magnitude
     command->minimum_uncertainty = minimum_uncertainty;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_magnitude_adaptive *
 mip_filter_mag_magnitude_adaptive_read(struct mip_filter_mag_magnitude_adaptive *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_magnitude_adaptive *
 mip_filter_mag_magnitude_adaptive_save(struct mip_filter_mag_magnitude_adaptive *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_magnitude_adaptive *
 mip_filter_mag_magnitude_adaptive_load(struct mip_filter_mag_magnitude_adaptive *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_magnitude_adaptive *
 mip_filter_mag_magnitude_adaptive_default(struct mip_filter_mag_magnitude_adaptive *command) {
     memset(command, 0, sizeof(*command));
@@ -5194,9 +4849,8 @@ mip_filter_mag_magnitude_adaptive_default(struct mip_filter_mag_magnitude_adapti
  *
  * In full: filter.mag_magnitude_error_adaptive_measurement_response.
  *
- * Answers mip_filter_mag_magnitude_adaptive. Supported by 3DM-GX5-45. May be supported by
- * 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
- * Known from the MicroStrain MIP SDK only.
+ * Answers mip_filter_mag_magnitude_adaptive. Supported by 3DM-GX5-45. Known from the MicroStrain
+ * MIP SDK only.
  *
  * - mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
  */
@@ -5234,7 +4888,9 @@ struct mip_filter_mag_magnitude_adaptive_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_MAG_MAGNITUDE_ADAPTIVE_RESPONSE 0x0DB4
+/** Its descriptor. */
 #define MIP_FILTER_MAG_MAGNITUDE_ADAPTIVE_RESPONSE_DESCRIPTOR 0xB4
+/** Its name in the specification. */
 #define MIP_FILTER_MAG_MAGNITUDE_ADAPTIVE_RESPONSE_NAME \
     "filter.mag_magnitude_error_adaptive_measurement_response"
 
@@ -5309,7 +4965,10 @@ static inline mip_error mip_filter_mag_magnitude_adaptive_response_encode_inline
  * - mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
  */
 struct mip_filter_mag_dip_angle_adaptive {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -5336,7 +4995,9 @@ struct mip_filter_mag_dip_angle_adaptive {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_MAG_DIP_ANGLE_ADAPTIVE 0x0D46
+/** Its descriptor. */
 #define MIP_FILTER_MAG_DIP_ANGLE_ADAPTIVE_DESCRIPTOR 0x46
+/** Its name in the specification. */
 #define MIP_FILTER_MAG_DIP_ANGLE_ADAPTIVE_NAME "filter.mag_dip_angle_error_adaptive_measurement"
 
 /** Its wire format. */
@@ -5353,11 +5014,7 @@ static inline mip_error mip_filter_mag_dip_angle_adaptive_encode(
     const struct mip_filter_mag_dip_angle_adaptive *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_mag_dip_angle_adaptive_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_dip_angle_adaptive *mip_filter_mag_dip_angle_adaptive_write(
     struct mip_filter_mag_dip_angle_adaptive *command, mip_bool enable, float frequency,
     float high_limit, float high_limit_uncertainty, float minimum_uncertainty) {
@@ -5370,44 +5027,28 @@ static inline struct mip_filter_mag_dip_angle_adaptive *mip_filter_mag_dip_angle
     command->minimum_uncertainty = minimum_uncertainty;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_dip_angle_adaptive *
 mip_filter_mag_dip_angle_adaptive_read(struct mip_filter_mag_dip_angle_adaptive *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_dip_angle_adaptive *
 mip_filter_mag_dip_angle_adaptive_save(struct mip_filter_mag_dip_angle_adaptive *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_dip_angle_adaptive *
 mip_filter_mag_dip_angle_adaptive_load(struct mip_filter_mag_dip_angle_adaptive *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_dip_angle_adaptive *
 mip_filter_mag_dip_angle_adaptive_default(struct mip_filter_mag_dip_angle_adaptive *command) {
     memset(command, 0, sizeof(*command));
@@ -5449,7 +5090,9 @@ struct mip_filter_mag_dip_angle_adaptive_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_MAG_DIP_ANGLE_ADAPTIVE_RESPONSE 0x0DB5
+/** Its descriptor. */
 #define MIP_FILTER_MAG_DIP_ANGLE_ADAPTIVE_RESPONSE_DESCRIPTOR 0xB5
+/** Its name in the specification. */
 #define MIP_FILTER_MAG_DIP_ANGLE_ADAPTIVE_RESPONSE_NAME \
     "filter.mag_dip_angle_error_adaptive_measurement_response"
 
@@ -5515,7 +5158,10 @@ static inline mip_error mip_filter_mag_dip_angle_adaptive_response_encode_inline
  * - mip-sdk-4: Altitude Aiding (0x0D,0x47)
  */
 struct mip_filter_altitude_aiding {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -5527,7 +5173,9 @@ struct mip_filter_altitude_aiding {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_ALTITUDE_AIDING 0x0D47
+/** Its descriptor. */
 #define MIP_FILTER_ALTITUDE_AIDING_DESCRIPTOR 0x47
+/** Its name in the specification. */
 #define MIP_FILTER_ALTITUDE_AIDING_NAME "filter.altitude_aiding"
 
 /** Its wire format. */
@@ -5544,11 +5192,7 @@ static inline mip_error mip_filter_altitude_aiding_encode(
     const struct mip_filter_altitude_aiding *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_altitude_aiding_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_altitude_aiding *mip_filter_altitude_aiding_write(
     struct mip_filter_altitude_aiding *command, enum mip_filter_altitude_aiding_source selector) {
     memset(command, 0, sizeof(*command));
@@ -5556,44 +5200,28 @@ static inline struct mip_filter_altitude_aiding *mip_filter_altitude_aiding_writ
     command->selector = (uint8_t)selector;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_altitude_aiding *
 mip_filter_altitude_aiding_read(struct mip_filter_altitude_aiding *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_altitude_aiding *
 mip_filter_altitude_aiding_save(struct mip_filter_altitude_aiding *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_altitude_aiding *
 mip_filter_altitude_aiding_load(struct mip_filter_altitude_aiding *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_altitude_aiding *
 mip_filter_altitude_aiding_default(struct mip_filter_altitude_aiding *command) {
     memset(command, 0, sizeof(*command));
@@ -5616,7 +5244,9 @@ struct mip_filter_altitude_aiding_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_ALTITUDE_AIDING_RESPONSE 0x0DB7
+/** Its descriptor. */
 #define MIP_FILTER_ALTITUDE_AIDING_RESPONSE_DESCRIPTOR 0xB7
+/** Its name in the specification. */
 #define MIP_FILTER_ALTITUDE_AIDING_RESPONSE_NAME "filter.altitude_aiding_response"
 
 /** Its wire format. */
@@ -5669,7 +5299,10 @@ static inline mip_error mip_filter_altitude_aiding_response_encode_inline(
  * - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
  */
 struct mip_filter_pitch_roll_aiding {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -5682,7 +5315,9 @@ struct mip_filter_pitch_roll_aiding {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_PITCH_ROLL_AIDING 0x0D4B
+/** Its descriptor. */
 #define MIP_FILTER_PITCH_ROLL_AIDING_DESCRIPTOR 0x4B
+/** Its name in the specification. */
 #define MIP_FILTER_PITCH_ROLL_AIDING_NAME "filter.pitch_roll_aiding"
 
 /** Its wire format. */
@@ -5699,11 +5334,7 @@ static inline mip_error mip_filter_pitch_roll_aiding_encode(
     const struct mip_filter_pitch_roll_aiding *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_pitch_roll_aiding_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_pitch_roll_aiding *mip_filter_pitch_roll_aiding_write(
     struct mip_filter_pitch_roll_aiding *command, enum mip_filter_pitch_roll_aiding_source aiding) {
     memset(command, 0, sizeof(*command));
@@ -5711,44 +5342,28 @@ static inline struct mip_filter_pitch_roll_aiding *mip_filter_pitch_roll_aiding_
     command->aiding = (uint8_t)aiding;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_pitch_roll_aiding *
 mip_filter_pitch_roll_aiding_read(struct mip_filter_pitch_roll_aiding *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_pitch_roll_aiding *
 mip_filter_pitch_roll_aiding_save(struct mip_filter_pitch_roll_aiding *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_pitch_roll_aiding *
 mip_filter_pitch_roll_aiding_load(struct mip_filter_pitch_roll_aiding *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_pitch_roll_aiding *
 mip_filter_pitch_roll_aiding_default(struct mip_filter_pitch_roll_aiding *command) {
     memset(command, 0, sizeof(*command));
@@ -5770,7 +5385,9 @@ struct mip_filter_pitch_roll_aiding_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_PITCH_ROLL_AIDING_RESPONSE 0x0DBB
+/** Its descriptor. */
 #define MIP_FILTER_PITCH_ROLL_AIDING_RESPONSE_DESCRIPTOR 0xBB
+/** Its name in the specification. */
 #define MIP_FILTER_PITCH_ROLL_AIDING_RESPONSE_NAME "filter.pitch_roll_aiding_response"
 
 /** Its wire format. */
@@ -5826,7 +5443,10 @@ static inline mip_error mip_filter_pitch_roll_aiding_response_encode_inline(
  * - mip-sdk-4: Inclination Source (0x0D,0x4C)
  */
 struct mip_filter_magnetic_inclination_source {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -5844,7 +5464,9 @@ struct mip_filter_magnetic_inclination_source {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_MAGNETIC_INCLINATION_SOURCE 0x0D4C
+/** Its descriptor. */
 #define MIP_FILTER_MAGNETIC_INCLINATION_SOURCE_DESCRIPTOR 0x4C
+/** Its name in the specification. */
 #define MIP_FILTER_MAGNETIC_INCLINATION_SOURCE_NAME "filter.magnetic_inclination_source"
 
 /** Its wire format. */
@@ -5861,11 +5483,7 @@ static inline mip_error mip_filter_magnetic_inclination_source_encode(
     const struct mip_filter_magnetic_inclination_source *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_magnetic_inclination_source_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_magnetic_inclination_source *
 mip_filter_magnetic_inclination_source_write(struct mip_filter_magnetic_inclination_source *command,
                                              enum mip_filter_mag_parameter_source source,
@@ -5876,11 +5494,7 @@ mip_filter_magnetic_inclination_source_write(struct mip_filter_magnetic_inclinat
     command->inclination = inclination;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_magnetic_inclination_source *
 mip_filter_magnetic_inclination_source_read(
     struct mip_filter_magnetic_inclination_source *command) {
@@ -5888,11 +5502,7 @@ mip_filter_magnetic_inclination_source_read(
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_magnetic_inclination_source *
 mip_filter_magnetic_inclination_source_save(
     struct mip_filter_magnetic_inclination_source *command) {
@@ -5900,11 +5510,7 @@ mip_filter_magnetic_inclination_source_save(
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_magnetic_inclination_source *
 mip_filter_magnetic_inclination_source_load(
     struct mip_filter_magnetic_inclination_source *command) {
@@ -5912,11 +5518,7 @@ mip_filter_magnetic_inclination_source_load(
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_magnetic_inclination_source *
 mip_filter_magnetic_inclination_source_default(
     struct mip_filter_magnetic_inclination_source *command) {
@@ -5945,7 +5547,9 @@ struct mip_filter_magnetic_inclination_source_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_MAGNETIC_INCLINATION_SOURCE_RESPONSE 0x0DBC
+/** Its descriptor. */
 #define MIP_FILTER_MAGNETIC_INCLINATION_SOURCE_RESPONSE_DESCRIPTOR 0xBC
+/** Its name in the specification. */
 #define MIP_FILTER_MAGNETIC_INCLINATION_SOURCE_RESPONSE_NAME \
     "filter.magnetic_inclination_source_response"
 
@@ -6008,7 +5612,10 @@ static inline mip_error mip_filter_magnetic_inclination_source_response_encode_i
  * - mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D)
  */
 struct mip_filter_magnetic_magnitude_source {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -6025,7 +5632,9 @@ struct mip_filter_magnetic_magnitude_source {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_MAGNETIC_MAGNITUDE_SOURCE 0x0D4D
+/** Its descriptor. */
 #define MIP_FILTER_MAGNETIC_MAGNITUDE_SOURCE_DESCRIPTOR 0x4D
+/** Its name in the specification. */
 #define MIP_FILTER_MAGNETIC_MAGNITUDE_SOURCE_NAME "filter.magnetic_magnitude_source"
 
 /** Its wire format. */
@@ -6042,11 +5651,7 @@ static inline mip_error mip_filter_magnetic_magnitude_source_encode(
     const struct mip_filter_magnetic_magnitude_source *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_magnetic_magnitude_source_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_magnetic_magnitude_source *
 mip_filter_magnetic_magnitude_source_write(struct mip_filter_magnetic_magnitude_source *command,
                                            enum mip_filter_mag_parameter_source source,
@@ -6057,44 +5662,28 @@ mip_filter_magnetic_magnitude_source_write(struct mip_filter_magnetic_magnitude_
     command->magnitude = magnitude;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_magnetic_magnitude_source *
 mip_filter_magnetic_magnitude_source_read(struct mip_filter_magnetic_magnitude_source *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_magnetic_magnitude_source *
 mip_filter_magnetic_magnitude_source_save(struct mip_filter_magnetic_magnitude_source *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_magnetic_magnitude_source *
 mip_filter_magnetic_magnitude_source_load(struct mip_filter_magnetic_magnitude_source *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_magnetic_magnitude_source *
 mip_filter_magnetic_magnitude_source_default(struct mip_filter_magnetic_magnitude_source *command) {
     memset(command, 0, sizeof(*command));
@@ -6122,7 +5711,9 @@ struct mip_filter_magnetic_magnitude_source_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_MAGNETIC_MAGNITUDE_SOURCE_RESPONSE 0x0DBD
+/** Its descriptor. */
 #define MIP_FILTER_MAGNETIC_MAGNITUDE_SOURCE_RESPONSE_DESCRIPTOR 0xBD
+/** Its name in the specification. */
 #define MIP_FILTER_MAGNETIC_MAGNITUDE_SOURCE_RESPONSE_NAME \
     "filter.magnetic_magnitude_source_response"
 
@@ -6193,7 +5784,10 @@ static inline mip_error mip_filter_magnetic_magnitude_source_response_encode_inl
  * - mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E)
  */
 struct mip_filter_sensor_to_vehicle_dcm {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -6206,7 +5800,9 @@ struct mip_filter_sensor_to_vehicle_dcm {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_DCM 0x0D4E
+/** Its descriptor. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_DCM_DESCRIPTOR 0x4E
+/** Its name in the specification. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_DCM_NAME "filter.sensor_to_vehicle_rotation_dcm"
 
 /** Its wire format. */
@@ -6223,11 +5819,7 @@ static inline mip_error mip_filter_sensor_to_vehicle_dcm_encode(
     const struct mip_filter_sensor_to_vehicle_dcm *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_sensor_to_vehicle_dcm_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_dcm *mip_filter_sensor_to_vehicle_dcm_write(
     struct mip_filter_sensor_to_vehicle_dcm *command, const float dcm[9]) {
     memset(command, 0, sizeof(*command));
@@ -6235,44 +5827,28 @@ static inline struct mip_filter_sensor_to_vehicle_dcm *mip_filter_sensor_to_vehi
     memcpy(command->dcm, dcm, sizeof(command->dcm));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_dcm *
 mip_filter_sensor_to_vehicle_dcm_read(struct mip_filter_sensor_to_vehicle_dcm *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_dcm *
 mip_filter_sensor_to_vehicle_dcm_save(struct mip_filter_sensor_to_vehicle_dcm *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_dcm *
 mip_filter_sensor_to_vehicle_dcm_load(struct mip_filter_sensor_to_vehicle_dcm *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_dcm *
 mip_filter_sensor_to_vehicle_dcm_default(struct mip_filter_sensor_to_vehicle_dcm *command) {
     memset(command, 0, sizeof(*command));
@@ -6299,7 +5875,9 @@ struct mip_filter_sensor_to_vehicle_dcm_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_DCM_RESPONSE 0x0DBE
+/** Its descriptor. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_DCM_RESPONSE_DESCRIPTOR 0xBE
+/** Its name in the specification. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_DCM_RESPONSE_NAME \
     "filter.sensor_to_vehicle_rotation_dcm_response"
 
@@ -6368,7 +5946,10 @@ static inline mip_error mip_filter_sensor_to_vehicle_dcm_response_encode_inline(
  * - mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F)
  */
 struct mip_filter_sensor_to_vehicle_quaternion {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -6381,7 +5962,9 @@ struct mip_filter_sensor_to_vehicle_quaternion {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_QUATERNION 0x0D4F
+/** Its descriptor. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_QUATERNION_DESCRIPTOR 0x4F
+/** Its name in the specification. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_QUATERNION_NAME "filter.sensor_to_vehicle_rotation_quaternion"
 
 /** Its wire format. */
@@ -6398,11 +5981,7 @@ static inline mip_error mip_filter_sensor_to_vehicle_quaternion_encode(
     const struct mip_filter_sensor_to_vehicle_quaternion *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_sensor_to_vehicle_quaternion_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_quaternion *
 mip_filter_sensor_to_vehicle_quaternion_write(
     struct mip_filter_sensor_to_vehicle_quaternion *command, const float q[4]) {
@@ -6411,11 +5990,7 @@ mip_filter_sensor_to_vehicle_quaternion_write(
     memcpy(command->q, q, sizeof(command->q));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_quaternion *
 mip_filter_sensor_to_vehicle_quaternion_read(
     struct mip_filter_sensor_to_vehicle_quaternion *command) {
@@ -6423,11 +5998,7 @@ mip_filter_sensor_to_vehicle_quaternion_read(
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_quaternion *
 mip_filter_sensor_to_vehicle_quaternion_save(
     struct mip_filter_sensor_to_vehicle_quaternion *command) {
@@ -6435,11 +6006,7 @@ mip_filter_sensor_to_vehicle_quaternion_save(
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_quaternion *
 mip_filter_sensor_to_vehicle_quaternion_load(
     struct mip_filter_sensor_to_vehicle_quaternion *command) {
@@ -6447,11 +6014,7 @@ mip_filter_sensor_to_vehicle_quaternion_load(
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_quaternion *
 mip_filter_sensor_to_vehicle_quaternion_default(
     struct mip_filter_sensor_to_vehicle_quaternion *command) {
@@ -6479,7 +6042,9 @@ struct mip_filter_sensor_to_vehicle_quaternion_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_QUATERNION_RESPONSE 0x0DBF
+/** Its descriptor. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_QUATERNION_RESPONSE_DESCRIPTOR 0xBF
+/** Its name in the specification. */
 #define MIP_FILTER_SENSOR_TO_VEHICLE_QUATERNION_RESPONSE_NAME \
     "filter.sensor_to_vehicle_rotation_quaternion_response"
 
@@ -6534,13 +6099,15 @@ static inline mip_error mip_filter_sensor_to_vehicle_quaternion_response_encode_
  * Enables or disables one source of aiding measurements.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_aiding_measurement_enable_response. Supported by 3DM-CV7-GNSS/INS. May be supported by
- * 3DM-CV7-AHRS and 3DM-CV7-AR.
+ * mip_filter_aiding_measurement_enable_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
  */
 struct mip_filter_aiding_measurement_enable {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -6557,7 +6124,9 @@ struct mip_filter_aiding_measurement_enable {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_AIDING_MEASUREMENT_ENABLE 0x0D50
+/** Its descriptor. */
 #define MIP_FILTER_AIDING_MEASUREMENT_ENABLE_DESCRIPTOR 0x50
+/** Its name in the specification. */
 #define MIP_FILTER_AIDING_MEASUREMENT_ENABLE_NAME "filter.aiding_measurement_enable"
 
 /** Its wire format. */
@@ -6574,11 +6143,7 @@ static inline mip_error mip_filter_aiding_measurement_enable_encode(
     const struct mip_filter_aiding_measurement_enable *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_aiding_measurement_enable_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_aiding_measurement_enable *
 mip_filter_aiding_measurement_enable_write(struct mip_filter_aiding_measurement_enable *command,
                                            uint16_t aiding_source, mip_bool enable) {
@@ -6588,11 +6153,7 @@ mip_filter_aiding_measurement_enable_write(struct mip_filter_aiding_measurement_
     command->enable = enable;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_aiding_measurement_enable *
 mip_filter_aiding_measurement_enable_read(struct mip_filter_aiding_measurement_enable *command,
                                           uint16_t aiding_source) {
@@ -6601,11 +6162,7 @@ mip_filter_aiding_measurement_enable_read(struct mip_filter_aiding_measurement_e
     command->aiding_source = aiding_source;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_aiding_measurement_enable *
 mip_filter_aiding_measurement_enable_save(struct mip_filter_aiding_measurement_enable *command,
                                           uint16_t aiding_source) {
@@ -6614,11 +6171,7 @@ mip_filter_aiding_measurement_enable_save(struct mip_filter_aiding_measurement_e
     command->aiding_source = aiding_source;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_aiding_measurement_enable *
 mip_filter_aiding_measurement_enable_load(struct mip_filter_aiding_measurement_enable *command,
                                           uint16_t aiding_source) {
@@ -6627,11 +6180,7 @@ mip_filter_aiding_measurement_enable_load(struct mip_filter_aiding_measurement_e
     command->aiding_source = aiding_source;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_aiding_measurement_enable *
 mip_filter_aiding_measurement_enable_default(struct mip_filter_aiding_measurement_enable *command,
                                              uint16_t aiding_source) {
@@ -6644,8 +6193,7 @@ mip_filter_aiding_measurement_enable_default(struct mip_filter_aiding_measuremen
 /**
  * Aiding measurement control response: response (0x0D,0xD0).
  *
- * Answers mip_filter_aiding_measurement_enable. Supported by 3DM-CV7-GNSS/INS. May be supported by
- * 3DM-CV7-AHRS and 3DM-CV7-AR.
+ * Answers mip_filter_aiding_measurement_enable. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
  */
@@ -6658,7 +6206,9 @@ struct mip_filter_aiding_measurement_enable_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_AIDING_MEASUREMENT_ENABLE_RESPONSE 0x0DD0
+/** Its descriptor. */
 #define MIP_FILTER_AIDING_MEASUREMENT_ENABLE_RESPONSE_DESCRIPTOR 0xD0
+/** Its name in the specification. */
 #define MIP_FILTER_AIDING_MEASUREMENT_ENABLE_RESPONSE_NAME \
     "filter.aiding_measurement_enable_response"
 
@@ -6718,7 +6268,10 @@ static inline mip_error mip_filter_aiding_measurement_enable_response_encode_inl
  * - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
  */
 struct mip_filter_kinematic_constraint {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -6741,7 +6294,9 @@ struct mip_filter_kinematic_constraint {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_KINEMATIC_CONSTRAINT 0x0D51
+/** Its descriptor. */
 #define MIP_FILTER_KINEMATIC_CONSTRAINT_DESCRIPTOR 0x51
+/** Its name in the specification. */
 #define MIP_FILTER_KINEMATIC_CONSTRAINT_NAME "filter.kinematic_constraint"
 
 /** Its wire format. */
@@ -6758,11 +6313,7 @@ static inline mip_error mip_filter_kinematic_constraint_encode(
     const struct mip_filter_kinematic_constraint *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_kinematic_constraint_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_kinematic_constraint *
 mip_filter_kinematic_constraint_write(struct mip_filter_kinematic_constraint *command,
                                       enum mip_filter_accel_constraint accel_constraint,
@@ -6775,44 +6326,28 @@ mip_filter_kinematic_constraint_write(struct mip_filter_kinematic_constraint *co
     command->angular_constraint = (uint8_t)angular_constraint;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_kinematic_constraint *
 mip_filter_kinematic_constraint_read(struct mip_filter_kinematic_constraint *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_kinematic_constraint *
 mip_filter_kinematic_constraint_save(struct mip_filter_kinematic_constraint *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_kinematic_constraint *
 mip_filter_kinematic_constraint_load(struct mip_filter_kinematic_constraint *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_kinematic_constraint *
 mip_filter_kinematic_constraint_default(struct mip_filter_kinematic_constraint *command) {
     memset(command, 0, sizeof(*command));
@@ -6847,7 +6382,9 @@ struct mip_filter_kinematic_constraint_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_KINEMATIC_CONSTRAINT_RESPONSE 0x0DD1
+/** Its descriptor. */
 #define MIP_FILTER_KINEMATIC_CONSTRAINT_RESPONSE_DESCRIPTOR 0xD1
+/** Its name in the specification. */
 #define MIP_FILTER_KINEMATIC_CONSTRAINT_RESPONSE_NAME "filter.kinematic_constraint_response"
 
 /** Its wire format. */
@@ -6912,7 +6449,10 @@ static inline mip_error mip_filter_kinematic_constraint_response_encode_inline(
  * - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
  */
 struct mip_filter_initialization_config {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -6955,7 +6495,9 @@ struct mip_filter_initialization_config {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_INITIALIZATION_CONFIG 0x0D52
+/** Its descriptor. */
 #define MIP_FILTER_INITIALIZATION_CONFIG_DESCRIPTOR 0x52
+/** Its name in the specification. */
 #define MIP_FILTER_INITIALIZATION_CONFIG_NAME "filter.initialization_config"
 
 /** Its wire format. */
@@ -6972,11 +6514,7 @@ static inline mip_error mip_filter_initialization_config_encode(
     const struct mip_filter_initialization_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_initialization_config_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_initialization_config *mip_filter_initialization_config_write(
     struct mip_filter_initialization_config *command, uint8_t wait_for_run_command,
     enum mip_filter_initial_condition_source initial_condition_source,
@@ -6996,44 +6534,28 @@ static inline struct mip_filter_initialization_config *mip_filter_initialization
     command->reference_frame_selector = (uint8_t)reference_frame_selector;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_initialization_config *
 mip_filter_initialization_config_read(struct mip_filter_initialization_config *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_initialization_config *
 mip_filter_initialization_config_save(struct mip_filter_initialization_config *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_initialization_config *
 mip_filter_initialization_config_load(struct mip_filter_initialization_config *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_initialization_config *
 mip_filter_initialization_config_default(struct mip_filter_initialization_config *command) {
     memset(command, 0, sizeof(*command));
@@ -7083,7 +6605,9 @@ struct mip_filter_initialization_config_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_INITIALIZATION_CONFIG_RESPONSE 0x0DD2
+/** Its descriptor. */
 #define MIP_FILTER_INITIALIZATION_CONFIG_RESPONSE_DESCRIPTOR 0xD2
+/** Its name in the specification. */
 #define MIP_FILTER_INITIALIZATION_CONFIG_RESPONSE_NAME "filter.initialization_config_response"
 
 /** Its wire format. */
@@ -7155,13 +6679,15 @@ static inline mip_error mip_filter_initialization_config_response_encode_inline(
  * How the filter adapts to measurements that do not fit its model.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_adaptive_filter_options_response. Supported by 3DM-CV7-GNSS/INS. May be supported by
- * 3DM-GX5-45.
+ * mip_filter_adaptive_filter_options_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
  */
 struct mip_filter_adaptive_filter_options {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -7180,7 +6706,9 @@ struct mip_filter_adaptive_filter_options {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_ADAPTIVE_FILTER_OPTIONS 0x0D53
+/** Its descriptor. */
 #define MIP_FILTER_ADAPTIVE_FILTER_OPTIONS_DESCRIPTOR 0x53
+/** Its name in the specification. */
 #define MIP_FILTER_ADAPTIVE_FILTER_OPTIONS_NAME "filter.adaptive_filter_options"
 
 /** Its wire format. */
@@ -7197,11 +6725,7 @@ static inline mip_error mip_filter_adaptive_filter_options_encode(
     const struct mip_filter_adaptive_filter_options *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_adaptive_filter_options_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_adaptive_filter_options *mip_filter_adaptive_filter_options_write(
     struct mip_filter_adaptive_filter_options *command, enum mip_filter_adaptive_level level,
     uint16_t time_limit) {
@@ -7211,44 +6735,28 @@ static inline struct mip_filter_adaptive_filter_options *mip_filter_adaptive_fil
     command->time_limit = time_limit;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_adaptive_filter_options *
 mip_filter_adaptive_filter_options_read(struct mip_filter_adaptive_filter_options *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_adaptive_filter_options *
 mip_filter_adaptive_filter_options_save(struct mip_filter_adaptive_filter_options *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_adaptive_filter_options *
 mip_filter_adaptive_filter_options_load(struct mip_filter_adaptive_filter_options *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_adaptive_filter_options *
 mip_filter_adaptive_filter_options_default(struct mip_filter_adaptive_filter_options *command) {
     memset(command, 0, sizeof(*command));
@@ -7259,8 +6767,7 @@ mip_filter_adaptive_filter_options_default(struct mip_filter_adaptive_filter_opt
 /**
  * Adaptive filter control response: response (0x0D,0xD3).
  *
- * Answers mip_filter_adaptive_filter_options. Supported by 3DM-CV7-GNSS/INS. May be supported by
- * 3DM-GX5-45.
+ * Answers mip_filter_adaptive_filter_options. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
  */
@@ -7273,7 +6780,9 @@ struct mip_filter_adaptive_filter_options_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_ADAPTIVE_FILTER_OPTIONS_RESPONSE 0x0DD3
+/** Its descriptor. */
 #define MIP_FILTER_ADAPTIVE_FILTER_OPTIONS_RESPONSE_DESCRIPTOR 0xD3
+/** Its name in the specification. */
 #define MIP_FILTER_ADAPTIVE_FILTER_OPTIONS_RESPONSE_NAME "filter.adaptive_filter_options_response"
 
 /** Its wire format. */
@@ -7328,7 +6837,10 @@ static inline mip_error mip_filter_adaptive_filter_options_response_encode_inlin
  * - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
  */
 struct mip_filter_multi_antenna_offset {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -7343,7 +6855,9 @@ struct mip_filter_multi_antenna_offset {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_MULTI_ANTENNA_OFFSET 0x0D54
+/** Its descriptor. */
 #define MIP_FILTER_MULTI_ANTENNA_OFFSET_DESCRIPTOR 0x54
+/** Its name in the specification. */
 #define MIP_FILTER_MULTI_ANTENNA_OFFSET_NAME "filter.multi_antenna_offset"
 
 /** Its wire format. */
@@ -7360,11 +6874,7 @@ static inline mip_error mip_filter_multi_antenna_offset_encode(
     const struct mip_filter_multi_antenna_offset *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_multi_antenna_offset_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_multi_antenna_offset *
 mip_filter_multi_antenna_offset_write(struct mip_filter_multi_antenna_offset *command,
                                       uint8_t receiver_id, const float antenna_offset[3]) {
@@ -7374,11 +6884,7 @@ mip_filter_multi_antenna_offset_write(struct mip_filter_multi_antenna_offset *co
     memcpy(command->antenna_offset, antenna_offset, sizeof(command->antenna_offset));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_multi_antenna_offset *mip_filter_multi_antenna_offset_read(
     struct mip_filter_multi_antenna_offset *command, uint8_t receiver_id) {
     memset(command, 0, sizeof(*command));
@@ -7386,11 +6892,7 @@ static inline struct mip_filter_multi_antenna_offset *mip_filter_multi_antenna_o
     command->receiver_id = receiver_id;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_multi_antenna_offset *mip_filter_multi_antenna_offset_save(
     struct mip_filter_multi_antenna_offset *command, uint8_t receiver_id) {
     memset(command, 0, sizeof(*command));
@@ -7398,11 +6900,7 @@ static inline struct mip_filter_multi_antenna_offset *mip_filter_multi_antenna_o
     command->receiver_id = receiver_id;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_multi_antenna_offset *mip_filter_multi_antenna_offset_load(
     struct mip_filter_multi_antenna_offset *command, uint8_t receiver_id) {
     memset(command, 0, sizeof(*command));
@@ -7410,11 +6908,7 @@ static inline struct mip_filter_multi_antenna_offset *mip_filter_multi_antenna_o
     command->receiver_id = receiver_id;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_multi_antenna_offset *mip_filter_multi_antenna_offset_default(
     struct mip_filter_multi_antenna_offset *command, uint8_t receiver_id) {
     memset(command, 0, sizeof(*command));
@@ -7442,7 +6936,9 @@ struct mip_filter_multi_antenna_offset_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_MULTI_ANTENNA_OFFSET_RESPONSE 0x0DD4
+/** Its descriptor. */
 #define MIP_FILTER_MULTI_ANTENNA_OFFSET_RESPONSE_DESCRIPTOR 0xD4
+/** Its name in the specification. */
 #define MIP_FILTER_MULTI_ANTENNA_OFFSET_RESPONSE_NAME "filter.multi_antenna_offset_response"
 
 /** Its wire format. */
@@ -7501,7 +6997,10 @@ static inline mip_error mip_filter_multi_antenna_offset_response_encode_inline(
  * - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
  */
 struct mip_filter_relative_position_config {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -7522,7 +7021,9 @@ struct mip_filter_relative_position_config {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_RELATIVE_POSITION_CONFIG 0x0D55
+/** Its descriptor. */
 #define MIP_FILTER_RELATIVE_POSITION_CONFIG_DESCRIPTOR 0x55
+/** Its name in the specification. */
 #define MIP_FILTER_RELATIVE_POSITION_CONFIG_NAME "filter.relative_position_config"
 
 /** Its wire format. */
@@ -7539,11 +7040,7 @@ static inline mip_error mip_filter_relative_position_config_encode(
     const struct mip_filter_relative_position_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_relative_position_config_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_relative_position_config *
 mip_filter_relative_position_config_write(struct mip_filter_relative_position_config *command,
                                           enum mip_filter_relative_position_source source,
@@ -7557,44 +7054,28 @@ mip_filter_relative_position_config_write(struct mip_filter_relative_position_co
            sizeof(command->reference_coordinates));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_relative_position_config *
 mip_filter_relative_position_config_read(struct mip_filter_relative_position_config *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_relative_position_config *
 mip_filter_relative_position_config_save(struct mip_filter_relative_position_config *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_relative_position_config *
 mip_filter_relative_position_config_load(struct mip_filter_relative_position_config *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_relative_position_config *
 mip_filter_relative_position_config_default(struct mip_filter_relative_position_config *command) {
     memset(command, 0, sizeof(*command));
@@ -7625,7 +7106,9 @@ struct mip_filter_relative_position_config_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_RELATIVE_POSITION_CONFIG_RESPONSE 0x0DD5
+/** Its descriptor. */
 #define MIP_FILTER_RELATIVE_POSITION_CONFIG_RESPONSE_DESCRIPTOR 0xD5
+/** Its name in the specification. */
 #define MIP_FILTER_RELATIVE_POSITION_CONFIG_RESPONSE_NAME "filter.relative_position_config_response"
 
 /** Its wire format. */
@@ -7691,7 +7174,10 @@ static inline mip_error mip_filter_relative_position_config_response_encode_inli
  * - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
  */
 struct mip_filter_reference_point_lever_arm {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -7708,7 +7194,9 @@ struct mip_filter_reference_point_lever_arm {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_REFERENCE_POINT_LEVER_ARM 0x0D56
+/** Its descriptor. */
 #define MIP_FILTER_REFERENCE_POINT_LEVER_ARM_DESCRIPTOR 0x56
+/** Its name in the specification. */
 #define MIP_FILTER_REFERENCE_POINT_LEVER_ARM_NAME "filter.reference_point_lever_arm"
 
 /** Its wire format. */
@@ -7725,11 +7213,7 @@ static inline mip_error mip_filter_reference_point_lever_arm_encode(
     const struct mip_filter_reference_point_lever_arm *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_reference_point_lever_arm_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_reference_point_lever_arm *
 mip_filter_reference_point_lever_arm_write(struct mip_filter_reference_point_lever_arm *command,
                                            enum mip_filter_reference_point reference_point,
@@ -7740,44 +7224,28 @@ mip_filter_reference_point_lever_arm_write(struct mip_filter_reference_point_lev
     memcpy(command->lever_arm_offset, lever_arm_offset, sizeof(command->lever_arm_offset));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_reference_point_lever_arm *
 mip_filter_reference_point_lever_arm_read(struct mip_filter_reference_point_lever_arm *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_reference_point_lever_arm *
 mip_filter_reference_point_lever_arm_save(struct mip_filter_reference_point_lever_arm *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_reference_point_lever_arm *
 mip_filter_reference_point_lever_arm_load(struct mip_filter_reference_point_lever_arm *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_reference_point_lever_arm *
 mip_filter_reference_point_lever_arm_default(struct mip_filter_reference_point_lever_arm *command) {
     memset(command, 0, sizeof(*command));
@@ -7805,7 +7273,9 @@ struct mip_filter_reference_point_lever_arm_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_REFERENCE_POINT_LEVER_ARM_RESPONSE 0x0DD6
+/** Its descriptor. */
 #define MIP_FILTER_REFERENCE_POINT_LEVER_ARM_RESPONSE_DESCRIPTOR 0xD6
+/** Its name in the specification. */
 #define MIP_FILTER_REFERENCE_POINT_LEVER_ARM_RESPONSE_NAME \
     "filter.reference_point_lever_arm_response"
 
@@ -7883,7 +7353,9 @@ struct mip_filter_speed_measurement {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_SPEED_MEASUREMENT 0x0D60
+/** Its descriptor. */
 #define MIP_FILTER_SPEED_MEASUREMENT_DESCRIPTOR 0x60
+/** Its name in the specification. */
 #define MIP_FILTER_SPEED_MEASUREMENT_NAME "filter.speed_measurement"
 
 /** Its wire format. */
@@ -7930,11 +7402,7 @@ static inline mip_error mip_filter_speed_measurement_encode_inline(
     mip_put_float(data + 9, &value->speed_uncertainty);
     return MIP_OK;
 }
-/**
- * Speed measurement.
- *
- * Fills the structure and returns its address.
- */
+/** Speed measurement. Fills the structure and returns its address. */
 static inline struct mip_filter_speed_measurement *mip_filter_speed_measurement_make(
     struct mip_filter_speed_measurement *command, float tow, float speed, float speed_uncertainty) {
     memset(command, 0, sizeof(*command));
@@ -7958,7 +7426,10 @@ static inline struct mip_filter_speed_measurement *mip_filter_speed_measurement_
  * - 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61)
  */
 struct mip_filter_speed_lever_arm {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -7973,7 +7444,9 @@ struct mip_filter_speed_lever_arm {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_SPEED_LEVER_ARM 0x0D61
+/** Its descriptor. */
 #define MIP_FILTER_SPEED_LEVER_ARM_DESCRIPTOR 0x61
+/** Its name in the specification. */
 #define MIP_FILTER_SPEED_LEVER_ARM_NAME "filter.speed_lever_arm"
 
 /** Its wire format. */
@@ -7990,11 +7463,7 @@ static inline mip_error mip_filter_speed_lever_arm_encode(
     const struct mip_filter_speed_lever_arm *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_speed_lever_arm_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_speed_lever_arm *mip_filter_speed_lever_arm_write(
     struct mip_filter_speed_lever_arm *command, const float lever_arm_offset[3]) {
     memset(command, 0, sizeof(*command));
@@ -8003,11 +7472,7 @@ static inline struct mip_filter_speed_lever_arm *mip_filter_speed_lever_arm_writ
     memcpy(command->lever_arm_offset, lever_arm_offset, sizeof(command->lever_arm_offset));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_speed_lever_arm *
 mip_filter_speed_lever_arm_read(struct mip_filter_speed_lever_arm *command) {
     memset(command, 0, sizeof(*command));
@@ -8015,11 +7480,7 @@ mip_filter_speed_lever_arm_read(struct mip_filter_speed_lever_arm *command) {
     command->source = 1;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_speed_lever_arm *
 mip_filter_speed_lever_arm_save(struct mip_filter_speed_lever_arm *command) {
     memset(command, 0, sizeof(*command));
@@ -8027,11 +7488,7 @@ mip_filter_speed_lever_arm_save(struct mip_filter_speed_lever_arm *command) {
     command->source = 1;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_speed_lever_arm *
 mip_filter_speed_lever_arm_load(struct mip_filter_speed_lever_arm *command) {
     memset(command, 0, sizeof(*command));
@@ -8039,11 +7496,7 @@ mip_filter_speed_lever_arm_load(struct mip_filter_speed_lever_arm *command) {
     command->source = 1;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_speed_lever_arm *
 mip_filter_speed_lever_arm_default(struct mip_filter_speed_lever_arm *command) {
     memset(command, 0, sizeof(*command));
@@ -8068,7 +7521,9 @@ struct mip_filter_speed_lever_arm_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_SPEED_LEVER_ARM_RESPONSE 0x0DE1
+/** Its descriptor. */
 #define MIP_FILTER_SPEED_LEVER_ARM_RESPONSE_DESCRIPTOR 0xE1
+/** Its name in the specification. */
 #define MIP_FILTER_SPEED_LEVER_ARM_RESPONSE_NAME "filter.speed_lever_arm_response"
 
 /** Its wire format. */
@@ -8132,7 +7587,10 @@ static inline mip_error mip_filter_speed_lever_arm_response_encode_inline(
  * - mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62)
  */
 struct mip_filter_vertical_gyro_constraint {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -8142,7 +7600,9 @@ struct mip_filter_vertical_gyro_constraint {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT 0x0D62
+/** Its descriptor. */
 #define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_DESCRIPTOR 0x62
+/** Its name in the specification. */
 #define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_NAME "filter.vertical_gyro_constraint_control"
 
 /** Its wire format. */
@@ -8159,11 +7619,7 @@ static inline mip_error mip_filter_vertical_gyro_constraint_encode(
     const struct mip_filter_vertical_gyro_constraint *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_vertical_gyro_constraint_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_vertical_gyro_constraint *mip_filter_vertical_gyro_constraint_write(
     struct mip_filter_vertical_gyro_constraint *command, uint8_t enable) {
     memset(command, 0, sizeof(*command));
@@ -8171,44 +7627,28 @@ static inline struct mip_filter_vertical_gyro_constraint *mip_filter_vertical_gy
     command->enable = enable;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_vertical_gyro_constraint *
 mip_filter_vertical_gyro_constraint_read(struct mip_filter_vertical_gyro_constraint *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_vertical_gyro_constraint *
 mip_filter_vertical_gyro_constraint_save(struct mip_filter_vertical_gyro_constraint *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_vertical_gyro_constraint *
 mip_filter_vertical_gyro_constraint_load(struct mip_filter_vertical_gyro_constraint *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_vertical_gyro_constraint *
 mip_filter_vertical_gyro_constraint_default(struct mip_filter_vertical_gyro_constraint *command) {
     memset(command, 0, sizeof(*command));
@@ -8232,7 +7672,9 @@ struct mip_filter_vertical_gyro_constraint_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_RESPONSE 0x0DE2
+/** Its descriptor. */
 #define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_RESPONSE_DESCRIPTOR 0xE2
+/** Its name in the specification. */
 #define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_RESPONSE_NAME \
     "filter.vertical_gyro_constraint_control_response"
 
@@ -8291,7 +7733,10 @@ static inline mip_error mip_filter_vertical_gyro_constraint_response_encode_inli
  * - 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63)
  */
 struct mip_filter_wheeled_vehicle_constraint {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -8301,7 +7746,9 @@ struct mip_filter_wheeled_vehicle_constraint {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT 0x0D63
+/** Its descriptor. */
 #define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_DESCRIPTOR 0x63
+/** Its name in the specification. */
 #define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_NAME "filter.wheeled_vehicle_constraint_control"
 
 /** Its wire format. */
@@ -8318,11 +7765,7 @@ static inline mip_error mip_filter_wheeled_vehicle_constraint_encode(
     const struct mip_filter_wheeled_vehicle_constraint *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_wheeled_vehicle_constraint_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_wheeled_vehicle_constraint *
 mip_filter_wheeled_vehicle_constraint_write(struct mip_filter_wheeled_vehicle_constraint *command,
                                             uint8_t enable) {
@@ -8331,44 +7774,28 @@ mip_filter_wheeled_vehicle_constraint_write(struct mip_filter_wheeled_vehicle_co
     command->enable = enable;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_wheeled_vehicle_constraint *
 mip_filter_wheeled_vehicle_constraint_read(struct mip_filter_wheeled_vehicle_constraint *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_wheeled_vehicle_constraint *
 mip_filter_wheeled_vehicle_constraint_save(struct mip_filter_wheeled_vehicle_constraint *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_wheeled_vehicle_constraint *
 mip_filter_wheeled_vehicle_constraint_load(struct mip_filter_wheeled_vehicle_constraint *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_wheeled_vehicle_constraint *
 mip_filter_wheeled_vehicle_constraint_default(
     struct mip_filter_wheeled_vehicle_constraint *command) {
@@ -8393,7 +7820,9 @@ struct mip_filter_wheeled_vehicle_constraint_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_RESPONSE 0x0DE3
+/** Its descriptor. */
 #define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_RESPONSE_DESCRIPTOR 0xE3
+/** Its name in the specification. */
 #define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_RESPONSE_NAME \
     "filter.wheeled_vehicle_constraint_control_response"
 
@@ -8453,7 +7882,10 @@ static inline mip_error mip_filter_wheeled_vehicle_constraint_response_encode_in
  * - 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration
  */
 struct mip_filter_gnss_antenna_calibration {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -8468,7 +7900,9 @@ struct mip_filter_gnss_antenna_calibration {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_GNSS_ANTENNA_CALIBRATION 0x0D64
+/** Its descriptor. */
 #define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_DESCRIPTOR 0x64
+/** Its name in the specification. */
 #define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_NAME "filter.gnss_antenna_calibration_control"
 
 /** Its wire format. */
@@ -8485,11 +7919,7 @@ static inline mip_error mip_filter_gnss_antenna_calibration_encode(
     const struct mip_filter_gnss_antenna_calibration *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_gnss_antenna_calibration_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_filter_gnss_antenna_calibration *mip_filter_gnss_antenna_calibration_write(
     struct mip_filter_gnss_antenna_calibration *command, uint8_t enable, float max_offset) {
     memset(command, 0, sizeof(*command));
@@ -8498,44 +7928,28 @@ static inline struct mip_filter_gnss_antenna_calibration *mip_filter_gnss_antenn
     command->max_offset = max_offset;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_gnss_antenna_calibration *
 mip_filter_gnss_antenna_calibration_read(struct mip_filter_gnss_antenna_calibration *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_filter_gnss_antenna_calibration *
 mip_filter_gnss_antenna_calibration_save(struct mip_filter_gnss_antenna_calibration *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_filter_gnss_antenna_calibration *
 mip_filter_gnss_antenna_calibration_load(struct mip_filter_gnss_antenna_calibration *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_filter_gnss_antenna_calibration *
 mip_filter_gnss_antenna_calibration_default(struct mip_filter_gnss_antenna_calibration *command) {
     memset(command, 0, sizeof(*command));
@@ -8566,7 +7980,9 @@ struct mip_filter_gnss_antenna_calibration_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_RESPONSE 0x0DE4
+/** Its descriptor. */
 #define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_RESPONSE_DESCRIPTOR 0xE4
+/** Its name in the specification. */
 #define MIP_FILTER_GNSS_ANTENNA_CALIBRATION_RESPONSE_NAME \
     "filter.gnss_antenna_calibration_control_response"
 

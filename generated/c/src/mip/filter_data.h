@@ -329,6 +329,7 @@ mip_filter_data_cv7_status_flags_get_filter_condition(mip_filter_data_cv7_status
     const uint32_t bits = flags & MIP_FILTER_DATA_CV7_STATUS_FLAGS_FILTER_CONDITION;
     return (uint8_t)bits;
 }
+/** Sets it. */
 static inline void mip_filter_data_cv7_status_flags_set_filter_condition(
     mip_filter_data_cv7_status_flags *flags, uint8_t value) {
     const uint32_t mask = MIP_FILTER_DATA_CV7_STATUS_FLAGS_FILTER_CONDITION;
@@ -342,6 +343,7 @@ mip_filter_data_cv7_status_flags_get_solution_error(mip_filter_data_cv7_status_f
     const uint32_t bits = flags & MIP_FILTER_DATA_CV7_STATUS_FLAGS_SOLUTION_ERROR;
     return (uint8_t)(bits >> 12);
 }
+/** Sets it. */
 static inline void mip_filter_data_cv7_status_flags_set_solution_error(
     mip_filter_data_cv7_status_flags *flags, uint8_t value) {
     const uint32_t mask = MIP_FILTER_DATA_CV7_STATUS_FLAGS_SOLUTION_ERROR;
@@ -380,7 +382,9 @@ struct mip_filter_data_llh_position {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_LLH_POSITION 0x8201
+/** Its descriptor. */
 #define MIP_FILTER_DATA_LLH_POSITION_DESCRIPTOR 0x01
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_LLH_POSITION_NAME "filter_data.llh_position"
 
 /** Its wire format. */
@@ -459,7 +463,9 @@ struct mip_filter_data_ned_velocity {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_NED_VELOCITY 0x8202
+/** Its descriptor. */
 #define MIP_FILTER_DATA_NED_VELOCITY_DESCRIPTOR 0x02
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_NED_VELOCITY_NAME "filter_data.ned_velocity"
 
 /** Its wire format. */
@@ -531,7 +537,9 @@ struct mip_filter_data_attitude_quaternion {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_ATTITUDE_QUATERNION 0x8203
+/** Its descriptor. */
 #define MIP_FILTER_DATA_ATTITUDE_QUATERNION_DESCRIPTOR 0x03
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_ATTITUDE_QUATERNION_NAME "filter_data.attitude_quaternion"
 
 /** Its wire format. */
@@ -603,7 +611,9 @@ struct mip_filter_data_attitude_dcm {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_ATTITUDE_DCM 0x8204
+/** Its descriptor. */
 #define MIP_FILTER_DATA_ATTITUDE_DCM_DESCRIPTOR 0x04
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_ATTITUDE_DCM_NAME "filter_data.attitude_dcm"
 
 /** Its wire format. */
@@ -684,7 +694,9 @@ struct mip_filter_data_euler_angles {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_EULER_ANGLES 0x8205
+/** Its descriptor. */
 #define MIP_FILTER_DATA_EULER_ANGLES_DESCRIPTOR 0x05
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_EULER_ANGLES_NAME "filter_data.euler_angles"
 
 /** Its wire format. */
@@ -754,7 +766,9 @@ struct mip_filter_data_gyro_bias {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_GYRO_BIAS 0x8206
+/** Its descriptor. */
 #define MIP_FILTER_DATA_GYRO_BIAS_DESCRIPTOR 0x06
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_GYRO_BIAS_NAME "filter_data.gyro_bias"
 
 /** Its wire format. */
@@ -823,7 +837,9 @@ struct mip_filter_data_accel_bias {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_ACCEL_BIAS 0x8207
+/** Its descriptor. */
 #define MIP_FILTER_DATA_ACCEL_BIAS_DESCRIPTOR 0x07
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_ACCEL_BIAS_NAME "filter_data.accel_bias"
 
 /** Its wire format. */
@@ -902,7 +918,9 @@ struct mip_filter_data_llh_position_uncertainty {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_LLH_POSITION_UNCERTAINTY 0x8208
+/** Its descriptor. */
 #define MIP_FILTER_DATA_LLH_POSITION_UNCERTAINTY_DESCRIPTOR 0x08
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_LLH_POSITION_UNCERTAINTY_NAME "filter_data.llh_position_uncertainty"
 
 /** Its wire format. */
@@ -981,7 +999,9 @@ struct mip_filter_data_ned_velocity_uncertainty {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_NED_VELOCITY_UNCERTAINTY 0x8209
+/** Its descriptor. */
 #define MIP_FILTER_DATA_NED_VELOCITY_UNCERTAINTY_DESCRIPTOR 0x09
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_NED_VELOCITY_UNCERTAINTY_NAME "filter_data.ned_velocity_uncertainty"
 
 /** Its wire format. */
@@ -1064,7 +1084,9 @@ struct mip_filter_data_euler_angles_uncertainty {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_EULER_ANGLES_UNCERTAINTY 0x820A
+/** Its descriptor. */
 #define MIP_FILTER_DATA_EULER_ANGLES_UNCERTAINTY_DESCRIPTOR 0x0A
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_EULER_ANGLES_UNCERTAINTY_NAME "filter_data.euler_angles_uncertainty"
 
 /** Its wire format. */
@@ -1134,7 +1156,9 @@ struct mip_filter_data_gyro_bias_uncertainty {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_GYRO_BIAS_UNCERTAINTY 0x820B
+/** Its descriptor. */
 #define MIP_FILTER_DATA_GYRO_BIAS_UNCERTAINTY_DESCRIPTOR 0x0B
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_GYRO_BIAS_UNCERTAINTY_NAME "filter_data.gyro_bias_uncertainty"
 
 /** Its wire format. */
@@ -1203,7 +1227,9 @@ struct mip_filter_data_accel_bias_uncertainty {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_ACCEL_BIAS_UNCERTAINTY 0x820C
+/** Its descriptor. */
 #define MIP_FILTER_DATA_ACCEL_BIAS_UNCERTAINTY_DESCRIPTOR 0x0C
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_ACCEL_BIAS_UNCERTAINTY_NAME "filter_data.accel_bias_uncertainty"
 
 /** Its wire format. */
@@ -1273,7 +1299,9 @@ struct mip_filter_data_linear_accel {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_LINEAR_ACCEL 0x820D
+/** Its descriptor. */
 #define MIP_FILTER_DATA_LINEAR_ACCEL_DESCRIPTOR 0x0D
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_LINEAR_ACCEL_NAME "filter_data.linear_accel"
 
 /** Its wire format. */
@@ -1343,7 +1371,9 @@ struct mip_filter_data_comp_angular_rate {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_COMP_ANGULAR_RATE 0x820E
+/** Its descriptor. */
 #define MIP_FILTER_DATA_COMP_ANGULAR_RATE_DESCRIPTOR 0x0E
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_COMP_ANGULAR_RATE_NAME "filter_data.comp_angular_rate"
 
 /** Its wire format. */
@@ -1414,7 +1444,9 @@ struct mip_filter_data_wgs84_gravity_magnitude {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_WGS84_GRAVITY_MAGNITUDE 0x820F
+/** Its descriptor. */
 #define MIP_FILTER_DATA_WGS84_GRAVITY_MAGNITUDE_DESCRIPTOR 0x0F
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_WGS84_GRAVITY_MAGNITUDE_NAME "filter_data.wgs84_gravity_magnitude"
 
 /** Its wire format. */
@@ -1497,7 +1529,9 @@ struct mip_filter_data_status {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_STATUS 0x8210
+/** Its descriptor. */
 #define MIP_FILTER_DATA_STATUS_DESCRIPTOR 0x10
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_STATUS_NAME "filter_data.status"
 
 /** Its wire format. */
@@ -1575,7 +1609,9 @@ struct mip_filter_data_timestamp {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_TIMESTAMP 0x8211
+/** Its descriptor. */
 #define MIP_FILTER_DATA_TIMESTAMP_DESCRIPTOR 0x11
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_TIMESTAMP_NAME "filter_data.timestamp"
 
 /** Its wire format. */
@@ -1643,7 +1679,9 @@ struct mip_filter_data_quaternion_attitude_uncertainty {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_QUATERNION_ATTITUDE_UNCERTAINTY 0x8212
+/** Its descriptor. */
 #define MIP_FILTER_DATA_QUATERNION_ATTITUDE_UNCERTAINTY_DESCRIPTOR 0x12
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_QUATERNION_ATTITUDE_UNCERTAINTY_NAME \
     "filter_data.quaternion_attitude_uncertainty"
 
@@ -1716,7 +1754,9 @@ struct mip_filter_data_gravity_vector {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_GRAVITY_VECTOR 0x8213
+/** Its descriptor. */
 #define MIP_FILTER_DATA_GRAVITY_VECTOR_DESCRIPTOR 0x13
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_GRAVITY_VECTOR_NAME "filter_data.gravity_vector"
 
 /** Its wire format. */
@@ -1797,7 +1837,9 @@ struct mip_filter_data_heading_update_state {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_HEADING_UPDATE_STATE 0x8214
+/** Its descriptor. */
 #define MIP_FILTER_DATA_HEADING_UPDATE_STATE_DESCRIPTOR 0x14
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_HEADING_UPDATE_STATE_NAME "filter_data.heading_update_state"
 
 /** Its wire format. */
@@ -1882,7 +1924,9 @@ struct mip_filter_data_magnetic_model {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_MAGNETIC_MODEL 0x8215
+/** Its descriptor. */
 #define MIP_FILTER_DATA_MAGNETIC_MODEL_DESCRIPTOR 0x15
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_MAGNETIC_MODEL_NAME "filter_data.magnetic_model"
 
 /** Its wire format. */
@@ -1955,7 +1999,9 @@ struct mip_filter_data_gyro_scale_factor {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_GYRO_SCALE_FACTOR 0x8216
+/** Its descriptor. */
 #define MIP_FILTER_DATA_GYRO_SCALE_FACTOR_DESCRIPTOR 0x16
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_GYRO_SCALE_FACTOR_NAME "filter_data.gyro_scale_factor"
 
 /** Its wire format. */
@@ -2024,7 +2070,9 @@ struct mip_filter_data_accel_scale_factor {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_ACCEL_SCALE_FACTOR 0x8217
+/** Its descriptor. */
 #define MIP_FILTER_DATA_ACCEL_SCALE_FACTOR_DESCRIPTOR 0x17
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_ACCEL_SCALE_FACTOR_NAME "filter_data.accel_scale_factor"
 
 /** Its wire format. */
@@ -2093,7 +2141,9 @@ struct mip_filter_data_gyro_scale_factor_uncertainty {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_GYRO_SCALE_FACTOR_UNCERTAINTY 0x8218
+/** Its descriptor. */
 #define MIP_FILTER_DATA_GYRO_SCALE_FACTOR_UNCERTAINTY_DESCRIPTOR 0x18
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_GYRO_SCALE_FACTOR_UNCERTAINTY_NAME \
     "filter_data.gyro_scale_factor_uncertainty"
 
@@ -2165,7 +2215,9 @@ struct mip_filter_data_accel_scale_factor_uncertainty {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_ACCEL_SCALE_FACTOR_UNCERTAINTY 0x8219
+/** Its descriptor. */
 #define MIP_FILTER_DATA_ACCEL_SCALE_FACTOR_UNCERTAINTY_DESCRIPTOR 0x19
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_ACCEL_SCALE_FACTOR_UNCERTAINTY_NAME \
     "filter_data.accel_scale_factor_uncertainty"
 
@@ -2237,7 +2289,9 @@ struct mip_filter_data_mag_bias {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_MAG_BIAS 0x821A
+/** Its descriptor. */
 #define MIP_FILTER_DATA_MAG_BIAS_DESCRIPTOR 0x1A
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_MAG_BIAS_NAME "filter_data.mag_bias"
 
 /** Its wire format. */
@@ -2306,7 +2360,9 @@ struct mip_filter_data_mag_bias_uncertainty {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_MAG_BIAS_UNCERTAINTY 0x821B
+/** Its descriptor. */
 #define MIP_FILTER_DATA_MAG_BIAS_UNCERTAINTY_DESCRIPTOR 0x1B
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_MAG_BIAS_UNCERTAINTY_NAME "filter_data.mag_bias_uncertainty"
 
 /** Its wire format. */
@@ -2376,7 +2432,9 @@ struct mip_filter_data_comp_accel {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_COMP_ACCEL 0x821C
+/** Its descriptor. */
 #define MIP_FILTER_DATA_COMP_ACCEL_DESCRIPTOR 0x1C
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_COMP_ACCEL_NAME "filter_data.comp_accel"
 
 /** Its wire format. */
@@ -2460,7 +2518,9 @@ struct mip_filter_data_standard_atmosphere {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_STANDARD_ATMOSPHERE 0x8220
+/** Its descriptor. */
 #define MIP_FILTER_DATA_STANDARD_ATMOSPHERE_DESCRIPTOR 0x20
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_STANDARD_ATMOSPHERE_NAME "filter_data.standard_atmosphere"
 
 /** Its wire format. */
@@ -2536,7 +2596,9 @@ struct mip_filter_data_pressure_altitude {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_PRESSURE_ALTITUDE 0x8221
+/** Its descriptor. */
 #define MIP_FILTER_DATA_PRESSURE_ALTITUDE_DESCRIPTOR 0x21
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_PRESSURE_ALTITUDE_NAME "filter_data.pressure_altitude"
 
 /** Its wire format. */
@@ -2599,7 +2661,9 @@ struct mip_filter_data_density_altitude {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_DENSITY_ALTITUDE 0x8222
+/** Its descriptor. */
 #define MIP_FILTER_DATA_DENSITY_ALTITUDE_DESCRIPTOR 0x22
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_DENSITY_ALTITUDE_NAME "filter_data.density_altitude"
 
 /** Its wire format. */
@@ -2667,7 +2731,9 @@ struct mip_filter_data_mag_offset {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_MAG_OFFSET 0x8225
+/** Its descriptor. */
 #define MIP_FILTER_DATA_MAG_OFFSET_DESCRIPTOR 0x25
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_MAG_OFFSET_NAME "filter_data.mag_offset"
 
 /** Its wire format. */
@@ -2739,7 +2805,9 @@ struct mip_filter_data_mag_matrix {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_MAG_MATRIX 0x8226
+/** Its descriptor. */
 #define MIP_FILTER_DATA_MAG_MATRIX_DESCRIPTOR 0x26
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_MAG_MATRIX_NAME "filter_data.mag_matrix"
 
 /** Its wire format. */
@@ -2809,7 +2877,9 @@ struct mip_filter_data_mag_offset_uncertainty {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_MAG_OFFSET_UNCERTAINTY 0x8228
+/** Its descriptor. */
 #define MIP_FILTER_DATA_MAG_OFFSET_UNCERTAINTY_DESCRIPTOR 0x28
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_MAG_OFFSET_UNCERTAINTY_NAME "filter_data.mag_offset_uncertainty"
 
 /** Its wire format. */
@@ -2879,7 +2949,9 @@ struct mip_filter_data_mag_matrix_uncertainty {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_MAG_MATRIX_UNCERTAINTY 0x8229
+/** Its descriptor. */
 #define MIP_FILTER_DATA_MAG_MATRIX_UNCERTAINTY_DESCRIPTOR 0x29
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_MAG_MATRIX_UNCERTAINTY_NAME "filter_data.mag_matrix_uncertainty"
 
 /** Its wire format. */
@@ -2950,7 +3022,9 @@ struct mip_filter_data_mag_covariance_matrix {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_MAG_COVARIANCE_MATRIX 0x822A
+/** Its descriptor. */
 #define MIP_FILTER_DATA_MAG_COVARIANCE_MATRIX_DESCRIPTOR 0x2A
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_MAG_COVARIANCE_MATRIX_NAME "filter_data.mag_covariance_matrix"
 
 /** Its wire format. */
@@ -3020,7 +3094,9 @@ struct mip_filter_data_mag_residual_vector {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_MAG_RESIDUAL_VECTOR 0x822C
+/** Its descriptor. */
 #define MIP_FILTER_DATA_MAG_RESIDUAL_VECTOR_DESCRIPTOR 0x2C
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_MAG_RESIDUAL_VECTOR_NAME "filter_data.mag_residual_vector"
 
 /** Its wire format. */
@@ -3091,7 +3167,9 @@ struct mip_filter_data_antenna_offset_correction {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION 0x8230
+/** Its descriptor. */
 #define MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION_DESCRIPTOR 0x30
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION_NAME "filter_data.antenna_offset_correction"
 
 /** Its wire format. */
@@ -3162,7 +3240,9 @@ struct mip_filter_data_antenna_offset_uncertainty {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_ANTENNA_OFFSET_UNCERTAINTY 0x8231
+/** Its descriptor. */
 #define MIP_FILTER_DATA_ANTENNA_OFFSET_UNCERTAINTY_DESCRIPTOR 0x31
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_ANTENNA_OFFSET_UNCERTAINTY_NAME \
     "filter_data.antenna_offset_correction_uncertainty"
 
@@ -3238,7 +3318,9 @@ struct mip_filter_data_clock_correction {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_CLOCK_CORRECTION 0x8232
+/** Its descriptor. */
 #define MIP_FILTER_DATA_CLOCK_CORRECTION_DESCRIPTOR 0x32
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_CLOCK_CORRECTION_NAME "filter_data.clock_correction"
 
 /** Its wire format. */
@@ -3314,7 +3396,9 @@ struct mip_filter_data_clock_correction_uncertainty {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_CLOCK_CORRECTION_UNCERTAINTY 0x8233
+/** Its descriptor. */
 #define MIP_FILTER_DATA_CLOCK_CORRECTION_UNCERTAINTY_DESCRIPTOR 0x33
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_CLOCK_CORRECTION_UNCERTAINTY_NAME "filter_data.clock_correction_uncertainty"
 
 /** Its wire format. */
@@ -3387,7 +3471,9 @@ struct mip_filter_data_multi_antenna_offset_correction {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_MULTI_ANTENNA_OFFSET_CORRECTION 0x8234
+/** Its descriptor. */
 #define MIP_FILTER_DATA_MULTI_ANTENNA_OFFSET_CORRECTION_DESCRIPTOR 0x34
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_MULTI_ANTENNA_OFFSET_CORRECTION_NAME \
     "filter_data.multi_antenna_offset_correction"
 
@@ -3465,7 +3551,9 @@ struct mip_filter_data_multi_antenna_offset_uncertainty {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_MULTI_ANTENNA_OFFSET_UNCERTAINTY 0x8235
+/** Its descriptor. */
 #define MIP_FILTER_DATA_MULTI_ANTENNA_OFFSET_UNCERTAINTY_DESCRIPTOR 0x35
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_MULTI_ANTENNA_OFFSET_UNCERTAINTY_NAME \
     "filter_data.multi_antenna_offset_correction_uncertainty"
 
@@ -3539,7 +3627,9 @@ struct mip_filter_data_ecef_position_uncertainty {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_ECEF_POSITION_UNCERTAINTY 0x8236
+/** Its descriptor. */
 #define MIP_FILTER_DATA_ECEF_POSITION_UNCERTAINTY_DESCRIPTOR 0x36
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_ECEF_POSITION_UNCERTAINTY_NAME "filter_data.ecef_position_uncertainty"
 
 /** Its wire format. */
@@ -3608,7 +3698,9 @@ struct mip_filter_data_ecef_velocity_uncertainty {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_ECEF_VELOCITY_UNCERTAINTY 0x8237
+/** Its descriptor. */
 #define MIP_FILTER_DATA_ECEF_VELOCITY_UNCERTAINTY_DESCRIPTOR 0x37
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_ECEF_VELOCITY_UNCERTAINTY_NAME "filter_data.ecef_velocity_uncertainty"
 
 /** Its wire format. */
@@ -3677,7 +3769,9 @@ struct mip_filter_data_ecef_position {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_ECEF_POSITION 0x8240
+/** Its descriptor. */
 #define MIP_FILTER_DATA_ECEF_POSITION_DESCRIPTOR 0x40
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_ECEF_POSITION_NAME "filter_data.ecef_position"
 
 /** Its wire format. */
@@ -3746,7 +3840,9 @@ struct mip_filter_data_ecef_velocity {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_ECEF_VELOCITY 0x8241
+/** Its descriptor. */
 #define MIP_FILTER_DATA_ECEF_VELOCITY_DESCRIPTOR 0x41
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_ECEF_VELOCITY_NAME "filter_data.ecef_velocity"
 
 /** Its wire format. */
@@ -3815,7 +3911,9 @@ struct mip_filter_data_ned_relative_position {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_NED_RELATIVE_POSITION 0x8242
+/** Its descriptor. */
 #define MIP_FILTER_DATA_NED_RELATIVE_POSITION_DESCRIPTOR 0x42
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_NED_RELATIVE_POSITION_NAME "filter_data.ned_relative_position"
 
 /** Its wire format. */
@@ -3887,7 +3985,9 @@ struct mip_filter_data_gnss_position_aiding_status {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_GNSS_POSITION_AIDING_STATUS 0x8243
+/** Its descriptor. */
 #define MIP_FILTER_DATA_GNSS_POSITION_AIDING_STATUS_DESCRIPTOR 0x43
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_GNSS_POSITION_AIDING_STATUS_NAME "filter_data.gnss_position_aiding_status"
 
 /** Its wire format. */
@@ -3961,7 +4061,9 @@ struct mip_filter_data_gnss_attitude_aiding_status {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_GNSS_ATTITUDE_AIDING_STATUS 0x8244
+/** Its descriptor. */
 #define MIP_FILTER_DATA_GNSS_ATTITUDE_AIDING_STATUS_DESCRIPTOR 0x44
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_GNSS_ATTITUDE_AIDING_STATUS_NAME "filter_data.gnss_attitude_aiding_status"
 
 /** Its wire format. */
@@ -4033,7 +4135,9 @@ struct mip_filter_data_heading_aiding_status {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_HEADING_AIDING_STATUS 0x8245
+/** Its descriptor. */
 #define MIP_FILTER_DATA_HEADING_AIDING_STATUS_DESCRIPTOR 0x45
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_HEADING_AIDING_STATUS_NAME "filter_data.heading_aiding_status"
 
 /** Its wire format. */
@@ -4107,7 +4211,9 @@ struct mip_filter_data_aiding_measurement_summary {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_AIDING_MEASUREMENT_SUMMARY 0x8246
+/** Its descriptor. */
 #define MIP_FILTER_DATA_AIDING_MEASUREMENT_SUMMARY_DESCRIPTOR 0x46
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_AIDING_MEASUREMENT_SUMMARY_NAME "filter_data.aiding_measurement_summary"
 
 /** Its wire format. */
@@ -4177,7 +4283,9 @@ struct mip_filter_data_odometer_scale_factor_error {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_ERROR 0x8247
+/** Its descriptor. */
 #define MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_ERROR_DESCRIPTOR 0x47
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_ERROR_NAME "filter_data.odometer_scale_factor_error"
 
 /** Its wire format. */
@@ -4244,7 +4352,9 @@ struct mip_filter_data_odometer_scale_factor_uncertainty {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_UNCERTAINTY 0x8248
+/** Its descriptor. */
 #define MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_UNCERTAINTY_DESCRIPTOR 0x48
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_UNCERTAINTY_NAME \
     "filter_data.odometer_scale_factor_error_uncertainty"
 
@@ -4327,7 +4437,9 @@ struct mip_filter_data_gnss_dual_antenna_status {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_GNSS_DUAL_ANTENNA_STATUS 0x8249
+/** Its descriptor. */
 #define MIP_FILTER_DATA_GNSS_DUAL_ANTENNA_STATUS_DESCRIPTOR 0x49
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_GNSS_DUAL_ANTENNA_STATUS_NAME "filter_data.gnss_dual_antenna_status"
 
 /** Its wire format. */
@@ -4399,7 +4511,9 @@ struct mip_filter_data_aiding_frame_config_error {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR 0x8250
+/** Its descriptor. */
 #define MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR_DESCRIPTOR 0x50
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR_NAME "filter_data.aiding_frame_config_error"
 
 /** Its wire format. */
@@ -4475,7 +4589,9 @@ struct mip_filter_data_aiding_frame_error_uncertainty {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_FILTER_DATA_AIDING_FRAME_ERROR_UNCERTAINTY 0x8251
+/** Its descriptor. */
 #define MIP_FILTER_DATA_AIDING_FRAME_ERROR_UNCERTAINTY_DESCRIPTOR 0x51
+/** Its name in the specification. */
 #define MIP_FILTER_DATA_AIDING_FRAME_ERROR_UNCERTAINTY_NAME \
     "filter_data.aiding_frame_config_error_uncertainty"
 

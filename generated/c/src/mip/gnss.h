@@ -92,7 +92,9 @@ struct mip_gnss_receiver_info {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_RECEIVER_INFO 0x0E01
+/** Its descriptor. */
 #define MIP_GNSS_RECEIVER_INFO_DESCRIPTOR 0x01
+/** Its name in the specification. */
 #define MIP_GNSS_RECEIVER_INFO_NAME "gnss.receiver_info"
 
 /** Its wire format. */
@@ -126,7 +128,9 @@ struct mip_gnss_receiver_info_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_RECEIVER_INFO_RESPONSE 0x0E81
+/** Its descriptor. */
 #define MIP_GNSS_RECEIVER_INFO_RESPONSE_DESCRIPTOR 0x81
+/** Its name in the specification. */
 #define MIP_GNSS_RECEIVER_INFO_RESPONSE_NAME "gnss.receiver_info_response"
 
 /** Its wire format. */
@@ -161,7 +165,10 @@ static inline mip_error mip_gnss_receiver_info_response_encode(
  * - 3dm-cv7-gnss-ins: GNSS
  */
 struct mip_gnss_signal_config {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -179,7 +186,9 @@ struct mip_gnss_signal_config {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_SIGNAL_CONFIG 0x0E02
+/** Its descriptor. */
 #define MIP_GNSS_SIGNAL_CONFIG_DESCRIPTOR 0x02
+/** Its name in the specification. */
 #define MIP_GNSS_SIGNAL_CONFIG_NAME "gnss.signal_config"
 
 /** Its wire format. */
@@ -196,11 +205,7 @@ static inline mip_error mip_gnss_signal_config_encode(const struct mip_gnss_sign
                                                       struct mip_builder *builder) {
     return mip_encode(&mip_gnss_signal_config_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_gnss_signal_config *mip_gnss_signal_config_write(
     struct mip_gnss_signal_config *command, mip_gnss_gps_signals gps_enable,
     mip_gnss_glonass_signals glonass_enable, mip_gnss_galileo_signals galileo_enable,
@@ -213,44 +218,28 @@ static inline struct mip_gnss_signal_config *mip_gnss_signal_config_write(
     command->beidou_enable = beidou_enable;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_gnss_signal_config *
 mip_gnss_signal_config_read(struct mip_gnss_signal_config *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_gnss_signal_config *
 mip_gnss_signal_config_save(struct mip_gnss_signal_config *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_gnss_signal_config *
 mip_gnss_signal_config_load(struct mip_gnss_signal_config *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_gnss_signal_config *
 mip_gnss_signal_config_default(struct mip_gnss_signal_config *command) {
     memset(command, 0, sizeof(*command));
@@ -282,7 +271,9 @@ struct mip_gnss_signal_config_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_SIGNAL_CONFIG_RESPONSE 0x0E82
+/** Its descriptor. */
 #define MIP_GNSS_SIGNAL_CONFIG_RESPONSE_DESCRIPTOR 0x82
+/** Its name in the specification. */
 #define MIP_GNSS_SIGNAL_CONFIG_RESPONSE_NAME "gnss.signal_config_response"
 
 /** Its wire format. */
@@ -344,7 +335,10 @@ static inline mip_error mip_gnss_signal_config_response_encode_inline(
  * - mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)
  */
 struct mip_gnss_rtk_dongle_config {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -356,7 +350,9 @@ struct mip_gnss_rtk_dongle_config {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_RTK_DONGLE_CONFIG 0x0E10
+/** Its descriptor. */
 #define MIP_GNSS_RTK_DONGLE_CONFIG_DESCRIPTOR 0x10
+/** Its name in the specification. */
 #define MIP_GNSS_RTK_DONGLE_CONFIG_NAME "gnss.rtk_dongle_config"
 
 /** Its wire format. */
@@ -373,11 +369,7 @@ static inline mip_error mip_gnss_rtk_dongle_config_encode(
     const struct mip_gnss_rtk_dongle_config *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_rtk_dongle_config_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_gnss_rtk_dongle_config *
 mip_gnss_rtk_dongle_config_write(struct mip_gnss_rtk_dongle_config *command, uint8_t enable) {
     memset(command, 0, sizeof(*command));
@@ -385,44 +377,28 @@ mip_gnss_rtk_dongle_config_write(struct mip_gnss_rtk_dongle_config *command, uin
     command->enable = enable;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_gnss_rtk_dongle_config *
 mip_gnss_rtk_dongle_config_read(struct mip_gnss_rtk_dongle_config *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_gnss_rtk_dongle_config *
 mip_gnss_rtk_dongle_config_save(struct mip_gnss_rtk_dongle_config *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_gnss_rtk_dongle_config *
 mip_gnss_rtk_dongle_config_load(struct mip_gnss_rtk_dongle_config *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_gnss_rtk_dongle_config *
 mip_gnss_rtk_dongle_config_default(struct mip_gnss_rtk_dongle_config *command) {
     memset(command, 0, sizeof(*command));
@@ -447,7 +423,9 @@ struct mip_gnss_rtk_dongle_config_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_RTK_DONGLE_CONFIG_RESPONSE 0x0E90
+/** Its descriptor. */
 #define MIP_GNSS_RTK_DONGLE_CONFIG_RESPONSE_DESCRIPTOR 0x90
+/** Its name in the specification. */
 #define MIP_GNSS_RTK_DONGLE_CONFIG_RESPONSE_NAME "gnss.rtk_dongle_config_response"
 
 /** Its wire format. */
@@ -513,7 +491,10 @@ static inline mip_error mip_gnss_rtk_dongle_config_response_encode_inline(
  * - 3dm-cv7-gnss-ins: SPARTN Corrections via UART
  */
 struct mip_gnss_spartn_config {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -537,7 +518,9 @@ struct mip_gnss_spartn_config {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_SPARTN_CONFIG 0x0E20
+/** Its descriptor. */
 #define MIP_GNSS_SPARTN_CONFIG_DESCRIPTOR 0x20
+/** Its name in the specification. */
 #define MIP_GNSS_SPARTN_CONFIG_NAME "gnss.spartn_config"
 
 /** Its wire format. */
@@ -554,11 +537,7 @@ static inline mip_error mip_gnss_spartn_config_encode(const struct mip_gnss_spar
                                                       struct mip_builder *builder) {
     return mip_encode(&mip_gnss_spartn_config_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_gnss_spartn_config *mip_gnss_spartn_config_write(
     struct mip_gnss_spartn_config *command, uint8_t enable, enum mip_gnss_spartn_connection type,
     uint32_t current_key_tow, uint16_t current_key_week, const uint8_t current_key[32],
@@ -575,44 +554,28 @@ static inline struct mip_gnss_spartn_config *mip_gnss_spartn_config_write(
     memcpy(command->next_key, next_key, sizeof(command->next_key));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_gnss_spartn_config *
 mip_gnss_spartn_config_read(struct mip_gnss_spartn_config *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_gnss_spartn_config *
 mip_gnss_spartn_config_save(struct mip_gnss_spartn_config *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_gnss_spartn_config *
 mip_gnss_spartn_config_load(struct mip_gnss_spartn_config *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_gnss_spartn_config *
 mip_gnss_spartn_config_default(struct mip_gnss_spartn_config *command) {
     memset(command, 0, sizeof(*command));
@@ -651,7 +614,9 @@ struct mip_gnss_spartn_config_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_SPARTN_CONFIG_RESPONSE 0x0EA0
+/** Its descriptor. */
 #define MIP_GNSS_SPARTN_CONFIG_RESPONSE_DESCRIPTOR 0xA0
+/** Its name in the specification. */
 #define MIP_GNSS_SPARTN_CONFIG_RESPONSE_NAME "gnss.spartn_config_response"
 
 /** Its wire format. */

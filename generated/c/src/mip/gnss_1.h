@@ -602,7 +602,9 @@ struct mip_gnss_1_llh_position {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_1_LLH_POSITION 0x9103
+/** Its descriptor. */
 #define MIP_GNSS_1_LLH_POSITION_DESCRIPTOR 0x03
+/** Its name in the specification. */
 #define MIP_GNSS_1_LLH_POSITION_NAME "gnss_1.llh_position"
 
 /** Its wire format. */
@@ -682,7 +684,9 @@ struct mip_gnss_1_ecef_position {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_1_ECEF_POSITION 0x9104
+/** Its descriptor. */
 #define MIP_GNSS_1_ECEF_POSITION_DESCRIPTOR 0x04
+/** Its name in the specification. */
 #define MIP_GNSS_1_ECEF_POSITION_NAME "gnss_1.ecef_position"
 
 /** Its wire format. */
@@ -778,7 +782,9 @@ struct mip_gnss_1_ned_velocity {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_1_NED_VELOCITY 0x9105
+/** Its descriptor. */
 #define MIP_GNSS_1_NED_VELOCITY_DESCRIPTOR 0x05
+/** Its name in the specification. */
 #define MIP_GNSS_1_NED_VELOCITY_NAME "gnss_1.ned_velocity"
 
 /** Its wire format. */
@@ -862,7 +868,9 @@ struct mip_gnss_1_ecef_velocity {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_1_ECEF_VELOCITY 0x9106
+/** Its descriptor. */
 #define MIP_GNSS_1_ECEF_VELOCITY_DESCRIPTOR 0x06
+/** Its name in the specification. */
 #define MIP_GNSS_1_ECEF_VELOCITY_NAME "gnss_1.ecef_velocity"
 
 /** Its wire format. */
@@ -942,7 +950,9 @@ struct mip_gnss_1_dop {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_1_DOP 0x9107
+/** Its descriptor. */
 #define MIP_GNSS_1_DOP_DESCRIPTOR 0x07
+/** Its name in the specification. */
 #define MIP_GNSS_1_DOP_NAME "gnss_1.dop"
 
 /** Its wire format. */
@@ -1046,7 +1056,9 @@ struct mip_gnss_1_utc_time {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_1_UTC_TIME 0x9108
+/** Its descriptor. */
 #define MIP_GNSS_1_UTC_TIME_DESCRIPTOR 0x08
+/** Its name in the specification. */
 #define MIP_GNSS_1_UTC_TIME_NAME "gnss_1.utc_time"
 
 /** Its wire format. */
@@ -1125,7 +1137,9 @@ struct mip_gnss_1_gps_time {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_1_GPS_TIME 0x9109
+/** Its descriptor. */
 #define MIP_GNSS_1_GPS_TIME_DESCRIPTOR 0x09
+/** Its name in the specification. */
 #define MIP_GNSS_1_GPS_TIME_NAME "gnss_1.gps_time"
 
 /** Its wire format. */
@@ -1203,7 +1217,9 @@ struct mip_gnss_1_clock_info {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_1_CLOCK_INFO 0x910A
+/** Its descriptor. */
 #define MIP_GNSS_1_CLOCK_INFO_DESCRIPTOR 0x0A
+/** Its name in the specification. */
 #define MIP_GNSS_1_CLOCK_INFO_NAME "gnss_1.clock_info"
 
 /** Its wire format. */
@@ -1279,7 +1295,9 @@ struct mip_gnss_1_fix_info {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_1_FIX_INFO 0x910B
+/** Its descriptor. */
 #define MIP_GNSS_1_FIX_INFO_DESCRIPTOR 0x0B
+/** Its name in the specification. */
 #define MIP_GNSS_1_FIX_INFO_NAME "gnss_1.fix_info"
 
 /** Its wire format. */
@@ -1367,7 +1385,9 @@ struct mip_gnss_1_sv_info {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_1_SV_INFO 0x910C
+/** Its descriptor. */
 #define MIP_GNSS_1_SV_INFO_DESCRIPTOR 0x0C
+/** Its name in the specification. */
 #define MIP_GNSS_1_SV_INFO_NAME "gnss_1.sv_info"
 
 /** Its wire format. */
@@ -1452,7 +1472,9 @@ struct mip_gnss_1_hardware_status {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_1_HARDWARE_STATUS 0x910D
+/** Its descriptor. */
 #define MIP_GNSS_1_HARDWARE_STATUS_DESCRIPTOR 0x0D
+/** Its name in the specification. */
 #define MIP_GNSS_1_HARDWARE_STATUS_NAME "gnss_1.hardware_status"
 
 /** Its wire format. */
@@ -1541,7 +1563,9 @@ struct mip_gnss_1_dgps_info {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_1_DGPS_INFO 0x910E
+/** Its descriptor. */
 #define MIP_GNSS_1_DGPS_INFO_DESCRIPTOR 0x0E
+/** Its name in the specification. */
 #define MIP_GNSS_1_DGPS_INFO_NAME "gnss_1.dgps_info"
 
 /** Its wire format. */
@@ -1629,7 +1653,9 @@ struct mip_gnss_1_dgps_channel {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_1_DGPS_CHANNEL 0x910F
+/** Its descriptor. */
 #define MIP_GNSS_1_DGPS_CHANNEL_DESCRIPTOR 0x0F
+/** Its name in the specification. */
 #define MIP_GNSS_1_DGPS_CHANNEL_NAME "gnss_1.dgps_channel"
 
 /** Its wire format. */
@@ -1717,7 +1743,9 @@ struct mip_gnss_1_clock_info_2 {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_1_CLOCK_INFO_2 0x9110
+/** Its descriptor. */
 #define MIP_GNSS_1_CLOCK_INFO_2_DESCRIPTOR 0x10
+/** Its name in the specification. */
 #define MIP_GNSS_1_CLOCK_INFO_2_NAME "gnss_1.clock_info_2"
 
 /** Its wire format. */
@@ -1788,7 +1816,9 @@ struct mip_gnss_1_gps_leap_seconds {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_1_GPS_LEAP_SECONDS 0x9111
+/** Its descriptor. */
 #define MIP_GNSS_1_GPS_LEAP_SECONDS_DESCRIPTOR 0x11
+/** Its name in the specification. */
 #define MIP_GNSS_1_GPS_LEAP_SECONDS_NAME "gnss_1.gps_leap_seconds"
 
 /** Its wire format. */
@@ -1871,7 +1901,9 @@ struct mip_gnss_1_sbas_info {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_1_SBAS_INFO 0x9112
+/** Its descriptor. */
 #define MIP_GNSS_1_SBAS_INFO_DESCRIPTOR 0x12
+/** Its name in the specification. */
 #define MIP_GNSS_1_SBAS_INFO_NAME "gnss_1.sbas_info"
 
 /** Its wire format. */
@@ -1974,7 +2006,9 @@ struct mip_gnss_1_sbas_correction {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_1_SBAS_CORRECTION 0x9113
+/** Its descriptor. */
 #define MIP_GNSS_1_SBAS_CORRECTION_DESCRIPTOR 0x13
+/** Its name in the specification. */
 #define MIP_GNSS_1_SBAS_CORRECTION_NAME "gnss_1.sbas_correction"
 
 /** Its wire format. */
@@ -2067,7 +2101,9 @@ struct mip_gnss_1_rf_error_detection {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_1_RF_ERROR_DETECTION 0x9114
+/** Its descriptor. */
 #define MIP_GNSS_1_RF_ERROR_DETECTION_DESCRIPTOR 0x14
+/** Its name in the specification. */
 #define MIP_GNSS_1_RF_ERROR_DETECTION_NAME "gnss_1.rf_error_detection"
 
 /** Its wire format. */
@@ -2174,7 +2210,9 @@ struct mip_gnss_1_satellite_status {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_1_SATELLITE_STATUS 0x9120
+/** Its descriptor. */
 #define MIP_GNSS_1_SATELLITE_STATUS_DESCRIPTOR 0x20
+/** Its name in the specification. */
 #define MIP_GNSS_1_SATELLITE_STATUS_NAME "gnss_1.satellite_status"
 
 /** Its wire format. */
@@ -2328,7 +2366,9 @@ struct mip_gnss_1_raw {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_1_RAW 0x9122
+/** Its descriptor. */
 #define MIP_GNSS_1_RAW_DESCRIPTOR 0x22
+/** Its name in the specification. */
 #define MIP_GNSS_1_RAW_NAME "gnss_1.raw"
 
 /** Its wire format. */
@@ -2452,7 +2492,9 @@ struct mip_gnss_1_base_station_info {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_1_BASE_STATION_INFO 0x9130
+/** Its descriptor. */
 #define MIP_GNSS_1_BASE_STATION_INFO_DESCRIPTOR 0x30
+/** Its name in the specification. */
 #define MIP_GNSS_1_BASE_STATION_INFO_NAME "gnss_1.base_station_info"
 
 /** Its wire format. */
@@ -2570,7 +2612,9 @@ struct mip_gnss_1_rtk_corrections_status {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_1_RTK_CORRECTIONS_STATUS 0x9131
+/** Its descriptor. */
 #define MIP_GNSS_1_RTK_CORRECTIONS_STATUS_DESCRIPTOR 0x31
+/** Its name in the specification. */
 #define MIP_GNSS_1_RTK_CORRECTIONS_STATUS_NAME "gnss_1.rtk_corrections_status"
 
 /** Its wire format. */
@@ -2793,7 +2837,9 @@ struct mip_gnss_1_gps_ephemeris {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_1_GPS_EPHEMERIS 0x9161
+/** Its descriptor. */
 #define MIP_GNSS_1_GPS_EPHEMERIS_DESCRIPTOR 0x61
+/** Its name in the specification. */
 #define MIP_GNSS_1_GPS_EPHEMERIS_NAME "gnss_1.gps_ephemeris"
 
 /** Its wire format. */
@@ -3026,7 +3072,9 @@ struct mip_gnss_1_glonass_ephemeris {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_1_GLONASS_EPHEMERIS 0x9162
+/** Its descriptor. */
 #define MIP_GNSS_1_GLONASS_EPHEMERIS_DESCRIPTOR 0x62
+/** Its name in the specification. */
 #define MIP_GNSS_1_GLONASS_EPHEMERIS_NAME "gnss_1.glonass_ephemeris"
 
 /** Its wire format. */
@@ -3290,7 +3338,9 @@ struct mip_gnss_1_galileo_ephemeris {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_1_GALILEO_EPHEMERIS 0x9163
+/** Its descriptor. */
 #define MIP_GNSS_1_GALILEO_EPHEMERIS_DESCRIPTOR 0x63
+/** Its name in the specification. */
 #define MIP_GNSS_1_GALILEO_EPHEMERIS_NAME "gnss_1.galileo_ephemeris"
 
 /** Its wire format. */
@@ -3560,7 +3610,9 @@ struct mip_gnss_1_beidou_ephemeris {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_1_BEIDOU_EPHEMERIS 0x9164
+/** Its descriptor. */
 #define MIP_GNSS_1_BEIDOU_EPHEMERIS_DESCRIPTOR 0x64
+/** Its name in the specification. */
 #define MIP_GNSS_1_BEIDOU_EPHEMERIS_NAME "gnss_1.beidou_ephemeris"
 
 /** Its wire format. */
@@ -3704,7 +3756,9 @@ struct mip_gnss_1_gps_iono_correction {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_1_GPS_IONO_CORRECTION 0x9171
+/** Its descriptor. */
 #define MIP_GNSS_1_GPS_IONO_CORRECTION_DESCRIPTOR 0x71
+/** Its name in the specification. */
 #define MIP_GNSS_1_GPS_IONO_CORRECTION_NAME "gnss_1.gps_iono_correction"
 
 /** Its wire format. */
@@ -3800,7 +3854,9 @@ struct mip_gnss_1_galileo_iono_correction {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_1_GALILEO_IONO_CORRECTION 0x9173
+/** Its descriptor. */
 #define MIP_GNSS_1_GALILEO_IONO_CORRECTION_DESCRIPTOR 0x73
+/** Its name in the specification. */
 #define MIP_GNSS_1_GALILEO_IONO_CORRECTION_NAME "gnss_1.galileo_iono_correction"
 
 /** Its wire format. */
@@ -3897,7 +3953,9 @@ struct mip_gnss_1_beidou_iono_correction {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_1_BEIDOU_IONO_CORRECTION 0x9174
+/** Its descriptor. */
 #define MIP_GNSS_1_BEIDOU_IONO_CORRECTION_DESCRIPTOR 0x74
+/** Its name in the specification. */
 #define MIP_GNSS_1_BEIDOU_IONO_CORRECTION_NAME "gnss_1.beidou_iono_correction"
 
 /** Its wire format. */

@@ -68,7 +68,9 @@ struct mip_gnss_2_llh_position {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_2_LLH_POSITION 0x9203
+/** Its descriptor. */
 #define MIP_GNSS_2_LLH_POSITION_DESCRIPTOR 0x03
+/** Its name in the specification. */
 #define MIP_GNSS_2_LLH_POSITION_NAME "gnss_2.llh_position"
 
 /** Its wire format. */
@@ -149,7 +151,9 @@ struct mip_gnss_2_ecef_position {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_2_ECEF_POSITION 0x9204
+/** Its descriptor. */
 #define MIP_GNSS_2_ECEF_POSITION_DESCRIPTOR 0x04
+/** Its name in the specification. */
 #define MIP_GNSS_2_ECEF_POSITION_NAME "gnss_2.ecef_position"
 
 /** Its wire format. */
@@ -245,7 +249,9 @@ struct mip_gnss_2_ned_velocity {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_2_NED_VELOCITY 0x9205
+/** Its descriptor. */
 #define MIP_GNSS_2_NED_VELOCITY_DESCRIPTOR 0x05
+/** Its name in the specification. */
 #define MIP_GNSS_2_NED_VELOCITY_NAME "gnss_2.ned_velocity"
 
 /** Its wire format. */
@@ -330,7 +336,9 @@ struct mip_gnss_2_ecef_velocity {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_2_ECEF_VELOCITY 0x9206
+/** Its descriptor. */
 #define MIP_GNSS_2_ECEF_VELOCITY_DESCRIPTOR 0x06
+/** Its name in the specification. */
 #define MIP_GNSS_2_ECEF_VELOCITY_NAME "gnss_2.ecef_velocity"
 
 /** Its wire format. */
@@ -410,7 +418,9 @@ struct mip_gnss_2_dop {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_2_DOP 0x9207
+/** Its descriptor. */
 #define MIP_GNSS_2_DOP_DESCRIPTOR 0x07
+/** Its name in the specification. */
 #define MIP_GNSS_2_DOP_NAME "gnss_2.dop"
 
 /** Its wire format. */
@@ -514,7 +524,9 @@ struct mip_gnss_2_utc_time {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_2_UTC_TIME 0x9208
+/** Its descriptor. */
 #define MIP_GNSS_2_UTC_TIME_DESCRIPTOR 0x08
+/** Its name in the specification. */
 #define MIP_GNSS_2_UTC_TIME_NAME "gnss_2.utc_time"
 
 /** Its wire format. */
@@ -593,7 +605,9 @@ struct mip_gnss_2_gps_time {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_2_GPS_TIME 0x9209
+/** Its descriptor. */
 #define MIP_GNSS_2_GPS_TIME_DESCRIPTOR 0x09
+/** Its name in the specification. */
 #define MIP_GNSS_2_GPS_TIME_NAME "gnss_2.gps_time"
 
 /** Its wire format. */
@@ -672,7 +686,9 @@ struct mip_gnss_2_clock_info {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_2_CLOCK_INFO 0x920A
+/** Its descriptor. */
 #define MIP_GNSS_2_CLOCK_INFO_DESCRIPTOR 0x0A
+/** Its name in the specification. */
 #define MIP_GNSS_2_CLOCK_INFO_NAME "gnss_2.clock_info"
 
 /** Its wire format. */
@@ -748,7 +764,9 @@ struct mip_gnss_2_fix_info {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_2_FIX_INFO 0x920B
+/** Its descriptor. */
 #define MIP_GNSS_2_FIX_INFO_DESCRIPTOR 0x0B
+/** Its name in the specification. */
 #define MIP_GNSS_2_FIX_INFO_NAME "gnss_2.fix_info"
 
 /** Its wire format. */
@@ -836,7 +854,9 @@ struct mip_gnss_2_sv_info {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_2_SV_INFO 0x920C
+/** Its descriptor. */
 #define MIP_GNSS_2_SV_INFO_DESCRIPTOR 0x0C
+/** Its name in the specification. */
 #define MIP_GNSS_2_SV_INFO_NAME "gnss_2.sv_info"
 
 /** Its wire format. */
@@ -922,7 +942,9 @@ struct mip_gnss_2_hardware_status {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_2_HARDWARE_STATUS 0x920D
+/** Its descriptor. */
 #define MIP_GNSS_2_HARDWARE_STATUS_DESCRIPTOR 0x0D
+/** Its name in the specification. */
 #define MIP_GNSS_2_HARDWARE_STATUS_NAME "gnss_2.hardware_status"
 
 /** Its wire format. */
@@ -1011,7 +1033,9 @@ struct mip_gnss_2_dgps_info {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_2_DGPS_INFO 0x920E
+/** Its descriptor. */
 #define MIP_GNSS_2_DGPS_INFO_DESCRIPTOR 0x0E
+/** Its name in the specification. */
 #define MIP_GNSS_2_DGPS_INFO_NAME "gnss_2.dgps_info"
 
 /** Its wire format. */
@@ -1100,7 +1124,9 @@ struct mip_gnss_2_dgps_channel {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_2_DGPS_CHANNEL 0x920F
+/** Its descriptor. */
 #define MIP_GNSS_2_DGPS_CHANNEL_DESCRIPTOR 0x0F
+/** Its name in the specification. */
 #define MIP_GNSS_2_DGPS_CHANNEL_NAME "gnss_2.dgps_channel"
 
 /** Its wire format. */
@@ -1188,7 +1214,9 @@ struct mip_gnss_2_clock_info_2 {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_2_CLOCK_INFO_2 0x9210
+/** Its descriptor. */
 #define MIP_GNSS_2_CLOCK_INFO_2_DESCRIPTOR 0x10
+/** Its name in the specification. */
 #define MIP_GNSS_2_CLOCK_INFO_2_NAME "gnss_2.clock_info_2"
 
 /** Its wire format. */
@@ -1259,7 +1287,9 @@ struct mip_gnss_2_gps_leap_seconds {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_2_GPS_LEAP_SECONDS 0x9211
+/** Its descriptor. */
 #define MIP_GNSS_2_GPS_LEAP_SECONDS_DESCRIPTOR 0x11
+/** Its name in the specification. */
 #define MIP_GNSS_2_GPS_LEAP_SECONDS_NAME "gnss_2.gps_leap_seconds"
 
 /** Its wire format. */
@@ -1342,7 +1372,9 @@ struct mip_gnss_2_sbas_info {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_2_SBAS_INFO 0x9212
+/** Its descriptor. */
 #define MIP_GNSS_2_SBAS_INFO_DESCRIPTOR 0x12
+/** Its name in the specification. */
 #define MIP_GNSS_2_SBAS_INFO_NAME "gnss_2.sbas_info"
 
 /** Its wire format. */
@@ -1446,7 +1478,9 @@ struct mip_gnss_2_sbas_correction {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_2_SBAS_CORRECTION 0x9213
+/** Its descriptor. */
 #define MIP_GNSS_2_SBAS_CORRECTION_DESCRIPTOR 0x13
+/** Its name in the specification. */
 #define MIP_GNSS_2_SBAS_CORRECTION_NAME "gnss_2.sbas_correction"
 
 /** Its wire format. */
@@ -1540,7 +1574,9 @@ struct mip_gnss_2_rf_error_detection {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_2_RF_ERROR_DETECTION 0x9214
+/** Its descriptor. */
 #define MIP_GNSS_2_RF_ERROR_DETECTION_DESCRIPTOR 0x14
+/** Its name in the specification. */
 #define MIP_GNSS_2_RF_ERROR_DETECTION_NAME "gnss_2.rf_error_detection"
 
 /** Its wire format. */
@@ -1647,7 +1683,9 @@ struct mip_gnss_2_satellite_status {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_2_SATELLITE_STATUS 0x9220
+/** Its descriptor. */
 #define MIP_GNSS_2_SATELLITE_STATUS_DESCRIPTOR 0x20
+/** Its name in the specification. */
 #define MIP_GNSS_2_SATELLITE_STATUS_NAME "gnss_2.satellite_status"
 
 /** Its wire format. */
@@ -1801,7 +1839,9 @@ struct mip_gnss_2_raw {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_2_RAW 0x9222
+/** Its descriptor. */
 #define MIP_GNSS_2_RAW_DESCRIPTOR 0x22
+/** Its name in the specification. */
 #define MIP_GNSS_2_RAW_NAME "gnss_2.raw"
 
 /** Its wire format. */
@@ -1926,7 +1966,9 @@ struct mip_gnss_2_base_station_info {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_2_BASE_STATION_INFO 0x9230
+/** Its descriptor. */
 #define MIP_GNSS_2_BASE_STATION_INFO_DESCRIPTOR 0x30
+/** Its name in the specification. */
 #define MIP_GNSS_2_BASE_STATION_INFO_NAME "gnss_2.base_station_info"
 
 /** Its wire format. */
@@ -2045,7 +2087,9 @@ struct mip_gnss_2_rtk_corrections_status {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_2_RTK_CORRECTIONS_STATUS 0x9231
+/** Its descriptor. */
 #define MIP_GNSS_2_RTK_CORRECTIONS_STATUS_DESCRIPTOR 0x31
+/** Its name in the specification. */
 #define MIP_GNSS_2_RTK_CORRECTIONS_STATUS_NAME "gnss_2.rtk_corrections_status"
 
 /** Its wire format. */
@@ -2268,7 +2312,9 @@ struct mip_gnss_2_gps_ephemeris {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_2_GPS_EPHEMERIS 0x9261
+/** Its descriptor. */
 #define MIP_GNSS_2_GPS_EPHEMERIS_DESCRIPTOR 0x61
+/** Its name in the specification. */
 #define MIP_GNSS_2_GPS_EPHEMERIS_NAME "gnss_2.gps_ephemeris"
 
 /** Its wire format. */
@@ -2502,7 +2548,9 @@ struct mip_gnss_2_glonass_ephemeris {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_2_GLONASS_EPHEMERIS 0x9262
+/** Its descriptor. */
 #define MIP_GNSS_2_GLONASS_EPHEMERIS_DESCRIPTOR 0x62
+/** Its name in the specification. */
 #define MIP_GNSS_2_GLONASS_EPHEMERIS_NAME "gnss_2.glonass_ephemeris"
 
 /** Its wire format. */
@@ -2766,7 +2814,9 @@ struct mip_gnss_2_galileo_ephemeris {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_2_GALILEO_EPHEMERIS 0x9263
+/** Its descriptor. */
 #define MIP_GNSS_2_GALILEO_EPHEMERIS_DESCRIPTOR 0x63
+/** Its name in the specification. */
 #define MIP_GNSS_2_GALILEO_EPHEMERIS_NAME "gnss_2.galileo_ephemeris"
 
 /** Its wire format. */
@@ -3036,7 +3086,9 @@ struct mip_gnss_2_beidou_ephemeris {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_2_BEIDOU_EPHEMERIS 0x9264
+/** Its descriptor. */
 #define MIP_GNSS_2_BEIDOU_EPHEMERIS_DESCRIPTOR 0x64
+/** Its name in the specification. */
 #define MIP_GNSS_2_BEIDOU_EPHEMERIS_NAME "gnss_2.beidou_ephemeris"
 
 /** Its wire format. */
@@ -3181,7 +3233,9 @@ struct mip_gnss_2_gps_iono_correction {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_2_GPS_IONO_CORRECTION 0x9271
+/** Its descriptor. */
 #define MIP_GNSS_2_GPS_IONO_CORRECTION_DESCRIPTOR 0x71
+/** Its name in the specification. */
 #define MIP_GNSS_2_GPS_IONO_CORRECTION_NAME "gnss_2.gps_iono_correction"
 
 /** Its wire format. */
@@ -3277,7 +3331,9 @@ struct mip_gnss_2_galileo_iono_correction {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_2_GALILEO_IONO_CORRECTION 0x9273
+/** Its descriptor. */
 #define MIP_GNSS_2_GALILEO_IONO_CORRECTION_DESCRIPTOR 0x73
+/** Its name in the specification. */
 #define MIP_GNSS_2_GALILEO_IONO_CORRECTION_NAME "gnss_2.galileo_iono_correction"
 
 /** Its wire format. */
@@ -3374,7 +3430,9 @@ struct mip_gnss_2_beidou_iono_correction {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_2_BEIDOU_IONO_CORRECTION 0x9274
+/** Its descriptor. */
 #define MIP_GNSS_2_BEIDOU_IONO_CORRECTION_DESCRIPTOR 0x74
+/** Its name in the specification. */
 #define MIP_GNSS_2_BEIDOU_IONO_CORRECTION_NAME "gnss_2.beidou_iono_correction"
 
 /** Its wire format. */

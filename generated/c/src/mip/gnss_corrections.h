@@ -69,7 +69,9 @@ struct mip_gnss_corrections_llh_position {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_CORRECTIONS_LLH_POSITION 0x9303
+/** Its descriptor. */
 #define MIP_GNSS_CORRECTIONS_LLH_POSITION_DESCRIPTOR 0x03
+/** Its name in the specification. */
 #define MIP_GNSS_CORRECTIONS_LLH_POSITION_NAME "gnss_corrections.llh_position"
 
 /** Its wire format. */
@@ -150,7 +152,9 @@ struct mip_gnss_corrections_ecef_position {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_CORRECTIONS_ECEF_POSITION 0x9304
+/** Its descriptor. */
 #define MIP_GNSS_CORRECTIONS_ECEF_POSITION_DESCRIPTOR 0x04
+/** Its name in the specification. */
 #define MIP_GNSS_CORRECTIONS_ECEF_POSITION_NAME "gnss_corrections.ecef_position"
 
 /** Its wire format. */
@@ -247,7 +251,9 @@ struct mip_gnss_corrections_ned_velocity {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_CORRECTIONS_NED_VELOCITY 0x9305
+/** Its descriptor. */
 #define MIP_GNSS_CORRECTIONS_NED_VELOCITY_DESCRIPTOR 0x05
+/** Its name in the specification. */
 #define MIP_GNSS_CORRECTIONS_NED_VELOCITY_NAME "gnss_corrections.ned_velocity"
 
 /** Its wire format. */
@@ -332,7 +338,9 @@ struct mip_gnss_corrections_ecef_velocity {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_CORRECTIONS_ECEF_VELOCITY 0x9306
+/** Its descriptor. */
 #define MIP_GNSS_CORRECTIONS_ECEF_VELOCITY_DESCRIPTOR 0x06
+/** Its name in the specification. */
 #define MIP_GNSS_CORRECTIONS_ECEF_VELOCITY_NAME "gnss_corrections.ecef_velocity"
 
 /** Its wire format. */
@@ -413,7 +421,9 @@ struct mip_gnss_corrections_dop {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_CORRECTIONS_DOP 0x9307
+/** Its descriptor. */
 #define MIP_GNSS_CORRECTIONS_DOP_DESCRIPTOR 0x07
+/** Its name in the specification. */
 #define MIP_GNSS_CORRECTIONS_DOP_NAME "gnss_corrections.dop"
 
 /** Its wire format. */
@@ -518,7 +528,9 @@ struct mip_gnss_corrections_utc_time {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_CORRECTIONS_UTC_TIME 0x9308
+/** Its descriptor. */
 #define MIP_GNSS_CORRECTIONS_UTC_TIME_DESCRIPTOR 0x08
+/** Its name in the specification. */
 #define MIP_GNSS_CORRECTIONS_UTC_TIME_NAME "gnss_corrections.utc_time"
 
 /** Its wire format. */
@@ -598,7 +610,9 @@ struct mip_gnss_corrections_gps_time {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_CORRECTIONS_GPS_TIME 0x9309
+/** Its descriptor. */
 #define MIP_GNSS_CORRECTIONS_GPS_TIME_DESCRIPTOR 0x09
+/** Its name in the specification. */
 #define MIP_GNSS_CORRECTIONS_GPS_TIME_NAME "gnss_corrections.gps_time"
 
 /** Its wire format. */
@@ -677,7 +691,9 @@ struct mip_gnss_corrections_clock_info {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_CORRECTIONS_CLOCK_INFO 0x930A
+/** Its descriptor. */
 #define MIP_GNSS_CORRECTIONS_CLOCK_INFO_DESCRIPTOR 0x0A
+/** Its name in the specification. */
 #define MIP_GNSS_CORRECTIONS_CLOCK_INFO_NAME "gnss_corrections.clock_info"
 
 /** Its wire format. */
@@ -754,7 +770,9 @@ struct mip_gnss_corrections_fix_info {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_CORRECTIONS_FIX_INFO 0x930B
+/** Its descriptor. */
 #define MIP_GNSS_CORRECTIONS_FIX_INFO_DESCRIPTOR 0x0B
+/** Its name in the specification. */
 #define MIP_GNSS_CORRECTIONS_FIX_INFO_NAME "gnss_corrections.fix_info"
 
 /** Its wire format. */
@@ -842,7 +860,9 @@ struct mip_gnss_corrections_sv_info {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_CORRECTIONS_SV_INFO 0x930C
+/** Its descriptor. */
 #define MIP_GNSS_CORRECTIONS_SV_INFO_DESCRIPTOR 0x0C
+/** Its name in the specification. */
 #define MIP_GNSS_CORRECTIONS_SV_INFO_NAME "gnss_corrections.sv_info"
 
 /** Its wire format. */
@@ -928,7 +948,9 @@ struct mip_gnss_corrections_hardware_status {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_CORRECTIONS_HARDWARE_STATUS 0x930D
+/** Its descriptor. */
 #define MIP_GNSS_CORRECTIONS_HARDWARE_STATUS_DESCRIPTOR 0x0D
+/** Its name in the specification. */
 #define MIP_GNSS_CORRECTIONS_HARDWARE_STATUS_NAME "gnss_corrections.hardware_status"
 
 /** Its wire format. */
@@ -1017,7 +1039,9 @@ struct mip_gnss_corrections_dgps_info {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_CORRECTIONS_DGPS_INFO 0x930E
+/** Its descriptor. */
 #define MIP_GNSS_CORRECTIONS_DGPS_INFO_DESCRIPTOR 0x0E
+/** Its name in the specification. */
 #define MIP_GNSS_CORRECTIONS_DGPS_INFO_NAME "gnss_corrections.dgps_info"
 
 /** Its wire format. */
@@ -1106,7 +1130,9 @@ struct mip_gnss_corrections_dgps_channel {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_CORRECTIONS_DGPS_CHANNEL 0x930F
+/** Its descriptor. */
 #define MIP_GNSS_CORRECTIONS_DGPS_CHANNEL_DESCRIPTOR 0x0F
+/** Its name in the specification. */
 #define MIP_GNSS_CORRECTIONS_DGPS_CHANNEL_NAME "gnss_corrections.dgps_channel"
 
 /** Its wire format. */
@@ -1195,7 +1221,9 @@ struct mip_gnss_corrections_clock_info_2 {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_CORRECTIONS_CLOCK_INFO_2 0x9310
+/** Its descriptor. */
 #define MIP_GNSS_CORRECTIONS_CLOCK_INFO_2_DESCRIPTOR 0x10
+/** Its name in the specification. */
 #define MIP_GNSS_CORRECTIONS_CLOCK_INFO_2_NAME "gnss_corrections.clock_info_2"
 
 /** Its wire format. */
@@ -1267,7 +1295,9 @@ struct mip_gnss_corrections_gps_leap_seconds {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_CORRECTIONS_GPS_LEAP_SECONDS 0x9311
+/** Its descriptor. */
 #define MIP_GNSS_CORRECTIONS_GPS_LEAP_SECONDS_DESCRIPTOR 0x11
+/** Its name in the specification. */
 #define MIP_GNSS_CORRECTIONS_GPS_LEAP_SECONDS_NAME "gnss_corrections.gps_leap_seconds"
 
 /** Its wire format. */
@@ -1351,7 +1381,9 @@ struct mip_gnss_corrections_sbas_info {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_CORRECTIONS_SBAS_INFO 0x9312
+/** Its descriptor. */
 #define MIP_GNSS_CORRECTIONS_SBAS_INFO_DESCRIPTOR 0x12
+/** Its name in the specification. */
 #define MIP_GNSS_CORRECTIONS_SBAS_INFO_NAME "gnss_corrections.sbas_info"
 
 /** Its wire format. */
@@ -1455,7 +1487,9 @@ struct mip_gnss_corrections_sbas_correction {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_CORRECTIONS_SBAS_CORRECTION 0x9313
+/** Its descriptor. */
 #define MIP_GNSS_CORRECTIONS_SBAS_CORRECTION_DESCRIPTOR 0x13
+/** Its name in the specification. */
 #define MIP_GNSS_CORRECTIONS_SBAS_CORRECTION_NAME "gnss_corrections.sbas_correction"
 
 /** Its wire format. */
@@ -1549,7 +1583,9 @@ struct mip_gnss_corrections_rf_error_detection {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_CORRECTIONS_RF_ERROR_DETECTION 0x9314
+/** Its descriptor. */
 #define MIP_GNSS_CORRECTIONS_RF_ERROR_DETECTION_DESCRIPTOR 0x14
+/** Its name in the specification. */
 #define MIP_GNSS_CORRECTIONS_RF_ERROR_DETECTION_NAME "gnss_corrections.rf_error_detection"
 
 /** Its wire format. */
@@ -1657,7 +1693,9 @@ struct mip_gnss_corrections_satellite_status {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_CORRECTIONS_SATELLITE_STATUS 0x9320
+/** Its descriptor. */
 #define MIP_GNSS_CORRECTIONS_SATELLITE_STATUS_DESCRIPTOR 0x20
+/** Its name in the specification. */
 #define MIP_GNSS_CORRECTIONS_SATELLITE_STATUS_NAME "gnss_corrections.satellite_status"
 
 /** Its wire format. */
@@ -1812,7 +1850,9 @@ struct mip_gnss_corrections_raw {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_CORRECTIONS_RAW 0x9322
+/** Its descriptor. */
 #define MIP_GNSS_CORRECTIONS_RAW_DESCRIPTOR 0x22
+/** Its name in the specification. */
 #define MIP_GNSS_CORRECTIONS_RAW_NAME "gnss_corrections.raw"
 
 /** Its wire format. */
@@ -1936,7 +1976,9 @@ struct mip_gnss_corrections_base_station_info {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_CORRECTIONS_BASE_STATION_INFO 0x9330
+/** Its descriptor. */
 #define MIP_GNSS_CORRECTIONS_BASE_STATION_INFO_DESCRIPTOR 0x30
+/** Its name in the specification. */
 #define MIP_GNSS_CORRECTIONS_BASE_STATION_INFO_NAME "gnss_corrections.base_station_info"
 
 /** Its wire format. */
@@ -2054,7 +2096,9 @@ struct mip_gnss_corrections_rtk_corrections_status {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_CORRECTIONS_RTK_CORRECTIONS_STATUS 0x9331
+/** Its descriptor. */
 #define MIP_GNSS_CORRECTIONS_RTK_CORRECTIONS_STATUS_DESCRIPTOR 0x31
+/** Its name in the specification. */
 #define MIP_GNSS_CORRECTIONS_RTK_CORRECTIONS_STATUS_NAME "gnss_corrections.rtk_corrections_status"
 
 /** Its wire format. */
@@ -2278,7 +2322,9 @@ struct mip_gnss_corrections_gps_ephemeris {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_CORRECTIONS_GPS_EPHEMERIS 0x9361
+/** Its descriptor. */
 #define MIP_GNSS_CORRECTIONS_GPS_EPHEMERIS_DESCRIPTOR 0x61
+/** Its name in the specification. */
 #define MIP_GNSS_CORRECTIONS_GPS_EPHEMERIS_NAME "gnss_corrections.gps_ephemeris"
 
 /** Its wire format. */
@@ -2512,7 +2558,9 @@ struct mip_gnss_corrections_glonass_ephemeris {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_CORRECTIONS_GLONASS_EPHEMERIS 0x9362
+/** Its descriptor. */
 #define MIP_GNSS_CORRECTIONS_GLONASS_EPHEMERIS_DESCRIPTOR 0x62
+/** Its name in the specification. */
 #define MIP_GNSS_CORRECTIONS_GLONASS_EPHEMERIS_NAME "gnss_corrections.glonass_ephemeris"
 
 /** Its wire format. */
@@ -2777,7 +2825,9 @@ struct mip_gnss_corrections_galileo_ephemeris {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_CORRECTIONS_GALILEO_EPHEMERIS 0x9363
+/** Its descriptor. */
 #define MIP_GNSS_CORRECTIONS_GALILEO_EPHEMERIS_DESCRIPTOR 0x63
+/** Its name in the specification. */
 #define MIP_GNSS_CORRECTIONS_GALILEO_EPHEMERIS_NAME "gnss_corrections.galileo_ephemeris"
 
 /** Its wire format. */
@@ -3048,7 +3098,9 @@ struct mip_gnss_corrections_beidou_ephemeris {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_CORRECTIONS_BEIDOU_EPHEMERIS 0x9364
+/** Its descriptor. */
 #define MIP_GNSS_CORRECTIONS_BEIDOU_EPHEMERIS_DESCRIPTOR 0x64
+/** Its name in the specification. */
 #define MIP_GNSS_CORRECTIONS_BEIDOU_EPHEMERIS_NAME "gnss_corrections.beidou_ephemeris"
 
 /** Its wire format. */
@@ -3193,7 +3245,9 @@ struct mip_gnss_corrections_gps_iono_correction {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_CORRECTIONS_GPS_IONO_CORRECTION 0x9371
+/** Its descriptor. */
 #define MIP_GNSS_CORRECTIONS_GPS_IONO_CORRECTION_DESCRIPTOR 0x71
+/** Its name in the specification. */
 #define MIP_GNSS_CORRECTIONS_GPS_IONO_CORRECTION_NAME "gnss_corrections.gps_iono_correction"
 
 /** Its wire format. */
@@ -3289,7 +3343,9 @@ struct mip_gnss_corrections_galileo_iono_correction {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_CORRECTIONS_GALILEO_IONO_CORRECTION 0x9373
+/** Its descriptor. */
 #define MIP_GNSS_CORRECTIONS_GALILEO_IONO_CORRECTION_DESCRIPTOR 0x73
+/** Its name in the specification. */
 #define MIP_GNSS_CORRECTIONS_GALILEO_IONO_CORRECTION_NAME "gnss_corrections.galileo_iono_correction"
 
 /** Its wire format. */
@@ -3386,7 +3442,9 @@ struct mip_gnss_corrections_beidou_iono_correction {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_CORRECTIONS_BEIDOU_IONO_CORRECTION 0x9374
+/** Its descriptor. */
 #define MIP_GNSS_CORRECTIONS_BEIDOU_IONO_CORRECTION_DESCRIPTOR 0x74
+/** Its name in the specification. */
 #define MIP_GNSS_CORRECTIONS_BEIDOU_IONO_CORRECTION_NAME "gnss_corrections.beidou_iono_correction"
 
 /** Its wire format. */

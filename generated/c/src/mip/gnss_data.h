@@ -4,6 +4,8 @@
  * GNSS data (0x81). Measurements and status of the GNSS receiver of 4-series and 5-series devices.
  * Uncertain: Which devices send the fields that no manual lists for this set. The SDK gives all
  * GNSS data sets the same fields.
+ *
+ * Devices that may support a field, though it is not certain, are in mip/profiles.h only.
  */
 #ifndef MIP_GNSS_DATA_H
 #define MIP_GNSS_DATA_H
@@ -27,8 +29,8 @@ extern "C" {
  *
  * GNSS position as latitude, longitude and height.
  *
- * Has the layout of mip_gnss_1_llh_position. Also called `pos_llh`. May be supported by 3DM-GX5-35
- * and 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
+ * No device is certain to support it. Has the layout of mip_gnss_1_llh_position. Also called
+ * `pos_llh`. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -69,7 +71,9 @@ struct mip_gnss_data_llh_position {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_DATA_LLH_POSITION 0x8103
+/** Its descriptor. */
 #define MIP_GNSS_DATA_LLH_POSITION_DESCRIPTOR 0x03
+/** Its name in the specification. */
 #define MIP_GNSS_DATA_LLH_POSITION_NAME "gnss_data.llh_position"
 
 /** Its wire format. */
@@ -128,8 +132,8 @@ static inline mip_error mip_gnss_data_llh_position_encode_inline(
  *
  * GNSS position in Earth-fixed coordinates.
  *
- * Has the layout of mip_gnss_1_ecef_position. Also called `pos_ecef`. May be supported by
- * 3DM-GX5-35 and 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
+ * No device is certain to support it. Has the layout of mip_gnss_1_ecef_position. Also called
+ * `pos_ecef`. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -150,7 +154,9 @@ struct mip_gnss_data_ecef_position {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_DATA_ECEF_POSITION 0x8104
+/** Its descriptor. */
 #define MIP_GNSS_DATA_ECEF_POSITION_DESCRIPTOR 0x04
+/** Its name in the specification. */
 #define MIP_GNSS_DATA_ECEF_POSITION_NAME "gnss_data.ecef_position"
 
 /** Its wire format. */
@@ -205,8 +211,8 @@ static inline mip_error mip_gnss_data_ecef_position_encode_inline(
  *
  * GNSS velocity in the local level frame.
  *
- * Has the layout of mip_gnss_1_ned_velocity. Also called `vel_ned`. May be supported by 3DM-GX5-35
- * and 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
+ * No device is certain to support it. Has the layout of mip_gnss_1_ned_velocity. Also called
+ * `vel_ned`. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -247,7 +253,9 @@ struct mip_gnss_data_ned_velocity {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_DATA_NED_VELOCITY 0x8105
+/** Its descriptor. */
 #define MIP_GNSS_DATA_NED_VELOCITY_DESCRIPTOR 0x05
+/** Its name in the specification. */
 #define MIP_GNSS_DATA_NED_VELOCITY_NAME "gnss_data.ned_velocity"
 
 /** Its wire format. */
@@ -310,8 +318,7 @@ static inline mip_error mip_gnss_data_ned_velocity_encode_inline(
  *
  * GNSS velocity in Earth-fixed coordinates.
  *
- * Has the layout of mip_gnss_1_ecef_velocity. Also called `vel_ecef`. Supported by 3DM-GX5-35. May
- * be supported by 3DM-GX5-45.
+ * Has the layout of mip_gnss_1_ecef_velocity. Also called `vel_ecef`. Supported by 3DM-GX5-35.
  *
  * - 3dm-gx5-35: 5.2.4 ECEF Velocity (0x81, 0x06)
  */
@@ -332,7 +339,9 @@ struct mip_gnss_data_ecef_velocity {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_DATA_ECEF_VELOCITY 0x8106
+/** Its descriptor. */
 #define MIP_GNSS_DATA_ECEF_VELOCITY_DESCRIPTOR 0x06
+/** Its name in the specification. */
 #define MIP_GNSS_DATA_ECEF_VELOCITY_NAME "gnss_data.ecef_velocity"
 
 /** Its wire format. */
@@ -387,8 +396,8 @@ static inline mip_error mip_gnss_data_ecef_velocity_encode_inline(
  *
  * Dilution of precision of the satellite geometry.
  *
- * Has the layout of mip_gnss_1_dop. May be supported by 3DM-GX5-35 and 3DM-GX5-45. Known from the
- * MicroStrain MIP SDK only.
+ * No device is certain to support it. Has the layout of mip_gnss_1_dop. Known from the MicroStrain
+ * MIP SDK only.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -413,7 +422,9 @@ struct mip_gnss_data_dop {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_DATA_DOP 0x8107
+/** Its descriptor. */
 #define MIP_GNSS_DATA_DOP_DESCRIPTOR 0x07
+/** Its name in the specification. */
 #define MIP_GNSS_DATA_DOP_NAME "gnss_data.dop"
 
 /** Its wire format. */
@@ -474,8 +485,8 @@ static inline mip_error mip_gnss_data_dop_encode_inline(const struct mip_gnss_da
  *
  * Coordinated universal time as the receiver knows it.
  *
- * Has the layout of mip_gnss_1_utc_time. May be supported by 3DM-GX5-35 and 3DM-GX5-45. Known from
- * the MicroStrain MIP SDK only.
+ * No device is certain to support it. Has the layout of mip_gnss_1_utc_time. Known from the
+ * MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -518,7 +529,9 @@ struct mip_gnss_data_utc_time {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_DATA_UTC_TIME 0x8108
+/** Its descriptor. */
 #define MIP_GNSS_DATA_UTC_TIME_DESCRIPTOR 0x08
+/** Its name in the specification. */
 #define MIP_GNSS_DATA_UTC_TIME_NAME "gnss_data.utc_time"
 
 /** Its wire format. */
@@ -579,8 +592,8 @@ static inline mip_error mip_gnss_data_utc_time_encode_inline(
  *
  * GPS time as the receiver knows it.
  *
- * Has the layout of mip_gnss_1_gps_time. May be supported by 3DM-GX5-35 and 3DM-GX5-45. Known from
- * the MicroStrain MIP SDK only.
+ * No device is certain to support it. Has the layout of mip_gnss_1_gps_time. Known from the
+ * MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -598,7 +611,9 @@ struct mip_gnss_data_gps_time {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_DATA_GPS_TIME 0x8109
+/** Its descriptor. */
 #define MIP_GNSS_DATA_GPS_TIME_DESCRIPTOR 0x09
+/** Its name in the specification. */
 #define MIP_GNSS_DATA_GPS_TIME_NAME "gnss_data.gps_time"
 
 /** Its wire format. */
@@ -649,8 +664,8 @@ static inline mip_error mip_gnss_data_gps_time_encode_inline(
  *
  * Bias and drift of the receiver clock.
  *
- * Has the layout of mip_gnss_1_clock_info. May be supported by 3DM-GX5-35 and 3DM-GX5-45. Known
- * from the MicroStrain MIP SDK only.
+ * No device is certain to support it. Has the layout of mip_gnss_1_clock_info. Known from the
+ * MicroStrain MIP SDK only.
  *
  * Clock info 2 replaces it and tells more.
  *
@@ -677,7 +692,9 @@ struct mip_gnss_data_clock_info {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_DATA_CLOCK_INFO 0x810A
+/** Its descriptor. */
 #define MIP_GNSS_DATA_CLOCK_INFO_DESCRIPTOR 0x0A
+/** Its name in the specification. */
 #define MIP_GNSS_DATA_CLOCK_INFO_NAME "gnss_data.clock_info"
 
 /** Its wire format. */
@@ -730,8 +747,8 @@ static inline mip_error mip_gnss_data_clock_info_encode_inline(
  *
  * Type of the position fix and what it is made of.
  *
- * Has the layout of mip_gnss_1_fix_info. May be supported by 3DM-GX5-35 and 3DM-GX5-45. Known from
- * the MicroStrain MIP SDK only.
+ * No device is certain to support it. Has the layout of mip_gnss_1_fix_info. Known from the
+ * MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -754,7 +771,9 @@ struct mip_gnss_data_fix_info {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_DATA_FIX_INFO 0x810B
+/** Its descriptor. */
 #define MIP_GNSS_DATA_FIX_INFO_DESCRIPTOR 0x0B
+/** Its name in the specification. */
 #define MIP_GNSS_DATA_FIX_INFO_NAME "gnss_data.fix_info"
 
 /** Its wire format. */
@@ -807,9 +826,8 @@ static inline mip_error mip_gnss_data_fix_info_encode_inline(
  *
  * One satellite that is tracked.
  *
- * Has the layout of mip_gnss_1_sv_info. Supported by 3DM-GX5-45. May be supported by 3DM-GX5-35.
- * Known from the MicroStrain MIP SDK only. Uncertain: Whether a packet holds one of these fields or
- * several.
+ * Has the layout of mip_gnss_1_sv_info. Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK
+ * only. Uncertain: Whether a packet holds one of these fields or several.
  *
  * The satellites come as one field each, in packets apart from other GNSS data.
  *
@@ -843,7 +861,9 @@ struct mip_gnss_data_sv_info {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_DATA_SV_INFO 0x810C
+/** Its descriptor. */
 #define MIP_GNSS_DATA_SV_INFO_DESCRIPTOR 0x0C
+/** Its name in the specification. */
 #define MIP_GNSS_DATA_SV_INFO_NAME "gnss_data.sv_info"
 
 /** Its wire format. */
@@ -903,7 +923,7 @@ static inline mip_error mip_gnss_data_sv_info_encode_inline(
  * State of the receiver and of its antenna.
  *
  * Has the layout of mip_gnss_1_hardware_status. Also called `hw_status`. Supported by 3DM-GX5-45.
- * May be supported by 3DM-GX5-35. Known from the MicroStrain MIP SDK only.
+ * Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -929,7 +949,9 @@ struct mip_gnss_data_hardware_status {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_DATA_HARDWARE_STATUS 0x810D
+/** Its descriptor. */
 #define MIP_GNSS_DATA_HARDWARE_STATUS_DESCRIPTOR 0x0D
+/** Its name in the specification. */
 #define MIP_GNSS_DATA_HARDWARE_STATUS_NAME "gnss_data.hardware_status"
 
 /** Its wire format. */
@@ -1019,7 +1041,9 @@ struct mip_gnss_data_dgps_info {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_DATA_DGPS_INFO 0x810E
+/** Its descriptor. */
 #define MIP_GNSS_DATA_DGPS_INFO_DESCRIPTOR 0x0E
+/** Its name in the specification. */
 #define MIP_GNSS_DATA_DGPS_INFO_NAME "gnss_data.dgps_info"
 
 /** Its wire format. */
@@ -1074,8 +1098,8 @@ static inline mip_error mip_gnss_data_dgps_info_encode_inline(
  *
  * Differential correction for one satellite.
  *
- * Has the layout of mip_gnss_1_dgps_channel. Supported by 3DM-GX5-45. May be supported by
- * 3DM-GX5-35. Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_dgps_channel. Supported by 3DM-GX5-45. Known from the MicroStrain
+ * MIP SDK only.
  *
  * The active satellites come as one field each, all in one packet.
  *
@@ -1108,7 +1132,9 @@ struct mip_gnss_data_dgps_channel {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_DATA_DGPS_CHANNEL 0x810F
+/** Its descriptor. */
 #define MIP_GNSS_DATA_DGPS_CHANNEL_DESCRIPTOR 0x0F
+/** Its name in the specification. */
 #define MIP_GNSS_DATA_DGPS_CHANNEL_NAME "gnss_data.dgps_channel"
 
 /** Its wire format. */
@@ -1197,7 +1223,9 @@ struct mip_gnss_data_clock_info_2 {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_DATA_CLOCK_INFO_2 0x8110
+/** Its descriptor. */
 #define MIP_GNSS_DATA_CLOCK_INFO_2_DESCRIPTOR 0x10
+/** Its name in the specification. */
 #define MIP_GNSS_DATA_CLOCK_INFO_2_NAME "gnss_data.clock_info_2"
 
 /** Its wire format. */
@@ -1269,7 +1297,9 @@ struct mip_gnss_data_gps_leap_seconds {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_DATA_GPS_LEAP_SECONDS 0x8111
+/** Its descriptor. */
 #define MIP_GNSS_DATA_GPS_LEAP_SECONDS_DESCRIPTOR 0x11
+/** Its name in the specification. */
 #define MIP_GNSS_DATA_GPS_LEAP_SECONDS_NAME "gnss_data.gps_leap_seconds"
 
 /** Its wire format. */
@@ -1353,7 +1383,9 @@ struct mip_gnss_data_sbas_info {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_DATA_SBAS_INFO 0x8112
+/** Its descriptor. */
 #define MIP_GNSS_DATA_SBAS_INFO_DESCRIPTOR 0x12
+/** Its name in the specification. */
 #define MIP_GNSS_DATA_SBAS_INFO_NAME "gnss_data.sbas_info"
 
 /** Its wire format. */
@@ -1457,7 +1489,9 @@ struct mip_gnss_data_sbas_correction {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_DATA_SBAS_CORRECTION 0x8113
+/** Its descriptor. */
 #define MIP_GNSS_DATA_SBAS_CORRECTION_DESCRIPTOR 0x13
+/** Its name in the specification. */
 #define MIP_GNSS_DATA_SBAS_CORRECTION_NAME "gnss_data.sbas_correction"
 
 /** Its wire format. */
@@ -1551,7 +1585,9 @@ struct mip_gnss_data_rf_error_detection {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_DATA_RF_ERROR_DETECTION 0x8114
+/** Its descriptor. */
 #define MIP_GNSS_DATA_RF_ERROR_DETECTION_DESCRIPTOR 0x14
+/** Its name in the specification. */
 #define MIP_GNSS_DATA_RF_ERROR_DETECTION_NAME "gnss_data.rf_error_detection"
 
 /** Its wire format. */
@@ -1659,7 +1695,9 @@ struct mip_gnss_data_satellite_status {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_DATA_SATELLITE_STATUS 0x8120
+/** Its descriptor. */
 #define MIP_GNSS_DATA_SATELLITE_STATUS_DESCRIPTOR 0x20
+/** Its name in the specification. */
 #define MIP_GNSS_DATA_SATELLITE_STATUS_NAME "gnss_data.satellite_status"
 
 /** Its wire format. */
@@ -1814,7 +1852,9 @@ struct mip_gnss_data_raw {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_DATA_RAW 0x8122
+/** Its descriptor. */
 #define MIP_GNSS_DATA_RAW_DESCRIPTOR 0x22
+/** Its name in the specification. */
 #define MIP_GNSS_DATA_RAW_NAME "gnss_data.raw"
 
 /** Its wire format. */
@@ -1939,7 +1979,9 @@ struct mip_gnss_data_base_station_info {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_DATA_BASE_STATION_INFO 0x8130
+/** Its descriptor. */
 #define MIP_GNSS_DATA_BASE_STATION_INFO_DESCRIPTOR 0x30
+/** Its name in the specification. */
 #define MIP_GNSS_DATA_BASE_STATION_INFO_NAME "gnss_data.base_station_info"
 
 /** Its wire format. */
@@ -2058,7 +2100,9 @@ struct mip_gnss_data_rtk_corrections_status {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS 0x8131
+/** Its descriptor. */
 #define MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_DESCRIPTOR 0x31
+/** Its name in the specification. */
 #define MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_NAME "gnss_data.rtk_corrections_status"
 
 /** Its wire format. */
@@ -2282,7 +2326,9 @@ struct mip_gnss_data_gps_ephemeris {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_DATA_GPS_EPHEMERIS 0x8161
+/** Its descriptor. */
 #define MIP_GNSS_DATA_GPS_EPHEMERIS_DESCRIPTOR 0x61
+/** Its name in the specification. */
 #define MIP_GNSS_DATA_GPS_EPHEMERIS_NAME "gnss_data.gps_ephemeris"
 
 /** Its wire format. */
@@ -2516,7 +2562,9 @@ struct mip_gnss_data_glonass_ephemeris {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_DATA_GLONASS_EPHEMERIS 0x8162
+/** Its descriptor. */
 #define MIP_GNSS_DATA_GLONASS_EPHEMERIS_DESCRIPTOR 0x62
+/** Its name in the specification. */
 #define MIP_GNSS_DATA_GLONASS_EPHEMERIS_NAME "gnss_data.glonass_ephemeris"
 
 /** Its wire format. */
@@ -2781,7 +2829,9 @@ struct mip_gnss_data_galileo_ephemeris {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_DATA_GALILEO_EPHEMERIS 0x8163
+/** Its descriptor. */
 #define MIP_GNSS_DATA_GALILEO_EPHEMERIS_DESCRIPTOR 0x63
+/** Its name in the specification. */
 #define MIP_GNSS_DATA_GALILEO_EPHEMERIS_NAME "gnss_data.galileo_ephemeris"
 
 /** Its wire format. */
@@ -3052,7 +3102,9 @@ struct mip_gnss_data_beidou_ephemeris {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_DATA_BEIDOU_EPHEMERIS 0x8164
+/** Its descriptor. */
 #define MIP_GNSS_DATA_BEIDOU_EPHEMERIS_DESCRIPTOR 0x64
+/** Its name in the specification. */
 #define MIP_GNSS_DATA_BEIDOU_EPHEMERIS_NAME "gnss_data.beidou_ephemeris"
 
 /** Its wire format. */
@@ -3197,7 +3249,9 @@ struct mip_gnss_data_gps_iono_correction {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_DATA_GPS_IONO_CORRECTION 0x8171
+/** Its descriptor. */
 #define MIP_GNSS_DATA_GPS_IONO_CORRECTION_DESCRIPTOR 0x71
+/** Its name in the specification. */
 #define MIP_GNSS_DATA_GPS_IONO_CORRECTION_NAME "gnss_data.gps_iono_correction"
 
 /** Its wire format. */
@@ -3293,7 +3347,9 @@ struct mip_gnss_data_galileo_iono_correction {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_DATA_GALILEO_IONO_CORRECTION 0x8173
+/** Its descriptor. */
 #define MIP_GNSS_DATA_GALILEO_IONO_CORRECTION_DESCRIPTOR 0x73
+/** Its name in the specification. */
 #define MIP_GNSS_DATA_GALILEO_IONO_CORRECTION_NAME "gnss_data.galileo_iono_correction"
 
 /** Its wire format. */
@@ -3390,7 +3446,9 @@ struct mip_gnss_data_beidou_iono_correction {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_DATA_BEIDOU_IONO_CORRECTION 0x8174
+/** Its descriptor. */
 #define MIP_GNSS_DATA_BEIDOU_IONO_CORRECTION_DESCRIPTOR 0x74
+/** Its name in the specification. */
 #define MIP_GNSS_DATA_BEIDOU_IONO_CORRECTION_NAME "gnss_data.beidou_iono_correction"
 
 /** Its wire format. */

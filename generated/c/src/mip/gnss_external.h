@@ -5,6 +5,8 @@
  * field may need several sentences; a value that NMEA does not give is not valid. Times are those
  * of the sentences. Uncertain: Which devices send the fields that no manual lists for this set. The
  * SDK gives all GNSS data sets the same fields.
+ *
+ * Devices that may support a field, though it is not certain, are in mip/profiles.h only.
  */
 #ifndef MIP_GNSS_EXTERNAL_H
 #define MIP_GNSS_EXTERNAL_H
@@ -29,7 +31,6 @@ extern "C" {
  * GNSS position as latitude, longitude and height.
  *
  * Has the layout of mip_gnss_1_llh_position. Also called `pos_llh`. Supported by 3DM-CV7-GNSS/INS.
- * May be supported by 3DM-CV7-INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS LLH Position (0x94,0x03)
  */
@@ -70,7 +71,9 @@ struct mip_gnss_external_llh_position {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_LLH_POSITION 0x9403
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_LLH_POSITION_DESCRIPTOR 0x03
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_LLH_POSITION_NAME "gnss_external.llh_position"
 
 /** Its wire format. */
@@ -129,8 +132,8 @@ static inline mip_error mip_gnss_external_llh_position_encode_inline(
  *
  * GNSS position in Earth-fixed coordinates.
  *
- * Has the layout of mip_gnss_1_ecef_position. Also called `pos_ecef`. May be supported by
- * 3DM-CV7-INS. Known from the MicroStrain MIP SDK only.
+ * No device is certain to support it. Has the layout of mip_gnss_1_ecef_position. Also called
+ * `pos_ecef`. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss4 Data (0x94)
  */
@@ -151,7 +154,9 @@ struct mip_gnss_external_ecef_position {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_ECEF_POSITION 0x9404
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_ECEF_POSITION_DESCRIPTOR 0x04
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_ECEF_POSITION_NAME "gnss_external.ecef_position"
 
 /** Its wire format. */
@@ -207,7 +212,6 @@ static inline mip_error mip_gnss_external_ecef_position_encode_inline(
  * GNSS velocity in the local level frame.
  *
  * Has the layout of mip_gnss_1_ned_velocity. Also called `vel_ned`. Supported by 3DM-CV7-GNSS/INS.
- * May be supported by 3DM-CV7-INS.
  *
  * - 3dm-cv7-gnss-ins: NED Velocity (0x94,0x05)
  */
@@ -248,7 +252,9 @@ struct mip_gnss_external_ned_velocity {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_NED_VELOCITY 0x9405
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_NED_VELOCITY_DESCRIPTOR 0x05
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_NED_VELOCITY_NAME "gnss_external.ned_velocity"
 
 /** Its wire format. */
@@ -311,8 +317,8 @@ static inline mip_error mip_gnss_external_ned_velocity_encode_inline(
  *
  * GNSS velocity in Earth-fixed coordinates.
  *
- * Has the layout of mip_gnss_1_ecef_velocity. Also called `vel_ecef`. May be supported by
- * 3DM-CV7-INS. Known from the MicroStrain MIP SDK only.
+ * No device is certain to support it. Has the layout of mip_gnss_1_ecef_velocity. Also called
+ * `vel_ecef`. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss4 Data (0x94)
  */
@@ -333,7 +339,9 @@ struct mip_gnss_external_ecef_velocity {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_ECEF_VELOCITY 0x9406
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_ECEF_VELOCITY_DESCRIPTOR 0x06
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_ECEF_VELOCITY_NAME "gnss_external.ecef_velocity"
 
 /** Its wire format. */
@@ -388,8 +396,8 @@ static inline mip_error mip_gnss_external_ecef_velocity_encode_inline(
  *
  * Dilution of precision of the satellite geometry.
  *
- * Has the layout of mip_gnss_1_dop. May be supported by 3DM-CV7-INS. Known from the MicroStrain MIP
- * SDK only.
+ * No device is certain to support it. Has the layout of mip_gnss_1_dop. Known from the MicroStrain
+ * MIP SDK only.
  *
  * - mip-sdk-4: Gnss4 Data (0x94)
  */
@@ -414,7 +422,9 @@ struct mip_gnss_external_dop {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_DOP 0x9407
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_DOP_DESCRIPTOR 0x07
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_DOP_NAME "gnss_external.dop"
 
 /** Its wire format. */
@@ -475,8 +485,7 @@ static inline mip_error mip_gnss_external_dop_encode_inline(
  *
  * Coordinated universal time as the receiver knows it.
  *
- * Has the layout of mip_gnss_1_utc_time. Supported by 3DM-CV7-GNSS/INS. May be supported by
- * 3DM-CV7-INS.
+ * Has the layout of mip_gnss_1_utc_time. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: UTC Time (0x94,0x08)
  */
@@ -519,7 +528,9 @@ struct mip_gnss_external_utc_time {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_UTC_TIME 0x9408
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_UTC_TIME_DESCRIPTOR 0x08
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_UTC_TIME_NAME "gnss_external.utc_time"
 
 /** Its wire format. */
@@ -599,7 +610,9 @@ struct mip_gnss_external_gps_time {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_GPS_TIME 0x9409
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_GPS_TIME_DESCRIPTOR 0x09
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_GPS_TIME_NAME "gnss_external.gps_time"
 
 /** Its wire format. */
@@ -678,7 +691,9 @@ struct mip_gnss_external_clock_info {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_CLOCK_INFO 0x940A
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_CLOCK_INFO_DESCRIPTOR 0x0A
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_CLOCK_INFO_NAME "gnss_external.clock_info"
 
 /** Its wire format. */
@@ -731,8 +746,7 @@ static inline mip_error mip_gnss_external_clock_info_encode_inline(
  *
  * Type of the position fix and what it is made of.
  *
- * Has the layout of mip_gnss_1_fix_info. Supported by 3DM-CV7-GNSS/INS. May be supported by
- * 3DM-CV7-INS.
+ * Has the layout of mip_gnss_1_fix_info. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Fix Info (0x94,0x0B)
  */
@@ -755,7 +769,9 @@ struct mip_gnss_external_fix_info {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_FIX_INFO 0x940B
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_FIX_INFO_DESCRIPTOR 0x0B
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_FIX_INFO_NAME "gnss_external.fix_info"
 
 /** Its wire format. */
@@ -843,7 +859,9 @@ struct mip_gnss_external_sv_info {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_SV_INFO 0x940C
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_SV_INFO_DESCRIPTOR 0x0C
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_SV_INFO_NAME "gnss_external.sv_info"
 
 /** Its wire format. */
@@ -929,7 +947,9 @@ struct mip_gnss_external_hardware_status {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_HARDWARE_STATUS 0x940D
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_HARDWARE_STATUS_DESCRIPTOR 0x0D
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_HARDWARE_STATUS_NAME "gnss_external.hardware_status"
 
 /** Its wire format. */
@@ -1018,7 +1038,9 @@ struct mip_gnss_external_dgps_info {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_DGPS_INFO 0x940E
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_DGPS_INFO_DESCRIPTOR 0x0E
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_DGPS_INFO_NAME "gnss_external.dgps_info"
 
 /** Its wire format. */
@@ -1107,7 +1129,9 @@ struct mip_gnss_external_dgps_channel {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_DGPS_CHANNEL 0x940F
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_DGPS_CHANNEL_DESCRIPTOR 0x0F
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_DGPS_CHANNEL_NAME "gnss_external.dgps_channel"
 
 /** Its wire format. */
@@ -1162,7 +1186,7 @@ static inline mip_error mip_gnss_external_dgps_channel_encode_inline(
  *
  * Bias and drift of the receiver clock.
  *
- * Has the layout of mip_gnss_1_clock_info_2. May be supported by 3DM-CV7-INS. Known from the
+ * No device is certain to support it. Has the layout of mip_gnss_1_clock_info_2. Known from the
  * MicroStrain MIP SDK only.
  *
  * It supersedes clock info.
@@ -1196,7 +1220,9 @@ struct mip_gnss_external_clock_info_2 {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_CLOCK_INFO_2 0x9410
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_CLOCK_INFO_2_DESCRIPTOR 0x10
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_CLOCK_INFO_2_NAME "gnss_external.clock_info_2"
 
 /** Its wire format. */
@@ -1251,7 +1277,7 @@ static inline mip_error mip_gnss_external_clock_info_2_encode_inline(
  *
  * Difference between GPS time and UTC.
  *
- * Has the layout of mip_gnss_1_gps_leap_seconds. May be supported by 3DM-CV7-INS. Known from the
+ * No device is certain to support it. Has the layout of mip_gnss_1_gps_leap_seconds. Known from the
  * MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss4 Data (0x94)
@@ -1268,7 +1294,9 @@ struct mip_gnss_external_gps_leap_seconds {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_GPS_LEAP_SECONDS 0x9411
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_GPS_LEAP_SECONDS_DESCRIPTOR 0x11
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_GPS_LEAP_SECONDS_NAME "gnss_external.gps_leap_seconds"
 
 /** Its wire format. */
@@ -1352,7 +1380,9 @@ struct mip_gnss_external_sbas_info {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_SBAS_INFO 0x9412
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_SBAS_INFO_DESCRIPTOR 0x12
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_SBAS_INFO_NAME "gnss_external.sbas_info"
 
 /** Its wire format. */
@@ -1456,7 +1486,9 @@ struct mip_gnss_external_sbas_correction {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_SBAS_CORRECTION 0x9413
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_SBAS_CORRECTION_DESCRIPTOR 0x13
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_SBAS_CORRECTION_NAME "gnss_external.sbas_correction"
 
 /** Its wire format. */
@@ -1521,8 +1553,8 @@ static inline mip_error mip_gnss_external_sbas_correction_encode_inline(
  *
  * Jamming and spoofing as the receiver detects them in one band.
  *
- * Has the layout of mip_gnss_1_rf_error_detection. May be supported by 3DM-CV7-INS. Known from the
- * MicroStrain MIP SDK only.
+ * No device is certain to support it. Has the layout of mip_gnss_1_rf_error_detection. Known from
+ * the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss4 Data (0x94)
  */
@@ -1550,7 +1582,9 @@ struct mip_gnss_external_rf_error_detection {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_RF_ERROR_DETECTION 0x9414
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_RF_ERROR_DETECTION_DESCRIPTOR 0x14
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_RF_ERROR_DETECTION_NAME "gnss_external.rf_error_detection"
 
 /** Its wire format. */
@@ -1605,8 +1639,7 @@ static inline mip_error mip_gnss_external_rf_error_detection_encode_inline(
  *
  * Where one satellite stands, and its health.
  *
- * Has the layout of mip_gnss_1_satellite_status. Supported by 3DM-CV7-GNSS/INS. May be supported by
- * 3DM-CV7-INS.
+ * Has the layout of mip_gnss_1_satellite_status. Supported by 3DM-CV7-GNSS/INS.
  *
  * An epoch is sent as one field for each satellite; index and count number the fields.
  *
@@ -1658,7 +1691,9 @@ struct mip_gnss_external_satellite_status {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_SATELLITE_STATUS 0x9420
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_SATELLITE_STATUS_DESCRIPTOR 0x20
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_SATELLITE_STATUS_NAME "gnss_external.satellite_status"
 
 /** Its wire format. */
@@ -1813,7 +1848,9 @@ struct mip_gnss_external_raw {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_RAW 0x9422
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_RAW_DESCRIPTOR 0x22
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_RAW_NAME "gnss_external.raw"
 
 /** Its wire format. */
@@ -1938,7 +1975,9 @@ struct mip_gnss_external_base_station_info {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_BASE_STATION_INFO 0x9430
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_BASE_STATION_INFO_DESCRIPTOR 0x30
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_BASE_STATION_INFO_NAME "gnss_external.base_station_info"
 
 /** Its wire format. */
@@ -2057,7 +2096,9 @@ struct mip_gnss_external_rtk_corrections_status {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_RTK_CORRECTIONS_STATUS 0x9431
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_RTK_CORRECTIONS_STATUS_DESCRIPTOR 0x31
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_RTK_CORRECTIONS_STATUS_NAME "gnss_external.rtk_corrections_status"
 
 /** Its wire format. */
@@ -2281,7 +2322,9 @@ struct mip_gnss_external_gps_ephemeris {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_GPS_EPHEMERIS 0x9461
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_GPS_EPHEMERIS_DESCRIPTOR 0x61
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_GPS_EPHEMERIS_NAME "gnss_external.gps_ephemeris"
 
 /** Its wire format. */
@@ -2515,7 +2558,9 @@ struct mip_gnss_external_glonass_ephemeris {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_GLONASS_EPHEMERIS 0x9462
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_GLONASS_EPHEMERIS_DESCRIPTOR 0x62
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_GLONASS_EPHEMERIS_NAME "gnss_external.glonass_ephemeris"
 
 /** Its wire format. */
@@ -2780,7 +2825,9 @@ struct mip_gnss_external_galileo_ephemeris {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_GALILEO_EPHEMERIS 0x9463
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_GALILEO_EPHEMERIS_DESCRIPTOR 0x63
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_GALILEO_EPHEMERIS_NAME "gnss_external.galileo_ephemeris"
 
 /** Its wire format. */
@@ -3051,7 +3098,9 @@ struct mip_gnss_external_beidou_ephemeris {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_BEIDOU_EPHEMERIS 0x9464
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_BEIDOU_EPHEMERIS_DESCRIPTOR 0x64
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_BEIDOU_EPHEMERIS_NAME "gnss_external.beidou_ephemeris"
 
 /** Its wire format. */
@@ -3196,7 +3245,9 @@ struct mip_gnss_external_gps_iono_correction {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_GPS_IONO_CORRECTION 0x9471
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_GPS_IONO_CORRECTION_DESCRIPTOR 0x71
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_GPS_IONO_CORRECTION_NAME "gnss_external.gps_iono_correction"
 
 /** Its wire format. */
@@ -3292,7 +3343,9 @@ struct mip_gnss_external_galileo_iono_correction {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_GALILEO_IONO_CORRECTION 0x9473
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_GALILEO_IONO_CORRECTION_DESCRIPTOR 0x73
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_GALILEO_IONO_CORRECTION_NAME "gnss_external.galileo_iono_correction"
 
 /** Its wire format. */
@@ -3389,7 +3442,9 @@ struct mip_gnss_external_beidou_iono_correction {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_BEIDOU_IONO_CORRECTION 0x9474
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_BEIDOU_IONO_CORRECTION_DESCRIPTOR 0x74
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_BEIDOU_IONO_CORRECTION_NAME "gnss_external.beidou_iono_correction"
 
 /** Its wire format. */

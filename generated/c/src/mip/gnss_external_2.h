@@ -70,7 +70,9 @@ struct mip_gnss_external_2_llh_position {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_LLH_POSITION 0x9503
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_LLH_POSITION_DESCRIPTOR 0x03
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_LLH_POSITION_NAME "gnss_external_2.llh_position"
 
 /** Its wire format. */
@@ -151,7 +153,9 @@ struct mip_gnss_external_2_ecef_position {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_ECEF_POSITION 0x9504
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_ECEF_POSITION_DESCRIPTOR 0x04
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_ECEF_POSITION_NAME "gnss_external_2.ecef_position"
 
 /** Its wire format. */
@@ -248,7 +252,9 @@ struct mip_gnss_external_2_ned_velocity {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_NED_VELOCITY 0x9505
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_NED_VELOCITY_DESCRIPTOR 0x05
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_NED_VELOCITY_NAME "gnss_external_2.ned_velocity"
 
 /** Its wire format. */
@@ -333,7 +339,9 @@ struct mip_gnss_external_2_ecef_velocity {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_ECEF_VELOCITY 0x9506
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_ECEF_VELOCITY_DESCRIPTOR 0x06
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_ECEF_VELOCITY_NAME "gnss_external_2.ecef_velocity"
 
 /** Its wire format. */
@@ -414,7 +422,9 @@ struct mip_gnss_external_2_dop {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_DOP 0x9507
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_DOP_DESCRIPTOR 0x07
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_DOP_NAME "gnss_external_2.dop"
 
 /** Its wire format. */
@@ -519,7 +529,9 @@ struct mip_gnss_external_2_utc_time {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_UTC_TIME 0x9508
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_UTC_TIME_DESCRIPTOR 0x08
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_UTC_TIME_NAME "gnss_external_2.utc_time"
 
 /** Its wire format. */
@@ -599,7 +611,9 @@ struct mip_gnss_external_2_gps_time {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_GPS_TIME 0x9509
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_GPS_TIME_DESCRIPTOR 0x09
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_GPS_TIME_NAME "gnss_external_2.gps_time"
 
 /** Its wire format. */
@@ -678,7 +692,9 @@ struct mip_gnss_external_2_clock_info {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_CLOCK_INFO 0x950A
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_CLOCK_INFO_DESCRIPTOR 0x0A
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_CLOCK_INFO_NAME "gnss_external_2.clock_info"
 
 /** Its wire format. */
@@ -755,7 +771,9 @@ struct mip_gnss_external_2_fix_info {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_FIX_INFO 0x950B
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_FIX_INFO_DESCRIPTOR 0x0B
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_FIX_INFO_NAME "gnss_external_2.fix_info"
 
 /** Its wire format. */
@@ -843,7 +861,9 @@ struct mip_gnss_external_2_sv_info {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_SV_INFO 0x950C
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_SV_INFO_DESCRIPTOR 0x0C
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_SV_INFO_NAME "gnss_external_2.sv_info"
 
 /** Its wire format. */
@@ -929,7 +949,9 @@ struct mip_gnss_external_2_hardware_status {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_HARDWARE_STATUS 0x950D
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_HARDWARE_STATUS_DESCRIPTOR 0x0D
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_HARDWARE_STATUS_NAME "gnss_external_2.hardware_status"
 
 /** Its wire format. */
@@ -1018,7 +1040,9 @@ struct mip_gnss_external_2_dgps_info {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_DGPS_INFO 0x950E
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_DGPS_INFO_DESCRIPTOR 0x0E
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_DGPS_INFO_NAME "gnss_external_2.dgps_info"
 
 /** Its wire format. */
@@ -1107,7 +1131,9 @@ struct mip_gnss_external_2_dgps_channel {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_DGPS_CHANNEL 0x950F
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_DGPS_CHANNEL_DESCRIPTOR 0x0F
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_DGPS_CHANNEL_NAME "gnss_external_2.dgps_channel"
 
 /** Its wire format. */
@@ -1196,7 +1222,9 @@ struct mip_gnss_external_2_clock_info_2 {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_CLOCK_INFO_2 0x9510
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_CLOCK_INFO_2_DESCRIPTOR 0x10
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_CLOCK_INFO_2_NAME "gnss_external_2.clock_info_2"
 
 /** Its wire format. */
@@ -1268,7 +1296,9 @@ struct mip_gnss_external_2_gps_leap_seconds {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_GPS_LEAP_SECONDS 0x9511
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_GPS_LEAP_SECONDS_DESCRIPTOR 0x11
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_GPS_LEAP_SECONDS_NAME "gnss_external_2.gps_leap_seconds"
 
 /** Its wire format. */
@@ -1352,7 +1382,9 @@ struct mip_gnss_external_2_sbas_info {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_SBAS_INFO 0x9512
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_SBAS_INFO_DESCRIPTOR 0x12
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_SBAS_INFO_NAME "gnss_external_2.sbas_info"
 
 /** Its wire format. */
@@ -1456,7 +1488,9 @@ struct mip_gnss_external_2_sbas_correction {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_SBAS_CORRECTION 0x9513
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_SBAS_CORRECTION_DESCRIPTOR 0x13
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_SBAS_CORRECTION_NAME "gnss_external_2.sbas_correction"
 
 /** Its wire format. */
@@ -1550,7 +1584,9 @@ struct mip_gnss_external_2_rf_error_detection {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_RF_ERROR_DETECTION 0x9514
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_RF_ERROR_DETECTION_DESCRIPTOR 0x14
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_RF_ERROR_DETECTION_NAME "gnss_external_2.rf_error_detection"
 
 /** Its wire format. */
@@ -1658,7 +1694,9 @@ struct mip_gnss_external_2_satellite_status {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_SATELLITE_STATUS 0x9520
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_SATELLITE_STATUS_DESCRIPTOR 0x20
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_SATELLITE_STATUS_NAME "gnss_external_2.satellite_status"
 
 /** Its wire format. */
@@ -1813,7 +1851,9 @@ struct mip_gnss_external_2_raw {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_RAW 0x9522
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_RAW_DESCRIPTOR 0x22
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_RAW_NAME "gnss_external_2.raw"
 
 /** Its wire format. */
@@ -1938,7 +1978,9 @@ struct mip_gnss_external_2_base_station_info {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_BASE_STATION_INFO 0x9530
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_BASE_STATION_INFO_DESCRIPTOR 0x30
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_BASE_STATION_INFO_NAME "gnss_external_2.base_station_info"
 
 /** Its wire format. */
@@ -2057,7 +2099,9 @@ struct mip_gnss_external_2_rtk_corrections_status {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_RTK_CORRECTIONS_STATUS 0x9531
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_RTK_CORRECTIONS_STATUS_DESCRIPTOR 0x31
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_RTK_CORRECTIONS_STATUS_NAME "gnss_external_2.rtk_corrections_status"
 
 /** Its wire format. */
@@ -2281,7 +2325,9 @@ struct mip_gnss_external_2_gps_ephemeris {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_GPS_EPHEMERIS 0x9561
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_GPS_EPHEMERIS_DESCRIPTOR 0x61
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_GPS_EPHEMERIS_NAME "gnss_external_2.gps_ephemeris"
 
 /** Its wire format. */
@@ -2515,7 +2561,9 @@ struct mip_gnss_external_2_glonass_ephemeris {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_GLONASS_EPHEMERIS 0x9562
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_GLONASS_EPHEMERIS_DESCRIPTOR 0x62
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_GLONASS_EPHEMERIS_NAME "gnss_external_2.glonass_ephemeris"
 
 /** Its wire format. */
@@ -2780,7 +2828,9 @@ struct mip_gnss_external_2_galileo_ephemeris {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_GALILEO_EPHEMERIS 0x9563
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_GALILEO_EPHEMERIS_DESCRIPTOR 0x63
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_GALILEO_EPHEMERIS_NAME "gnss_external_2.galileo_ephemeris"
 
 /** Its wire format. */
@@ -3051,7 +3101,9 @@ struct mip_gnss_external_2_beidou_ephemeris {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_BEIDOU_EPHEMERIS 0x9564
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_BEIDOU_EPHEMERIS_DESCRIPTOR 0x64
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_BEIDOU_EPHEMERIS_NAME "gnss_external_2.beidou_ephemeris"
 
 /** Its wire format. */
@@ -3196,7 +3248,9 @@ struct mip_gnss_external_2_gps_iono_correction {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_GPS_IONO_CORRECTION 0x9571
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_GPS_IONO_CORRECTION_DESCRIPTOR 0x71
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_GPS_IONO_CORRECTION_NAME "gnss_external_2.gps_iono_correction"
 
 /** Its wire format. */
@@ -3292,7 +3346,9 @@ struct mip_gnss_external_2_galileo_iono_correction {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_GALILEO_IONO_CORRECTION 0x9573
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_GALILEO_IONO_CORRECTION_DESCRIPTOR 0x73
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_GALILEO_IONO_CORRECTION_NAME "gnss_external_2.galileo_iono_correction"
 
 /** Its wire format. */
@@ -3389,7 +3445,9 @@ struct mip_gnss_external_2_beidou_iono_correction {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_GNSS_EXTERNAL_2_BEIDOU_IONO_CORRECTION 0x9574
+/** Its descriptor. */
 #define MIP_GNSS_EXTERNAL_2_BEIDOU_IONO_CORRECTION_DESCRIPTOR 0x74
+/** Its name in the specification. */
 #define MIP_GNSS_EXTERNAL_2_BEIDOU_IONO_CORRECTION_NAME "gnss_external_2.beidou_iono_correction"
 
 /** Its wire format. */

@@ -51,7 +51,9 @@ struct mip_protocol_acknowledge {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_PROTOCOL_ACKNOWLEDGE 0x00F1
+/** Its descriptor. */
 #define MIP_PROTOCOL_ACKNOWLEDGE_DESCRIPTOR 0xF1
+/** Its name in the specification. */
 #define MIP_PROTOCOL_ACKNOWLEDGE_NAME "protocol.acknowledge"
 
 /** Its wire format. */

@@ -16,14 +16,17 @@ extern "C" {
 struct mip_entry {
     /** Descriptor set: 0 for fields of all command sets, 0xFF for those of all data sets. */
     uint8_t descriptor_set;
+    /** Descriptor of the field. */
     uint8_t descriptor;
     /** MIP_COMMAND, MIP_RESPONSE or MIP_DATA. */
     uint8_t role;
-    /** Entries that mip_registry_link gives, and where they stand. */
+    /** Entries that mip_registry_link gives. */
     uint8_t link_count;
+    /** Where they stand in mip_registry_links. */
     uint16_t first_link;
     /** Name in the specification: "3dm.pps_source_control". */
     const char *name;
+    /** Its wire format. */
     const struct mip_codec *codec;
     /** NULL if it is no command. */
     const struct mip_command *command;
@@ -31,7 +34,9 @@ struct mip_entry {
 
 /** All fields, by descriptor set and descriptor. */
 extern MIP_API const struct mip_entry mip_registry[];
+/** The number of all fields. */
 extern MIP_API const size_t mip_registry_size;
+/** For mip_registry_link: indexes of entries. */
 extern MIP_API const uint16_t mip_registry_links[];
 
 /** The layouts of a descriptor in packets of a set: the first one, and how many. */

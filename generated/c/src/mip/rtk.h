@@ -95,7 +95,9 @@ struct mip_rtk_get_status_flags {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_RTK_GET_STATUS_FLAGS 0x0F01
+/** Its descriptor. */
 #define MIP_RTK_GET_STATUS_FLAGS_DESCRIPTOR 0x01
+/** Its name in the specification. */
 #define MIP_RTK_GET_STATUS_FLAGS_NAME "rtk.get_status_flags"
 
 /** Its wire format. */
@@ -127,7 +129,9 @@ struct mip_rtk_get_status_flags_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_RTK_GET_STATUS_FLAGS_RESPONSE 0x0F81
+/** Its descriptor. */
 #define MIP_RTK_GET_STATUS_FLAGS_RESPONSE_DESCRIPTOR 0x81
+/** Its name in the specification. */
 #define MIP_RTK_GET_STATUS_FLAGS_RESPONSE_NAME "rtk.get_status_flags_response"
 
 /** Its wire format. */
@@ -186,7 +190,9 @@ struct mip_rtk_get_imei {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_RTK_GET_IMEI 0x0F02
+/** Its descriptor. */
 #define MIP_RTK_GET_IMEI_DESCRIPTOR 0x02
+/** Its name in the specification. */
 #define MIP_RTK_GET_IMEI_NAME "rtk.get_imei"
 
 /** Its wire format. */
@@ -218,7 +224,9 @@ struct mip_rtk_get_imei_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_RTK_GET_IMEI_RESPONSE 0x0F82
+/** Its descriptor. */
 #define MIP_RTK_GET_IMEI_RESPONSE_DESCRIPTOR 0x82
+/** Its name in the specification. */
 #define MIP_RTK_GET_IMEI_RESPONSE_NAME "rtk.get_imei_response"
 
 /** Its wire format. */
@@ -278,7 +286,9 @@ struct mip_rtk_get_imsi {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_RTK_GET_IMSI 0x0F03
+/** Its descriptor. */
 #define MIP_RTK_GET_IMSI_DESCRIPTOR 0x03
+/** Its name in the specification. */
 #define MIP_RTK_GET_IMSI_NAME "rtk.get_imsi"
 
 /** Its wire format. */
@@ -310,7 +320,9 @@ struct mip_rtk_get_imsi_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_RTK_GET_IMSI_RESPONSE 0x0F83
+/** Its descriptor. */
 #define MIP_RTK_GET_IMSI_RESPONSE_DESCRIPTOR 0x83
+/** Its name in the specification. */
 #define MIP_RTK_GET_IMSI_RESPONSE_NAME "rtk.get_imsi_response"
 
 /** Its wire format. */
@@ -370,7 +382,9 @@ struct mip_rtk_get_iccid {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_RTK_GET_ICCID 0x0F04
+/** Its descriptor. */
 #define MIP_RTK_GET_ICCID_DESCRIPTOR 0x04
+/** Its name in the specification. */
 #define MIP_RTK_GET_ICCID_NAME "rtk.get_iccid"
 
 /** Its wire format. */
@@ -402,7 +416,9 @@ struct mip_rtk_get_iccid_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_RTK_GET_ICCID_RESPONSE 0x0F84
+/** Its descriptor. */
 #define MIP_RTK_GET_ICCID_RESPONSE_DESCRIPTOR 0x84
+/** Its name in the specification. */
 #define MIP_RTK_GET_ICCID_RESPONSE_NAME "rtk.get_iccid_response"
 
 /** Its wire format. */
@@ -462,7 +478,9 @@ struct mip_rtk_get_rssi {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_RTK_GET_RSSI 0x0F05
+/** Its descriptor. */
 #define MIP_RTK_GET_RSSI_DESCRIPTOR 0x05
+/** Its name in the specification. */
 #define MIP_RTK_GET_RSSI_NAME "rtk.get_rssi"
 
 /** Its wire format. */
@@ -499,7 +517,9 @@ struct mip_rtk_get_rssi_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_RTK_GET_RSSI_RESPONSE 0x0F85
+/** Its descriptor. */
 #define MIP_RTK_GET_RSSI_RESPONSE_DESCRIPTOR 0x85
+/** Its name in the specification. */
 #define MIP_RTK_GET_RSSI_RESPONSE_NAME "rtk.get_rssi_response"
 
 /** Its wire format. */
@@ -557,7 +577,10 @@ static inline mip_error mip_rtk_get_rssi_response_encode_inline(
  * - mip-sdk-4: Connected Device Type (0x0F,0x06)
  */
 struct mip_rtk_connected_device_type {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -567,7 +590,9 @@ struct mip_rtk_connected_device_type {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_RTK_CONNECTED_DEVICE_TYPE 0x0F06
+/** Its descriptor. */
 #define MIP_RTK_CONNECTED_DEVICE_TYPE_DESCRIPTOR 0x06
+/** Its name in the specification. */
 #define MIP_RTK_CONNECTED_DEVICE_TYPE_NAME "rtk.connected_device_type"
 
 /** Its wire format. */
@@ -584,11 +609,7 @@ static inline mip_error mip_rtk_connected_device_type_encode(
     const struct mip_rtk_connected_device_type *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_connected_device_type_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_rtk_connected_device_type *mip_rtk_connected_device_type_write(
     struct mip_rtk_connected_device_type *command, enum mip_rtk_connected_device device_type) {
     memset(command, 0, sizeof(*command));
@@ -596,44 +617,28 @@ static inline struct mip_rtk_connected_device_type *mip_rtk_connected_device_typ
     command->device_type = (uint8_t)device_type;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_rtk_connected_device_type *
 mip_rtk_connected_device_type_read(struct mip_rtk_connected_device_type *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_rtk_connected_device_type *
 mip_rtk_connected_device_type_save(struct mip_rtk_connected_device_type *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_rtk_connected_device_type *
 mip_rtk_connected_device_type_load(struct mip_rtk_connected_device_type *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_rtk_connected_device_type *
 mip_rtk_connected_device_type_default(struct mip_rtk_connected_device_type *command) {
     memset(command, 0, sizeof(*command));
@@ -655,7 +660,9 @@ struct mip_rtk_connected_device_type_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_RTK_CONNECTED_DEVICE_TYPE_RESPONSE 0x0F86
+/** Its descriptor. */
 #define MIP_RTK_CONNECTED_DEVICE_TYPE_RESPONSE_DESCRIPTOR 0x86
+/** Its name in the specification. */
 #define MIP_RTK_CONNECTED_DEVICE_TYPE_RESPONSE_NAME "rtk.connected_device_type_response"
 
 /** Its wire format. */
@@ -714,7 +721,9 @@ struct mip_rtk_get_activation_code {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_RTK_GET_ACTIVATION_CODE 0x0F07
+/** Its descriptor. */
 #define MIP_RTK_GET_ACTIVATION_CODE_DESCRIPTOR 0x07
+/** Its name in the specification. */
 #define MIP_RTK_GET_ACTIVATION_CODE_NAME "rtk.get_activation_code"
 
 /** Its wire format. */
@@ -747,7 +756,9 @@ struct mip_rtk_get_activation_code_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_RTK_GET_ACTIVATION_CODE_RESPONSE 0x0F87
+/** Its descriptor. */
 #define MIP_RTK_GET_ACTIVATION_CODE_RESPONSE_DESCRIPTOR 0x87
+/** Its name in the specification. */
 #define MIP_RTK_GET_ACTIVATION_CODE_RESPONSE_NAME "rtk.get_activation_code_response"
 
 /** Its wire format. */
@@ -807,7 +818,9 @@ struct mip_rtk_get_modem_firmware_version {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_RTK_GET_MODEM_FIRMWARE_VERSION 0x0F08
+/** Its descriptor. */
 #define MIP_RTK_GET_MODEM_FIRMWARE_VERSION_DESCRIPTOR 0x08
+/** Its name in the specification. */
 #define MIP_RTK_GET_MODEM_FIRMWARE_VERSION_NAME "rtk.get_modem_firmware_version"
 
 /** Its wire format. */
@@ -839,7 +852,9 @@ struct mip_rtk_get_modem_firmware_version_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_RTK_GET_MODEM_FIRMWARE_VERSION_RESPONSE 0x0F88
+/** Its descriptor. */
 #define MIP_RTK_GET_MODEM_FIRMWARE_VERSION_RESPONSE_DESCRIPTOR 0x88
+/** Its name in the specification. */
 #define MIP_RTK_GET_MODEM_FIRMWARE_VERSION_RESPONSE_NAME "rtk.get_modem_firmware_version_response"
 
 /** Its wire format. */
@@ -903,7 +918,9 @@ struct mip_rtk_service_status {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_RTK_SERVICE_STATUS 0x0F0A
+/** Its descriptor. */
 #define MIP_RTK_SERVICE_STATUS_DESCRIPTOR 0x0A
+/** Its name in the specification. */
 #define MIP_RTK_SERVICE_STATUS_NAME "rtk.service_status"
 
 /** Its wire format. */
@@ -970,7 +987,9 @@ struct mip_rtk_service_status_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_RTK_SERVICE_STATUS_RESPONSE 0x0F8A
+/** Its descriptor. */
 #define MIP_RTK_SERVICE_STATUS_RESPONSE_DESCRIPTOR 0x8A
+/** Its name in the specification. */
 #define MIP_RTK_SERVICE_STATUS_RESPONSE_NAME "rtk.service_status_response"
 
 /** Its wire format. */
@@ -1039,7 +1058,9 @@ struct mip_rtk_erase_storage {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_RTK_ERASE_STORAGE 0x0F20
+/** Its descriptor. */
 #define MIP_RTK_ERASE_STORAGE_DESCRIPTOR 0x20
+/** Its name in the specification. */
 #define MIP_RTK_ERASE_STORAGE_NAME "rtk.erase_storage"
 
 /** Its wire format. */
@@ -1080,11 +1101,7 @@ static inline mip_error mip_rtk_erase_storage_encode_inline(
     mip_put_8(data, value->media);
     return MIP_OK;
 }
-/**
- * Erase storage.
- *
- * Fills the structure and returns its address.
- */
+/** Erase storage. Fills the structure and returns its address. */
 static inline struct mip_rtk_erase_storage *mip_rtk_erase_storage_make(
     struct mip_rtk_erase_storage *command, enum mip_rtk_storage_medium media) {
     memset(command, 0, sizeof(*command));
@@ -1116,7 +1133,9 @@ struct mip_rtk_led_control {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_RTK_LED_CONTROL 0x0F21
+/** Its descriptor. */
 #define MIP_RTK_LED_CONTROL_DESCRIPTOR 0x21
+/** Its name in the specification. */
 #define MIP_RTK_LED_CONTROL_NAME "rtk.led_control"
 
 /** Its wire format. */
@@ -1163,11 +1182,7 @@ static inline mip_error mip_rtk_led_control_encode_inline(const struct mip_rtk_l
     mip_put_32(data + 7, value->period);
     return MIP_OK;
 }
-/**
- * LED control.
- *
- * Fills the structure and returns its address.
- */
+/** LED control. Fills the structure and returns its address. */
 static inline struct mip_rtk_led_control *mip_rtk_led_control_make(
     struct mip_rtk_led_control *command, const uint8_t primary_color[3],
     const uint8_t alternate_color[3], enum mip_rtk_led_action action, uint32_t period) {
@@ -1199,7 +1214,9 @@ struct mip_rtk_modem_hard_reset {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_RTK_MODEM_HARD_RESET 0x0F22
+/** Its descriptor. */
 #define MIP_RTK_MODEM_HARD_RESET_DESCRIPTOR 0x22
+/** Its name in the specification. */
 #define MIP_RTK_MODEM_HARD_RESET_NAME "rtk.modem_hard_reset"
 
 /** Its wire format. */

@@ -3,6 +3,8 @@
  *
  * Sensor data (0x80). Inertial, magnetic and pressure measurements, and the attitude of the
  * complementary filter.
+ *
+ * Devices that may support a field, though it is not certain, are in mip/profiles.h only.
  */
 #ifndef MIP_SENSOR_H
 #define MIP_SENSOR_H
@@ -63,7 +65,9 @@ struct mip_sensor_raw_accel {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SENSOR_RAW_ACCEL 0x8001
+/** Its descriptor. */
 #define MIP_SENSOR_RAW_ACCEL_DESCRIPTOR 0x01
+/** Its name in the specification. */
 #define MIP_SENSOR_RAW_ACCEL_NAME "sensor.raw_accel"
 
 /** Its wire format. */
@@ -125,7 +129,9 @@ struct mip_sensor_raw_gyro {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SENSOR_RAW_GYRO 0x8002
+/** Its descriptor. */
 #define MIP_SENSOR_RAW_GYRO_DESCRIPTOR 0x02
+/** Its name in the specification. */
 #define MIP_SENSOR_RAW_GYRO_NAME "sensor.raw_gyro"
 
 /** Its wire format. */
@@ -191,7 +197,9 @@ struct mip_sensor_raw_mag {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SENSOR_RAW_MAG 0x8003
+/** Its descriptor. */
 #define MIP_SENSOR_RAW_MAG_DESCRIPTOR 0x03
+/** Its name in the specification. */
 #define MIP_SENSOR_RAW_MAG_NAME "sensor.raw_mag"
 
 /** Its wire format. */
@@ -254,7 +262,9 @@ struct mip_sensor_scaled_accel {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SENSOR_SCALED_ACCEL 0x8004
+/** Its descriptor. */
 #define MIP_SENSOR_SCALED_ACCEL_DESCRIPTOR 0x04
+/** Its name in the specification. */
 #define MIP_SENSOR_SCALED_ACCEL_NAME "sensor.scaled_accel"
 
 /** Its wire format. */
@@ -317,7 +327,9 @@ struct mip_sensor_scaled_gyro {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SENSOR_SCALED_GYRO 0x8005
+/** Its descriptor. */
 #define MIP_SENSOR_SCALED_GYRO_DESCRIPTOR 0x05
+/** Its name in the specification. */
 #define MIP_SENSOR_SCALED_GYRO_NAME "sensor.scaled_gyro"
 
 /** Its wire format. */
@@ -379,7 +391,9 @@ struct mip_sensor_scaled_mag {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SENSOR_SCALED_MAG 0x8006
+/** Its descriptor. */
 #define MIP_SENSOR_SCALED_MAG_DESCRIPTOR 0x06
+/** Its name in the specification. */
 #define MIP_SENSOR_SCALED_MAG_NAME "sensor.scaled_mag"
 
 /** Its wire format. */
@@ -430,7 +444,7 @@ static inline mip_error mip_sensor_scaled_mag_encode_inline(
  *
  * Time integral of the angular rate over the period that the message format sets.
  *
- * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
+ * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35.
  *
  * - 3dm-gx5-15: 5.1.4 Delta Theta Vector (0x80, 0x07)
  * - 3dm-cv7-gnss-ins: Delta Theta (0x80,0x07)
@@ -442,7 +456,9 @@ struct mip_sensor_delta_theta {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SENSOR_DELTA_THETA 0x8007
+/** Its descriptor. */
 #define MIP_SENSOR_DELTA_THETA_DESCRIPTOR 0x07
+/** Its name in the specification. */
 #define MIP_SENSOR_DELTA_THETA_NAME "sensor.delta_theta"
 
 /** Its wire format. */
@@ -493,7 +509,7 @@ static inline mip_error mip_sensor_delta_theta_encode_inline(
  *
  * Time integral of the acceleration over the period that the message format sets.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * Multiply by 9.80665 m/s^2 for a change of velocity in metres per second.
  *
@@ -507,7 +523,9 @@ struct mip_sensor_delta_velocity {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SENSOR_DELTA_VELOCITY 0x8008
+/** Its descriptor. */
 #define MIP_SENSOR_DELTA_VELOCITY_DESCRIPTOR 0x08
+/** Its name in the specification. */
 #define MIP_SENSOR_DELTA_VELOCITY_NAME "sensor.delta_velocity"
 
 /** Its wire format. */
@@ -558,7 +576,7 @@ static inline mip_error mip_sensor_delta_velocity_encode_inline(
  *
  * Attitude by the complementary filter as a direction cosine matrix, relative to the NED frame.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * `v_vehicle = m * v_ned`; the sensor frame takes the place of the vehicle frame on the 3DM-GX5-15.
  *
@@ -575,7 +593,9 @@ struct mip_sensor_comp_orientation_matrix {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SENSOR_COMP_ORIENTATION_MATRIX 0x8009
+/** Its descriptor. */
 #define MIP_SENSOR_COMP_ORIENTATION_MATRIX_DESCRIPTOR 0x09
+/** Its name in the specification. */
 #define MIP_SENSOR_COMP_ORIENTATION_MATRIX_NAME "sensor.comp_orientation_matrix"
 
 /** Its wire format. */
@@ -626,7 +646,7 @@ static inline mip_error mip_sensor_comp_orientation_matrix_encode_inline(
  *
  * Attitude by the complementary filter as a quaternion, relative to the NED frame.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * `v_vehicle = q^-1 * v_ned * q`; the sensor frame takes the place of the vehicle frame on the
  * 3DM-GX5-15.
@@ -644,7 +664,9 @@ struct mip_sensor_comp_quaternion {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SENSOR_COMP_QUATERNION 0x800A
+/** Its descriptor. */
 #define MIP_SENSOR_COMP_QUATERNION_DESCRIPTOR 0x0A
+/** Its name in the specification. */
 #define MIP_SENSOR_COMP_QUATERNION_NAME "sensor.comp_quaternion"
 
 /** Its wire format. */
@@ -710,7 +732,9 @@ struct mip_sensor_comp_orientation_update_matrix {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SENSOR_COMP_ORIENTATION_UPDATE_MATRIX 0x800B
+/** Its descriptor. */
 #define MIP_SENSOR_COMP_ORIENTATION_UPDATE_MATRIX_DESCRIPTOR 0x0B
+/** Its name in the specification. */
 #define MIP_SENSOR_COMP_ORIENTATION_UPDATE_MATRIX_NAME "sensor.comp_orientation_update_matrix"
 
 /** Its wire format. */
@@ -761,7 +785,7 @@ static inline mip_error mip_sensor_comp_orientation_update_matrix_encode_inline(
  *
  * Attitude by the complementary filter as Euler angles, relative to the NED frame.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * The rotations are in the order yaw, pitch, roll (3-2-1).
  *
@@ -779,7 +803,9 @@ struct mip_sensor_comp_euler_angles {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SENSOR_COMP_EULER_ANGLES 0x800C
+/** Its descriptor. */
 #define MIP_SENSOR_COMP_EULER_ANGLES_DESCRIPTOR 0x0C
+/** Its name in the specification. */
 #define MIP_SENSOR_COMP_EULER_ANGLES_NAME "sensor.comp_euler_angles"
 
 /** Its wire format. */
@@ -844,7 +870,9 @@ struct mip_sensor_orientation_raw_temperature {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SENSOR_ORIENTATION_RAW_TEMPERATURE 0x800D
+/** Its descriptor. */
 #define MIP_SENSOR_ORIENTATION_RAW_TEMPERATURE_DESCRIPTOR 0x0D
+/** Its name in the specification. */
 #define MIP_SENSOR_ORIENTATION_RAW_TEMPERATURE_NAME "sensor.orientation_raw_temperature"
 
 /** Its wire format. */
@@ -907,7 +935,9 @@ struct mip_sensor_internal_timestamp {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SENSOR_INTERNAL_TIMESTAMP 0x800E
+/** Its descriptor. */
 #define MIP_SENSOR_INTERNAL_TIMESTAMP_DESCRIPTOR 0x0E
+/** Its name in the specification. */
 #define MIP_SENSOR_INTERNAL_TIMESTAMP_NAME "sensor.internal_timestamp"
 
 /** Its wire format. */
@@ -968,7 +998,9 @@ struct mip_sensor_pps_timestamp {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SENSOR_PPS_TIMESTAMP 0x800F
+/** Its descriptor. */
 #define MIP_SENSOR_PPS_TIMESTAMP_DESCRIPTOR 0x0F
+/** Its name in the specification. */
 #define MIP_SENSOR_PPS_TIMESTAMP_NAME "sensor.pps_timestamp"
 
 /** Its wire format. */
@@ -1017,7 +1049,7 @@ static inline mip_error mip_sensor_pps_timestamp_encode_inline(
  *
  * Estimate of the geomagnetic field by the complementary filter, free of short disturbances.
  *
- * Supported by 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
+ * Supported by 3DM-GX5-15.
  *
  * Without magnetic disturbance it equals the measured magnetic field.
  *
@@ -1032,7 +1064,9 @@ struct mip_sensor_north_vector {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SENSOR_NORTH_VECTOR 0x8010
+/** Its descriptor. */
 #define MIP_SENSOR_NORTH_VECTOR_DESCRIPTOR 0x10
+/** Its name in the specification. */
 #define MIP_SENSOR_NORTH_VECTOR_NAME "sensor.north_vector"
 
 /** Its wire format. */
@@ -1083,7 +1117,7 @@ static inline mip_error mip_sensor_north_vector_encode_inline(
  *
  * Estimate of the vertical (up) by the complementary filter, free of linear acceleration.
  *
- * Supported by 3DM-GX5-15 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
+ * Supported by 3DM-GX5-15 and 3DM-GX5-35.
  *
  * At rest it equals the measured acceleration.
  *
@@ -1099,7 +1133,9 @@ struct mip_sensor_up_vector {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SENSOR_UP_VECTOR 0x8011
+/** Its descriptor. */
 #define MIP_SENSOR_UP_VECTOR_DESCRIPTOR 0x11
+/** Its name in the specification. */
 #define MIP_SENSOR_UP_VECTOR_NAME "sensor.up_vector"
 
 /** Its wire format. */
@@ -1150,7 +1186,7 @@ static inline mip_error mip_sensor_up_vector_encode_inline(const struct mip_sens
  *
  * GPS time of the sensor data.
  *
- * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
+ * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35.
  *
  * Without a PPS the time runs on the internal clock and jumps when the PPS comes back.
  *
@@ -1185,7 +1221,9 @@ struct mip_sensor_gps_timestamp {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SENSOR_GPS_TIMESTAMP 0x8012
+/** Its descriptor. */
 #define MIP_SENSOR_GPS_TIMESTAMP_DESCRIPTOR 0x12
+/** Its name in the specification. */
 #define MIP_SENSOR_GPS_TIMESTAMP_NAME "sensor.gps_timestamp"
 
 /** Its wire format. */
@@ -1253,7 +1291,9 @@ struct mip_sensor_temperature_statistics {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SENSOR_TEMPERATURE_STATISTICS 0x8014
+/** Its descriptor. */
 #define MIP_SENSOR_TEMPERATURE_STATISTICS_DESCRIPTOR 0x14
+/** Its name in the specification. */
 #define MIP_SENSOR_TEMPERATURE_STATISTICS_NAME "sensor.temperature_statistics"
 
 /** Its wire format. */
@@ -1315,7 +1355,9 @@ struct mip_sensor_raw_pressure {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SENSOR_RAW_PRESSURE 0x8016
+/** Its descriptor. */
 #define MIP_SENSOR_RAW_PRESSURE_DESCRIPTOR 0x16
+/** Its name in the specification. */
 #define MIP_SENSOR_RAW_PRESSURE_NAME "sensor.raw_pressure"
 
 /** Its wire format. */
@@ -1362,7 +1404,7 @@ static inline mip_error mip_sensor_raw_pressure_encode_inline(
  *
  * Measured ambient pressure, temperature compensated.
  *
- * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
+ * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35.
  *
  * - 3dm-gx5-15: 5.1.3 Scaled Ambient Pressure (0x80, 0x17)
  * - 3dm-cv7-gnss-ins: Scaled Pressure (0x80,0x17)
@@ -1374,7 +1416,9 @@ struct mip_sensor_scaled_pressure {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SENSOR_SCALED_PRESSURE 0x8017
+/** Its descriptor. */
 #define MIP_SENSOR_SCALED_PRESSURE_DESCRIPTOR 0x17
+/** Its name in the specification. */
 #define MIP_SENSOR_SCALED_PRESSURE_NAME "sensor.scaled_pressure"
 
 /** Its wire format. */
@@ -1432,7 +1476,9 @@ struct mip_sensor_overrange_status {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SENSOR_OVERRANGE_STATUS 0x8018
+/** Its descriptor. */
 #define MIP_SENSOR_OVERRANGE_STATUS_DESCRIPTOR 0x18
+/** Its name in the specification. */
 #define MIP_SENSOR_OVERRANGE_STATUS_NAME "sensor.overrange_status"
 
 /** Its wire format. */
@@ -1500,7 +1546,9 @@ struct mip_sensor_odometer {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SENSOR_ODOMETER 0x8040
+/** Its descriptor. */
 #define MIP_SENSOR_ODOMETER_DESCRIPTOR 0x40
+/** Its name in the specification. */
 #define MIP_SENSOR_ODOMETER_NAME "sensor.odometer"
 
 /** Its wire format. */

@@ -55,7 +55,9 @@ struct mip_shared_event_source {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SHARED_EVENT_SOURCE 0xFFD0
+/** Its descriptor. */
 #define MIP_SHARED_EVENT_SOURCE_DESCRIPTOR 0xD0
+/** Its name in the specification. */
 #define MIP_SHARED_EVENT_SOURCE_NAME "shared.event_source"
 
 /** Its wire format. */
@@ -117,7 +119,9 @@ struct mip_shared_ticks {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SHARED_TICKS 0xFFD1
+/** Its descriptor. */
 #define MIP_SHARED_TICKS_DESCRIPTOR 0xD1
+/** Its name in the specification. */
 #define MIP_SHARED_TICKS_NAME "shared.ticks"
 
 /** Its wire format. */
@@ -178,7 +182,9 @@ struct mip_shared_delta_ticks {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SHARED_DELTA_TICKS 0xFFD2
+/** Its descriptor. */
 #define MIP_SHARED_DELTA_TICKS_DESCRIPTOR 0xD2
+/** Its name in the specification. */
 #define MIP_SHARED_DELTA_TICKS_NAME "shared.delta_ticks"
 
 /** Its wire format. */
@@ -257,7 +263,9 @@ struct mip_shared_gps_timestamp {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SHARED_GPS_TIMESTAMP 0xFFD3
+/** Its descriptor. */
 #define MIP_SHARED_GPS_TIMESTAMP_DESCRIPTOR 0xD3
+/** Its name in the specification. */
 #define MIP_SHARED_GPS_TIMESTAMP_NAME "shared.gps_timestamp"
 
 /** Its wire format. */
@@ -323,7 +331,9 @@ struct mip_shared_delta_time {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SHARED_DELTA_TIME 0xFFD4
+/** Its descriptor. */
 #define MIP_SHARED_DELTA_TIME_DESCRIPTOR 0xD4
+/** Its name in the specification. */
 #define MIP_SHARED_DELTA_TIME_NAME "shared.delta_time"
 
 /** Its wire format. */
@@ -385,7 +395,9 @@ struct mip_shared_reference_timestamp {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SHARED_REFERENCE_TIMESTAMP 0xFFD5
+/** Its descriptor. */
 #define MIP_SHARED_REFERENCE_TIMESTAMP_DESCRIPTOR 0xD5
+/** Its name in the specification. */
 #define MIP_SHARED_REFERENCE_TIMESTAMP_NAME "shared.reference_timestamp"
 
 /** Its wire format. */
@@ -445,7 +457,9 @@ struct mip_shared_reference_time_delta {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SHARED_REFERENCE_TIME_DELTA 0xFFD6
+/** Its descriptor. */
 #define MIP_SHARED_REFERENCE_TIME_DELTA_DESCRIPTOR 0xD6
+/** Its name in the specification. */
 #define MIP_SHARED_REFERENCE_TIME_DELTA_NAME "shared.reference_time_delta"
 
 /** Its wire format. */
@@ -514,7 +528,9 @@ struct mip_shared_external_timestamp {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SHARED_EXTERNAL_TIMESTAMP 0xFFD7
+/** Its descriptor. */
 #define MIP_SHARED_EXTERNAL_TIMESTAMP_DESCRIPTOR 0xD7
+/** Its name in the specification. */
 #define MIP_SHARED_EXTERNAL_TIMESTAMP_NAME "shared.external_timestamp"
 
 /** Its wire format. */
@@ -583,7 +599,9 @@ struct mip_shared_external_time_delta {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SHARED_EXTERNAL_TIME_DELTA 0xFFD8
+/** Its descriptor. */
 #define MIP_SHARED_EXTERNAL_TIME_DELTA_DESCRIPTOR 0xD8
+/** Its name in the specification. */
 #define MIP_SHARED_EXTERNAL_TIME_DELTA_NAME "shared.external_time_delta"
 
 /** Its wire format. */

@@ -2,6 +2,8 @@
  * @file
  *
  * System (0x7F). Advanced commands of devices that are built from several intelligent parts.
+ *
+ * Devices that may support a field, though it is not certain, are in mip/profiles.h only.
  */
 #ifndef MIP_SYSTEM_H
 #define MIP_SYSTEM_H
@@ -75,8 +77,8 @@ MIP_API const char *mip_system_protocol_mode_name(uint8_t value);
  *
  * Protocols that a port takes in and gives out.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_system_interface_control_response. May be supported by 3DM-CV7-GNSS/INS.
+ * No device is certain to support it. Functions: write, read, save, load and default. Answered by
+ * mip_system_interface_control_response.
  *
  * Accepted on the main port only. The main port always keeps MIP in both directions.
  *
@@ -94,7 +96,10 @@ MIP_API const char *mip_system_protocol_mode_name(uint8_t value);
  * - 3dm-cv7-gnss-ins: Ports
  */
 struct mip_system_interface_control {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -111,7 +116,9 @@ struct mip_system_interface_control {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SYSTEM_INTERFACE_CONTROL 0x7F02
+/** Its descriptor. */
 #define MIP_SYSTEM_INTERFACE_CONTROL_DESCRIPTOR 0x02
+/** Its name in the specification. */
 #define MIP_SYSTEM_INTERFACE_CONTROL_NAME "system.interface_control"
 
 /** Its wire format. */
@@ -128,11 +135,7 @@ static inline mip_error mip_system_interface_control_encode(
     const struct mip_system_interface_control *value, struct mip_builder *builder) {
     return mip_encode(&mip_system_interface_control_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_system_interface_control *mip_system_interface_control_write(
     struct mip_system_interface_control *command, enum mip_system_comm_interface port,
     mip_system_comm_protocols protocols_incoming, mip_system_comm_protocols protocols_outgoing) {
@@ -143,11 +146,7 @@ static inline struct mip_system_interface_control *mip_system_interface_control_
     command->protocols_outgoing = protocols_outgoing;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_system_interface_control *mip_system_interface_control_read(
     struct mip_system_interface_control *command, enum mip_system_comm_interface port) {
     memset(command, 0, sizeof(*command));
@@ -155,11 +154,7 @@ static inline struct mip_system_interface_control *mip_system_interface_control_
     command->port = (uint8_t)port;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_system_interface_control *mip_system_interface_control_save(
     struct mip_system_interface_control *command, enum mip_system_comm_interface port) {
     memset(command, 0, sizeof(*command));
@@ -167,11 +162,7 @@ static inline struct mip_system_interface_control *mip_system_interface_control_
     command->port = (uint8_t)port;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_system_interface_control *mip_system_interface_control_load(
     struct mip_system_interface_control *command, enum mip_system_comm_interface port) {
     memset(command, 0, sizeof(*command));
@@ -179,11 +170,7 @@ static inline struct mip_system_interface_control *mip_system_interface_control_
     command->port = (uint8_t)port;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_system_interface_control *mip_system_interface_control_default(
     struct mip_system_interface_control *command, enum mip_system_comm_interface port) {
     memset(command, 0, sizeof(*command));
@@ -195,7 +182,7 @@ static inline struct mip_system_interface_control *mip_system_interface_control_
 /**
  * Interface control response: response (0x7F,0x82).
  *
- * Answers mip_system_interface_control. May be supported by 3DM-CV7-GNSS/INS.
+ * No device is certain to support it. Answers mip_system_interface_control.
  *
  * - mip-sdk-4: Interface Control (0x7F,0x02)
  * - 3dm-cv7-gnss-ins: Ports
@@ -214,7 +201,9 @@ struct mip_system_interface_control_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SYSTEM_INTERFACE_CONTROL_RESPONSE 0x7F82
+/** Its descriptor. */
 #define MIP_SYSTEM_INTERFACE_CONTROL_RESPONSE_DESCRIPTOR 0x82
+/** Its name in the specification. */
 #define MIP_SYSTEM_INTERFACE_CONTROL_RESPONSE_NAME "system.interface_control_response"
 
 /** Its wire format. */
@@ -275,7 +264,10 @@ static inline mip_error mip_system_interface_control_response_encode_inline(
  * - 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10)
  */
 struct mip_system_comm_mode {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -289,7 +281,9 @@ struct mip_system_comm_mode {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SYSTEM_COMM_MODE 0x7F10
+/** Its descriptor. */
 #define MIP_SYSTEM_COMM_MODE_DESCRIPTOR 0x10
+/** Its name in the specification. */
 #define MIP_SYSTEM_COMM_MODE_NAME "system.comm_mode"
 
 /** Its wire format. */
@@ -306,11 +300,7 @@ static inline mip_error mip_system_comm_mode_encode(const struct mip_system_comm
                                                     struct mip_builder *builder) {
     return mip_encode(&mip_system_comm_mode_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_system_comm_mode *mip_system_comm_mode_write(
     struct mip_system_comm_mode *command, enum mip_system_protocol_mode mode) {
     memset(command, 0, sizeof(*command));
@@ -318,44 +308,28 @@ static inline struct mip_system_comm_mode *mip_system_comm_mode_write(
     command->mode = (uint8_t)mode;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_system_comm_mode *
 mip_system_comm_mode_read(struct mip_system_comm_mode *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_system_comm_mode *
 mip_system_comm_mode_save(struct mip_system_comm_mode *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_system_comm_mode *
 mip_system_comm_mode_load(struct mip_system_comm_mode *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_system_comm_mode *
 mip_system_comm_mode_default(struct mip_system_comm_mode *command) {
     memset(command, 0, sizeof(*command));
@@ -380,7 +354,9 @@ struct mip_system_comm_mode_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SYSTEM_COMM_MODE_RESPONSE 0x7F90
+/** Its descriptor. */
 #define MIP_SYSTEM_COMM_MODE_RESPONSE_DESCRIPTOR 0x90
+/** Its name in the specification. */
 #define MIP_SYSTEM_COMM_MODE_RESPONSE_NAME "system.comm_mode_response"
 
 /** Its wire format. */

@@ -60,7 +60,9 @@ struct mip_system_data_built_in_test {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SYSTEM_DATA_BUILT_IN_TEST 0xA001
+/** Its descriptor. */
 #define MIP_SYSTEM_DATA_BUILT_IN_TEST_DESCRIPTOR 0x01
+/** Its name in the specification. */
 #define MIP_SYSTEM_DATA_BUILT_IN_TEST_NAME "system_data.built_in_test"
 
 /** Its wire format. */
@@ -120,7 +122,9 @@ struct mip_system_data_time_sync_status {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SYSTEM_DATA_TIME_SYNC_STATUS 0xA002
+/** Its descriptor. */
 #define MIP_SYSTEM_DATA_TIME_SYNC_STATUS_DESCRIPTOR 0x02
+/** Its name in the specification. */
 #define MIP_SYSTEM_DATA_TIME_SYNC_STATUS_NAME "system_data.time_sync_status"
 
 /** Its wire format. */
@@ -189,7 +193,9 @@ struct mip_system_data_gpio_state {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SYSTEM_DATA_GPIO_STATE 0xA003
+/** Its descriptor. */
 #define MIP_SYSTEM_DATA_GPIO_STATE_DESCRIPTOR 0x03
+/** Its name in the specification. */
 #define MIP_SYSTEM_DATA_GPIO_STATE_NAME "system_data.gpio_state"
 
 /** Its wire format. */
@@ -251,7 +257,9 @@ struct mip_system_data_gpio_analog_value {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SYSTEM_DATA_GPIO_ANALOG_VALUE 0xA004
+/** Its descriptor. */
 #define MIP_SYSTEM_DATA_GPIO_ANALOG_VALUE_DESCRIPTOR 0x04
+/** Its name in the specification. */
 #define MIP_SYSTEM_DATA_GPIO_ANALOG_VALUE_NAME "system_data.gpio_analog_value"
 
 /** Its wire format. */

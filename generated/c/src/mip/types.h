@@ -79,6 +79,7 @@ static inline bool
 mip_cv7_continuous_bit_get_system_clock_failure(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 0, 1);
 }
+/** Sets it. */
 static inline void
 mip_cv7_continuous_bit_set_system_clock_failure(struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 0, 1, value);
@@ -89,6 +90,7 @@ static inline bool
 mip_cv7_continuous_bit_get_power_fault(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 1, 1);
 }
+/** Sets it. */
 static inline void mip_cv7_continuous_bit_set_power_fault(struct mip_cv7_continuous_bit *flags,
                                                           bool value) {
     mip_set_bits(flags->bytes, 1, 1, value);
@@ -99,6 +101,7 @@ static inline bool
 mip_cv7_continuous_bit_get_firmware_fault(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 4, 1);
 }
+/** Sets it. */
 static inline void mip_cv7_continuous_bit_set_firmware_fault(struct mip_cv7_continuous_bit *flags,
                                                              bool value) {
     mip_set_bits(flags->bytes, 4, 1, value);
@@ -109,6 +112,7 @@ static inline bool
 mip_cv7_continuous_bit_get_timing_overload(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 5, 1);
 }
+/** Sets it. */
 static inline void mip_cv7_continuous_bit_set_timing_overload(struct mip_cv7_continuous_bit *flags,
                                                               bool value) {
     mip_set_bits(flags->bytes, 5, 1, value);
@@ -119,6 +123,7 @@ static inline bool
 mip_cv7_continuous_bit_get_buffer_overrun(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 6, 1);
 }
+/** Sets it. */
 static inline void mip_cv7_continuous_bit_set_buffer_overrun(struct mip_cv7_continuous_bit *flags,
                                                              bool value) {
     mip_set_bits(flags->bytes, 6, 1, value);
@@ -129,6 +134,7 @@ static inline bool
 mip_cv7_continuous_bit_get_imu_process_fault(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 16, 1);
 }
+/** Sets it. */
 static inline void
 mip_cv7_continuous_bit_set_imu_process_fault(struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 16, 1, value);
@@ -139,6 +145,7 @@ static inline bool mip_cv7_continuous_bit_get_imu_data_process_time_exceeded(
     const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 17, 1);
 }
+/** Sets it. */
 static inline void mip_cv7_continuous_bit_set_imu_data_process_time_exceeded(
     struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 17, 1, value);
@@ -149,6 +156,7 @@ static inline bool
 mip_cv7_continuous_bit_get_imu_data_rate_error(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 18, 1);
 }
+/** Sets it. */
 static inline void
 mip_cv7_continuous_bit_set_imu_data_rate_error(struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 18, 1, value);
@@ -159,6 +167,7 @@ static inline bool
 mip_cv7_continuous_bit_get_imu_stall(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 19, 1);
 }
+/** Sets it. */
 static inline void mip_cv7_continuous_bit_set_imu_stall(struct mip_cv7_continuous_bit *flags,
                                                         bool value) {
     mip_set_bits(flags->bytes, 19, 1, value);
@@ -169,6 +178,7 @@ static inline uint8_t
 mip_cv7_continuous_bit_get_filter_process_fault(const struct mip_cv7_continuous_bit *flags) {
     return (uint8_t)mip_get_bits(flags->bytes, 20, 4);
 }
+/** Sets it. */
 static inline void mip_cv7_continuous_bit_set_filter_process_fault(
     struct mip_cv7_continuous_bit *flags, uint8_t value) {
     mip_set_bits(flags->bytes, 20, 4, value);
@@ -179,6 +189,7 @@ static inline bool
 mip_cv7_continuous_bit_get_filter_major_cycle_fault(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 20, 1);
 }
+/** Sets it. */
 static inline void mip_cv7_continuous_bit_set_filter_major_cycle_fault(
     struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 20, 1, value);
@@ -189,6 +200,7 @@ static inline bool
 mip_cv7_continuous_bit_get_filter_minor_cycle_fault(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 21, 1);
 }
+/** Sets it. */
 static inline void mip_cv7_continuous_bit_set_filter_minor_cycle_fault(
     struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 21, 1, value);
@@ -199,6 +211,7 @@ static inline bool
 mip_cv7_continuous_bit_get_filter_data_rate_error(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 22, 1);
 }
+/** Sets it. */
 static inline void mip_cv7_continuous_bit_set_filter_data_rate_error(
     struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 22, 1, value);
@@ -209,6 +222,7 @@ static inline bool
 mip_cv7_continuous_bit_get_filter_process_stall(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 23, 1);
 }
+/** Sets it. */
 static inline void
 mip_cv7_continuous_bit_set_filter_process_stall(struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 23, 1, value);
@@ -219,6 +233,7 @@ static inline uint8_t
 mip_cv7_continuous_bit_get_gnss_subsystem_fault(const struct mip_cv7_continuous_bit *flags) {
     return (uint8_t)mip_get_bits(flags->bytes, 24, 4);
 }
+/** Sets it. */
 static inline void mip_cv7_continuous_bit_set_gnss_subsystem_fault(
     struct mip_cv7_continuous_bit *flags, uint8_t value) {
     mip_set_bits(flags->bytes, 24, 4, value);
@@ -229,6 +244,7 @@ static inline bool
 mip_cv7_continuous_bit_get_gnss_main_process_fault(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 24, 1);
 }
+/** Sets it. */
 static inline void mip_cv7_continuous_bit_set_gnss_main_process_fault(
     struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 24, 1, value);
@@ -239,6 +255,7 @@ static inline bool
 mip_cv7_continuous_bit_get_gnss_receiver_1_stall(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 25, 1);
 }
+/** Sets it. */
 static inline void
 mip_cv7_continuous_bit_set_gnss_receiver_1_stall(struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 25, 1, value);
@@ -249,6 +266,7 @@ static inline bool
 mip_cv7_continuous_bit_get_gnss_receiver_2_stall(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 26, 1);
 }
+/** Sets it. */
 static inline void
 mip_cv7_continuous_bit_set_gnss_receiver_2_stall(struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 26, 1, value);
@@ -259,6 +277,7 @@ static inline bool
 mip_cv7_continuous_bit_get_imu_comm_fault(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 33, 1);
 }
+/** Sets it. */
 static inline void mip_cv7_continuous_bit_set_imu_comm_fault(struct mip_cv7_continuous_bit *flags,
                                                              bool value) {
     mip_set_bits(flags->bytes, 33, 1, value);
@@ -269,6 +288,7 @@ static inline bool
 mip_cv7_continuous_bit_get_imu_timing_overrun(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 34, 1);
 }
+/** Sets it. */
 static inline void
 mip_cv7_continuous_bit_set_imu_timing_overrun(struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 34, 1, value);
@@ -279,6 +299,7 @@ static inline bool
 mip_cv7_continuous_bit_get_imu_calibration_error_accel(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 36, 1);
 }
+/** Sets it. */
 static inline void mip_cv7_continuous_bit_set_imu_calibration_error_accel(
     struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 36, 1, value);
@@ -289,6 +310,7 @@ static inline bool
 mip_cv7_continuous_bit_get_imu_calibration_error_gyro(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 37, 1);
 }
+/** Sets it. */
 static inline void mip_cv7_continuous_bit_set_imu_calibration_error_gyro(
     struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 37, 1, value);
@@ -299,6 +321,7 @@ static inline bool
 mip_cv7_continuous_bit_get_imu_calibration_error_mag(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 38, 1);
 }
+/** Sets it. */
 static inline void mip_cv7_continuous_bit_set_imu_calibration_error_mag(
     struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 38, 1, value);
@@ -309,6 +332,7 @@ static inline bool
 mip_cv7_continuous_bit_get_accel_general_fault(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 40, 1);
 }
+/** Sets it. */
 static inline void
 mip_cv7_continuous_bit_set_accel_general_fault(struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 40, 1, value);
@@ -319,6 +343,7 @@ static inline bool
 mip_cv7_continuous_bit_get_accel_over_range(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 41, 1);
 }
+/** Sets it. */
 static inline void mip_cv7_continuous_bit_set_accel_over_range(struct mip_cv7_continuous_bit *flags,
                                                                bool value) {
     mip_set_bits(flags->bytes, 41, 1, value);
@@ -329,6 +354,7 @@ static inline bool
 mip_cv7_continuous_bit_get_accel_self_test_fail(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 42, 1);
 }
+/** Sets it. */
 static inline void
 mip_cv7_continuous_bit_set_accel_self_test_fail(struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 42, 1, value);
@@ -339,6 +365,7 @@ static inline bool
 mip_cv7_continuous_bit_get_gyro_general_fault(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 44, 1);
 }
+/** Sets it. */
 static inline void
 mip_cv7_continuous_bit_set_gyro_general_fault(struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 44, 1, value);
@@ -349,6 +376,7 @@ static inline bool
 mip_cv7_continuous_bit_get_gyro_over_range(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 45, 1);
 }
+/** Sets it. */
 static inline void mip_cv7_continuous_bit_set_gyro_over_range(struct mip_cv7_continuous_bit *flags,
                                                               bool value) {
     mip_set_bits(flags->bytes, 45, 1, value);
@@ -359,6 +387,7 @@ static inline bool
 mip_cv7_continuous_bit_get_gyro_self_test_fail(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 46, 1);
 }
+/** Sets it. */
 static inline void
 mip_cv7_continuous_bit_set_gyro_self_test_fail(struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 46, 1, value);
@@ -369,6 +398,7 @@ static inline bool
 mip_cv7_continuous_bit_get_mag_general_fault(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 48, 1);
 }
+/** Sets it. */
 static inline void
 mip_cv7_continuous_bit_set_mag_general_fault(struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 48, 1, value);
@@ -379,6 +409,7 @@ static inline bool
 mip_cv7_continuous_bit_get_mag_over_range(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 49, 1);
 }
+/** Sets it. */
 static inline void mip_cv7_continuous_bit_set_mag_over_range(struct mip_cv7_continuous_bit *flags,
                                                              bool value) {
     mip_set_bits(flags->bytes, 49, 1, value);
@@ -389,6 +420,7 @@ static inline bool
 mip_cv7_continuous_bit_get_mag_self_test_fail(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 50, 1);
 }
+/** Sets it. */
 static inline void
 mip_cv7_continuous_bit_set_mag_self_test_fail(struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 50, 1, value);
@@ -399,6 +431,7 @@ static inline bool mip_cv7_continuous_bit_get_pressure_sensor_general_fault(
     const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 52, 1);
 }
+/** Sets it. */
 static inline void mip_cv7_continuous_bit_set_pressure_sensor_general_fault(
     struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 52, 1, value);
@@ -409,6 +442,7 @@ static inline bool
 mip_cv7_continuous_bit_get_pressure_sensor_over_range(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 53, 1);
 }
+/** Sets it. */
 static inline void mip_cv7_continuous_bit_set_pressure_sensor_over_range(
     struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 53, 1, value);
@@ -419,6 +453,7 @@ static inline bool mip_cv7_continuous_bit_get_pressure_sensor_self_test_fail(
     const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 54, 1);
 }
+/** Sets it. */
 static inline void mip_cv7_continuous_bit_set_pressure_sensor_self_test_fail(
     struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 54, 1, value);
@@ -429,6 +464,7 @@ static inline bool
 mip_cv7_continuous_bit_get_factory_bits_invalid(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 56, 1);
 }
+/** Sets it. */
 static inline void
 mip_cv7_continuous_bit_set_factory_bits_invalid(struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 56, 1, value);
@@ -439,6 +475,7 @@ static inline bool
 mip_cv7_continuous_bit_get_filter_timing_overrun(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 66, 1);
 }
+/** Sets it. */
 static inline void
 mip_cv7_continuous_bit_set_filter_timing_overrun(struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 66, 1, value);
@@ -449,6 +486,7 @@ static inline bool
 mip_cv7_continuous_bit_get_filter_timing_underrun(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 67, 1);
 }
+/** Sets it. */
 static inline void mip_cv7_continuous_bit_set_filter_timing_underrun(
     struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 67, 1, value);
@@ -459,6 +497,7 @@ static inline bool
 mip_cv7_continuous_bit_get_receiver_1_fault(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 105, 1);
 }
+/** Sets it. */
 static inline void mip_cv7_continuous_bit_set_receiver_1_fault(struct mip_cv7_continuous_bit *flags,
                                                                bool value) {
     mip_set_bits(flags->bytes, 105, 1, value);
@@ -469,6 +508,7 @@ static inline bool
 mip_cv7_continuous_bit_get_receiver_1_no_solution(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 108, 1);
 }
+/** Sets it. */
 static inline void mip_cv7_continuous_bit_set_receiver_1_no_solution(
     struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 108, 1, value);
@@ -479,6 +519,7 @@ static inline bool
 mip_cv7_continuous_bit_get_receiver_2_fault(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 110, 1);
 }
+/** Sets it. */
 static inline void mip_cv7_continuous_bit_set_receiver_2_fault(struct mip_cv7_continuous_bit *flags,
                                                                bool value) {
     mip_set_bits(flags->bytes, 110, 1, value);
@@ -489,6 +530,7 @@ static inline bool
 mip_cv7_continuous_bit_get_receiver_2_no_solution(const struct mip_cv7_continuous_bit *flags) {
     return (bool)mip_get_bits(flags->bytes, 113, 1);
 }
+/** Sets it. */
 static inline void mip_cv7_continuous_bit_set_receiver_2_no_solution(
     struct mip_cv7_continuous_bit *flags, bool value) {
     mip_set_bits(flags->bytes, 113, 1, value);
@@ -1165,6 +1207,7 @@ static inline uint8_t mip_rtk_status_flags_get_modem_state(mip_rtk_status_flags 
     const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_MODEM_STATE;
     return (uint8_t)bits;
 }
+/** Sets it. */
 static inline void mip_rtk_status_flags_set_modem_state(mip_rtk_status_flags *flags,
                                                         uint8_t value) {
     const uint32_t mask = MIP_RTK_STATUS_FLAGS_MODEM_STATE;
@@ -1177,6 +1220,7 @@ static inline uint8_t mip_rtk_status_flags_get_connection_type(mip_rtk_status_fl
     const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_CONNECTION_TYPE;
     return (uint8_t)(bits >> 4);
 }
+/** Sets it. */
 static inline void mip_rtk_status_flags_set_connection_type(mip_rtk_status_flags *flags,
                                                             uint8_t value) {
     const uint32_t mask = MIP_RTK_STATUS_FLAGS_CONNECTION_TYPE;
@@ -1192,6 +1236,7 @@ static inline uint8_t mip_rtk_status_flags_get_rssi(mip_rtk_status_flags flags) 
     const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_RSSI;
     return (uint8_t)(bits >> 8);
 }
+/** Sets it. */
 static inline void mip_rtk_status_flags_set_rssi(mip_rtk_status_flags *flags, uint8_t value) {
     const uint32_t mask = MIP_RTK_STATUS_FLAGS_RSSI;
     const uint32_t bits = (uint32_t)value << 8;
@@ -1203,6 +1248,7 @@ static inline uint8_t mip_rtk_status_flags_get_signal_quality(mip_rtk_status_fla
     const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_SIGNAL_QUALITY;
     return (uint8_t)(bits >> 16);
 }
+/** Sets it. */
 static inline void mip_rtk_status_flags_set_signal_quality(mip_rtk_status_flags *flags,
                                                            uint8_t value) {
     const uint32_t mask = MIP_RTK_STATUS_FLAGS_SIGNAL_QUALITY;
@@ -1215,6 +1261,7 @@ static inline uint8_t mip_rtk_status_flags_get_tower_change_indicator(mip_rtk_st
     const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_TOWER_CHANGE_INDICATOR;
     return (uint8_t)(bits >> 20);
 }
+/** Sets it. */
 static inline void mip_rtk_status_flags_set_tower_change_indicator(mip_rtk_status_flags *flags,
                                                                    uint8_t value) {
     const uint32_t mask = MIP_RTK_STATUS_FLAGS_TOWER_CHANGE_INDICATOR;
@@ -1227,6 +1274,7 @@ static inline uint8_t mip_rtk_status_flags_get_version(mip_rtk_status_flags flag
     const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_VERSION;
     return (uint8_t)(bits >> 30);
 }
+/** Sets it. */
 static inline void mip_rtk_status_flags_set_version(mip_rtk_status_flags *flags, uint8_t value) {
     const uint32_t mask = MIP_RTK_STATUS_FLAGS_VERSION;
     const uint32_t bits = (uint32_t)value << 30;
@@ -1269,6 +1317,7 @@ mip_rtk_status_flags_legacy_get_controller_state(mip_rtk_status_flags_legacy fla
     const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_LEGACY_CONTROLLER_STATE;
     return (uint8_t)bits;
 }
+/** Sets it. */
 static inline void mip_rtk_status_flags_legacy_set_controller_state(
     mip_rtk_status_flags_legacy *flags, uint8_t value) {
     const uint32_t mask = MIP_RTK_STATUS_FLAGS_LEGACY_CONTROLLER_STATE;
@@ -1282,6 +1331,7 @@ mip_rtk_status_flags_legacy_get_platform_state(mip_rtk_status_flags_legacy flags
     const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_LEGACY_PLATFORM_STATE;
     return (uint8_t)(bits >> 3);
 }
+/** Sets it. */
 static inline void
 mip_rtk_status_flags_legacy_set_platform_state(mip_rtk_status_flags_legacy *flags, uint8_t value) {
     const uint32_t mask = MIP_RTK_STATUS_FLAGS_LEGACY_PLATFORM_STATE;
@@ -1295,6 +1345,7 @@ mip_rtk_status_flags_legacy_get_controller_status_code(mip_rtk_status_flags_lega
     const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_LEGACY_CONTROLLER_STATUS_CODE;
     return (uint8_t)(bits >> 8);
 }
+/** Sets it. */
 static inline void mip_rtk_status_flags_legacy_set_controller_status_code(
     mip_rtk_status_flags_legacy *flags, uint8_t value) {
     const uint32_t mask = MIP_RTK_STATUS_FLAGS_LEGACY_CONTROLLER_STATUS_CODE;
@@ -1308,6 +1359,7 @@ mip_rtk_status_flags_legacy_get_platform_status_code(mip_rtk_status_flags_legacy
     const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_LEGACY_PLATFORM_STATUS_CODE;
     return (uint8_t)(bits >> 11);
 }
+/** Sets it. */
 static inline void mip_rtk_status_flags_legacy_set_platform_status_code(
     mip_rtk_status_flags_legacy *flags, uint8_t value) {
     const uint32_t mask = MIP_RTK_STATUS_FLAGS_LEGACY_PLATFORM_STATUS_CODE;
@@ -1321,6 +1373,7 @@ mip_rtk_status_flags_legacy_get_reset_code(mip_rtk_status_flags_legacy flags) {
     const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_LEGACY_RESET_CODE;
     return (uint8_t)(bits >> 14);
 }
+/** Sets it. */
 static inline void mip_rtk_status_flags_legacy_set_reset_code(mip_rtk_status_flags_legacy *flags,
                                                               uint8_t value) {
     const uint32_t mask = MIP_RTK_STATUS_FLAGS_LEGACY_RESET_CODE;
@@ -1334,6 +1387,7 @@ mip_rtk_status_flags_legacy_get_signal_quality(mip_rtk_status_flags_legacy flags
     const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_LEGACY_SIGNAL_QUALITY;
     return (uint8_t)(bits >> 16);
 }
+/** Sets it. */
 static inline void
 mip_rtk_status_flags_legacy_set_signal_quality(mip_rtk_status_flags_legacy *flags, uint8_t value) {
     const uint32_t mask = MIP_RTK_STATUS_FLAGS_LEGACY_SIGNAL_QUALITY;
@@ -1346,6 +1400,7 @@ static inline uint8_t mip_rtk_status_flags_legacy_get_rssi(mip_rtk_status_flags_
     const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_LEGACY_RSSI;
     return (uint8_t)(bits >> 20);
 }
+/** Sets it. */
 static inline void mip_rtk_status_flags_legacy_set_rssi(mip_rtk_status_flags_legacy *flags,
                                                         uint8_t value) {
     const uint32_t mask = MIP_RTK_STATUS_FLAGS_LEGACY_RSSI;
@@ -1358,6 +1413,7 @@ static inline uint8_t mip_rtk_status_flags_legacy_get_rsrp(mip_rtk_status_flags_
     const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_LEGACY_RSRP;
     return (uint8_t)(bits >> 26);
 }
+/** Sets it. */
 static inline void mip_rtk_status_flags_legacy_set_rsrp(mip_rtk_status_flags_legacy *flags,
                                                         uint8_t value) {
     const uint32_t mask = MIP_RTK_STATUS_FLAGS_LEGACY_RSRP;
@@ -1370,6 +1426,7 @@ static inline uint8_t mip_rtk_status_flags_legacy_get_rsrq(mip_rtk_status_flags_
     const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_LEGACY_RSRQ;
     return (uint8_t)(bits >> 28);
 }
+/** Sets it. */
 static inline void mip_rtk_status_flags_legacy_set_rsrq(mip_rtk_status_flags_legacy *flags,
                                                         uint8_t value) {
     const uint32_t mask = MIP_RTK_STATUS_FLAGS_LEGACY_RSRQ;
@@ -1382,6 +1439,7 @@ static inline uint8_t mip_rtk_status_flags_legacy_get_sinr(mip_rtk_status_flags_
     const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_LEGACY_SINR;
     return (uint8_t)(bits >> 30);
 }
+/** Sets it. */
 static inline void mip_rtk_status_flags_legacy_set_sinr(mip_rtk_status_flags_legacy *flags,
                                                         uint8_t value) {
     const uint32_t mask = MIP_RTK_STATUS_FLAGS_LEGACY_SINR;

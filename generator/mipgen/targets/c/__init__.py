@@ -8,7 +8,7 @@ from typing import Any
 from ... import formatting, resources
 from ... import model as m
 from ...render import File
-from . import calls, direct, literals, members, names, programs, tables
+from . import calls, direct, literals, members, names, programs, sizes, tables
 from .comments import Comments, comment
 from .identifiers import identifiers
 from .names import MAX_IDENTIFIER
@@ -22,12 +22,14 @@ FORMATTER = formatting.CLANG_FORMAT
 
 def files(model: m.Model) -> Iterator[File]:
     made = list(code(model))
+    made.append(File("src/mip/mip.h", "mip.h.j2", {"headers": everything(made)}))
     yield from made
     yield from packages(model, made)
     taste = model.taste("taste.c")
     if taste:
         yield File("taste.c", "verbatim.j2", {"text": taste})
     shown = {"taste": taste.partition("*/\n")[2].rstrip(), "client": model.taste("client.c").rstrip()}
+    shown["present"] = model.taste("present.c").rstrip()
     yield File("README.md", "README.md.j2", shown)
 
 
@@ -47,11 +49,21 @@ def code(model: m.Model) -> Iterator[File]:
             yield File(f"src/mip/{name}.c", "set.c.j2", {"set": s})
 
 
-def packages(model: m.Model, made: list[File]) -> Iterator[File]:
-    """What build systems and package managers read: version, sources and headers, of the runtime too."""
+def everything(made: list[File]) -> list[str]:
+    """The headers that programs include; of the runtime too."""
+    return [name for name in present(made) if name.endswith(".h") and name not in ("export.h", "mip.h", "program.h")]
+
+
+def present(made: list[File]) -> list[str]:
+    """The names of all headers and sources, those that are made and those of the runtime."""
     folder = "src/mip/"
     runtime = (resources.root() / "templates/c/runtime" / folder).iterdir()
-    found = sorted({*(p.name for p in runtime), *(f.path.removeprefix(folder) for f in made)})
+    return sorted({*(p.name for p in runtime), *(f.path.removeprefix(folder) for f in made)})
+
+
+def packages(model: m.Model, made: list[File]) -> Iterator[File]:
+    """What build systems and package managers read: version, sources and headers, of the runtime too."""
+    found = present(made)
     facts = {
         "sources": [name for name in found if name.endswith(".c")],
         "headers": [name for name in found if name.endswith(".h")],
@@ -59,7 +71,7 @@ def packages(model: m.Model, made: list[File]) -> Iterator[File]:
         "summary": "The MIP protocol of MicroStrain inertial sensors",
     }
     yield File("cmake/sources.cmake", "sources.cmake.j2", facts)
-    for path in ("meson.build", "library.json", "library.properties", "idf_component.yml"):
+    for path in ("meson.build", "library.json", "library.properties", "idf_component.yml", "Doxyfile"):
         yield File(path, f"{path}.j2", facts)
 
 
@@ -136,11 +148,13 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "numbers": tables.numbers,
         "labels": tables.labels,
         "letters": m.letters,
+        "max_value_size": sizes.max_value_size,
         # comments
         "comment": comment,
         "device_doc": docs.device,
         "set_doc": docs.set,
         "field_doc": docs.field,
+        "present_doc": docs.present,
         "type_doc": docs.type,
         "member_doc": docs.member,
         "case_doc": docs.case,

@@ -10,11 +10,17 @@ from ... import model as m
 from ...wrapping import wrapped
 from . import names
 from .literals import hexadecimal
-from .members import members
+from .members import last_present, members
 from .names import Record
 
 #: Where clang-format breaks lines, too; it only moves comments.
 WIDTH = 100
+
+
+#: Devices that perhaps support a field are many. Headers leave them to the profiles.
+ELSEWHERE = "Devices that may support a field, though it is not certain, are in mip/profiles.h only."
+#: Of a field that no device is certain to support, though some may.
+UNSURE = "No device is certain to support it."
 
 
 def comment(paragraphs: Sequence[str], indent: int = 0) -> str:
@@ -76,18 +82,29 @@ class Comments:
 
     def set(self, s: m.Set) -> list[str]:
         what = " ".join([f"{s.title} ({hexadecimal(s.number)}).", *self._prose(s.description)])
-        return ["@file", " ".join([what, *said(describe.uncertain(s, self.model))])]
+        unsure = [ELSEWHERE] if any(self.model.devices_of(f, certain=False) for f in s.fields) else []
+        return ["@file", " ".join([what, *said(describe.uncertain(s, self.model))]), *unsure]
 
     def field(self, f: m.Field) -> list[str]:
         place = f"({hexadecimal(f.set)},{hexadecimal(f.descriptor)})" if f.set else hexadecimal(f.descriptor)
-        facts = describe.field(f, self.model)
+        facts = [x for x in describe.field(f, self.model) if x.topic != "perhaps"]
+        unsure = [UNSURE] if self.model.devices_of(f, certain=False) and not self.model.devices_of(f) else []
         return [
             f"{f.title}: {f.role} {place}.",
             *self._prose(f.description),
             *_in_full(f),
-            *_paragraphs([], facts),
+            *_paragraphs(unsure, facts),
             *self._without_member(f),
             *_cited(f),
+        ]
+
+    def present(self, f: m.Field) -> list[str]:
+        """Of the member that tells how many parameters there are."""
+        selector = ", the function selector not counted" if f.functions else ""
+        more = "; with a ..._WITH_... constant, all up to that one" if last_present(f) else ""
+        return [
+            f"How many parameters are there{selector}. When decoded: as many have come. To send: 0 for those that are "
+            f"required{more}."
         ]
 
     def type(self, t: m.Enum | m.Bitfield | m.Struct) -> list[str]:

@@ -27,8 +27,9 @@ extern "C" {
 /** Maximum size of a packet. */
 #define MIP_MAX_PACKET (MIP_HEADER_SIZE + MIP_MAX_PAYLOAD + MIP_CHECKSUM_SIZE)
 
-/** Errors. */
+/** What functions return that can fail. */
 typedef enum mip_error {
+    /** No error. */
     MIP_OK = 0,
     /** The bytes do not start with the sync bytes of a packet. */
     MIP_ERROR_SYNC,
@@ -69,6 +70,7 @@ struct mip_packet {
     const uint8_t *bytes;
     /** Header and checksum included. */
     size_t size;
+    /** What its fields are: MIP_SENSOR_SET, MIP_BASE_SET, ... */
     uint8_t descriptor_set;
 };
 
@@ -80,13 +82,17 @@ struct mip_field {
     uint8_t size;
     /** Descriptor set of the packet. */
     uint8_t descriptor_set;
+    /** Which field of the descriptor set it is. */
     uint8_t descriptor;
 };
 
 /** An iterator over the fields of a packet. */
 struct mip_walk {
+    /** The next field. */
     const uint8_t *at;
+    /** The end of the payload. */
     const uint8_t *end;
+    /** Descriptor set of the packet. */
     uint8_t descriptor_set;
     /** MIP_ERROR_FIELD_LENGTH if the walk ended at a malformed field, else MIP_OK. The fields
      * before it are valid. */
@@ -142,6 +148,7 @@ static inline uint16_t mip_field_key(const struct mip_field *field) {
 
 /** Builds a packet from fields, in a buffer of the caller. */
 struct mip_builder {
+    /** The packet so far. */
     uint8_t *buffer;
     /** Size of the buffer; at most MIP_MAX_PACKET bytes are used. */
     size_t capacity;
@@ -193,10 +200,13 @@ static inline struct mip_packet mip_builder_finish(struct mip_builder *builder) 
 struct mip_parser {
     /** Bytes so far that belong to no packet. */
     uint32_t skipped;
-    /** Bytes in the buffer, how many of them are done with, and how many are missing at least. */
+    /** Bytes in the buffer. */
     uint16_t length;
+    /** How many of them are done with. */
     uint16_t done;
+    /** How many bytes are missing at least until there can be a packet. */
     uint16_t missing;
+    /** The beginning of a packet whose end has not come yet. */
     uint8_t buffer[MIP_MAX_PACKET];
 };
 
@@ -221,22 +231,53 @@ MIP_API bool mip_parser_next(struct mip_parser *parser, const uint8_t **data, si
 MIP_API bool mip_parser_look_behind(struct mip_parser *parser, struct mip_packet *packet);
 
 /**
- * Gives up the incomplete packet, for instance at the end of a file, and finds packets hidden
- * behind its first bytes. Call it until it returns false.
+ * Gives up the incomplete packet and finds whole packets behind its first bytes.
+ *
+ * Noise may look like the beginning of a packet of up to 261 bytes. The parser then waits for the
+ * rest, and holds back what follows, even whole packets, until so many bytes have come or until
+ * this function says that none will come. So call it at the end of a file, and when the line has
+ * been silent for longer than a packet takes. If it is not called, the last packets of a file may
+ * be missing, and those of a live stream come late, but none gets lost. If it is called while the
+ * rest of a packet is still on its way, that packet is lost: see mip_parser_look_behind, which
+ * keeps it.
+ *
+ *     while (mip_parser_flush(&parser, &packet)) { ... }
  */
 MIP_API bool mip_parser_flush(struct mip_parser *parser, struct mip_packet *packet);
 
 /* --------------------------------------------------------------------------------- typed fields */
 
-/** Roles of a field. */
+/*
+ * Optional parameters: the member `present`
+ *
+ * Some fields may end early: a device that is older, or a command that need not say everything,
+ * leaves out their last parameters. The structure of such a field begins with `present`, which
+ * counts the parameters that are there, from the first one on, the function selector not counted.
+ *
+ * After decoding it says how many have come; the members of the others are zero. Before encoding it
+ * says how many are to be sent; those that the function requires are sent in any case, so that 0,
+ * which the constructors leave there, means no more than these. The constants ..._WITH_<PARAMETER>
+ * are its values: that parameter, and all before it.
+ *
+ *     mip_..._write(&command, port, baud);
+ *     command.flow_control = 1;
+ *     command.present = MIP_..._WITH_FLOW_CONTROL;
+ *
+ *     if (response.present >= MIP_..._WITH_FLOW_CONTROL) { ... response.flow_control ... }
+ */
+
+/** A field that asks a device for something. */
 #define MIP_COMMAND 0
+/** A field that answers a command. */
 #define MIP_RESPONSE 1
+/** A field with data, which comes without being asked for. */
 #define MIP_DATA 2
 
 /** The wire format of a type of field. */
 struct mip_codec {
     /** Descriptor set: 0 for fields of all command sets, 0xFF for those of all data sets. */
     uint8_t descriptor_set;
+    /** Descriptor of the field. */
     uint8_t descriptor;
     /** MIP_COMMAND, MIP_RESPONSE or MIP_DATA. */
     uint8_t role;
@@ -305,56 +346,70 @@ static inline mip_error mip_builder_reserve(struct mip_builder *builder, uint8_t
 
 /* -------------------------------------------------------------------------- big-endian numbers */
 
+/** Reads a number of 8 bits. */
 static inline uint8_t mip_get_8(const uint8_t *from) {
     return from[0];
 }
+/** Reads a number of 16 bits, high byte first. */
 static inline uint16_t mip_get_16(const uint8_t *from) {
     return (uint16_t)((uint32_t)from[0] << 8 | from[1]);
 }
+/** Reads a number of 32 bits, high byte first. */
 static inline uint32_t mip_get_32(const uint8_t *from) {
     return (uint32_t)from[0] << 24 | (uint32_t)from[1] << 16 | (uint32_t)from[2] << 8 | from[3];
 }
+/** Reads a number of 64 bits, high byte first. */
 static inline uint64_t mip_get_64(const uint8_t *from) {
     return (uint64_t)mip_get_32(from) << 32 | mip_get_32(from + 4);
 }
+/** Writes a number of 8 bits. */
 static inline void mip_put_8(uint8_t *to, uint8_t value) {
     to[0] = value;
 }
+/** Writes a number of 16 bits, high byte first. */
 static inline void mip_put_16(uint8_t *to, uint16_t value) {
     to[0] = (uint8_t)(value >> 8);
     to[1] = (uint8_t)value;
 }
+/** Writes a number of 32 bits, high byte first. */
 static inline void mip_put_32(uint8_t *to, uint32_t value) {
     to[0] = (uint8_t)(value >> 24);
     to[1] = (uint8_t)(value >> 16);
     to[2] = (uint8_t)(value >> 8);
     to[3] = (uint8_t)value;
 }
+/** Writes a number of 64 bits, high byte first. */
 static inline void mip_put_64(uint8_t *to, uint64_t value) {
     mip_put_32(to, (uint32_t)(value >> 32));
     mip_put_32(to + 4, (uint32_t)value);
 }
 
-/** The bits of a double of eight bytes as those of a float, rounded to the nearest, and back: for
- * compilers whose doubles have four bytes. */
+/** The bits of a double of eight bytes as those of a float, rounded to the nearest: for compilers
+ * whose doubles have four bytes. */
 MIP_API uint32_t mip_narrow(uint64_t bits);
+/** The bits of a float as those of a double of eight bytes. */
 MIP_API uint64_t mip_widen(uint32_t bits);
 
 /* By address, because some machines change the bits of a NaN that is passed by value. */
+
+/** Reads a float of four bytes. */
 static inline void mip_get_float(float *to, const uint8_t *from) {
     const uint32_t bits = mip_get_32(from);
     memcpy(to, &bits, sizeof(bits));
 }
+/** Writes a float of four bytes. */
 static inline void mip_put_float(uint8_t *to, const float *value) {
     uint32_t bits;
     memcpy(&bits, value, sizeof(bits));
     mip_put_32(to, bits);
 }
+/** Reads a double of eight bytes; it is rounded where the compiler has only four. */
 static inline void mip_get_double(double *to, const uint8_t *from) {
     const uint64_t bits = mip_get_64(from);
     const uint32_t narrow = sizeof(*to) == sizeof(bits) ? 0 : mip_narrow(bits);
     memcpy(to, sizeof(*to) == sizeof(bits) ? (const void *)&bits : &narrow, sizeof(*to));
 }
+/** Writes a double of eight bytes. */
 static inline void mip_put_double(uint8_t *to, const double *value) {
     uint64_t bits = 0;
     uint32_t narrow = 0;
@@ -369,34 +424,43 @@ static inline bool mip_has(uint64_t flags, uint64_t bits) {
     return (flags & bits) == bits;
 }
 
-/** Set and clear bits of a bitfield of 8, 16, 32 or 64 bits. */
+/** Sets bits of a bitfield of 8 bits. */
 static inline void mip_set_8(uint8_t *flags, uint8_t bits) {
     *flags = (uint8_t)(*flags | bits);
 }
+/** Clears bits of a bitfield of 8 bits. */
 static inline void mip_clear_8(uint8_t *flags, uint8_t bits) {
     *flags = (uint8_t)(*flags & ~(uint32_t)bits);
 }
+/** Sets bits of a bitfield of 16 bits. */
 static inline void mip_set_16(uint16_t *flags, uint16_t bits) {
     *flags = (uint16_t)(*flags | bits);
 }
+/** Clears bits of a bitfield of 16 bits. */
 static inline void mip_clear_16(uint16_t *flags, uint16_t bits) {
     *flags = (uint16_t)(*flags & ~(uint32_t)bits);
 }
+/** Sets bits of a bitfield of 32 bits. */
 static inline void mip_set_32(uint32_t *flags, uint32_t bits) {
     *flags = (uint32_t)(*flags | bits);
 }
+/** Clears bits of a bitfield of 32 bits. */
 static inline void mip_clear_32(uint32_t *flags, uint32_t bits) {
     *flags = (uint32_t)(*flags & ~bits);
 }
+/** Sets bits of a bitfield of 64 bits. */
 static inline void mip_set_64(uint64_t *flags, uint64_t bits) {
     *flags = (uint64_t)(*flags | bits);
 }
+/** Clears bits of a bitfield of 64 bits. */
 static inline void mip_clear_64(uint64_t *flags, uint64_t bits) {
     *flags = (uint64_t)(*flags & ~bits);
 }
 
-/** A number in a bitfield of bytes, least significant byte first. */
+/** Gets a number in a bitfield of bytes, least significant byte first: the `width` bits from bit
+ * `first` on. */
 MIP_API uint64_t mip_get_bits(const uint8_t *bytes, unsigned first, unsigned width);
+/** Sets a number in a bitfield of bytes: the `width` bits from bit `first` on. */
 MIP_API void mip_set_bits(uint8_t *bytes, unsigned first, unsigned width, uint64_t value);
 
 /* ----------------------------------------------------------------- arguments of constructors */

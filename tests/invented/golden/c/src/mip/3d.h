@@ -43,7 +43,9 @@ struct mip_3d_default {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_3D_DEFAULT 0x0C10
+/** Its descriptor. */
 #define MIP_3D_DEFAULT_DESCRIPTOR 0x10
+/** Its name in the specification. */
 #define MIP_3D_DEFAULT_NAME "3d.default"
 
 /** Its wire format. */
@@ -92,11 +94,7 @@ static inline mip_error mip_3d_default_encode_inline(const struct mip_3d_default
     mip_put_8(data + 4, value->present_);
     return MIP_OK;
 }
-/**
- * Default.
- *
- * Fills the structure and returns its address.
- */
+/** Default. Fills the structure and returns its address. */
 static inline struct mip_3d_default *mip_3d_default_make(struct mip_3d_default *command,
                                                          uint8_t class_, uint8_t type,
                                                          uint8_t register_, uint8_t self,

@@ -30,6 +30,7 @@ extern "C" {
 
 /** A response of a command. */
 struct mip_response {
+    /** The wire format of the response. */
     const struct mip_codec *codec;
     /** Does a command with these values ask for it? NULL if it always does. */
     bool (*asked)(const void *command);
@@ -37,6 +38,7 @@ struct mip_response {
 
 /** What is known of a command beside its wire format. */
 struct mip_command {
+    /** The wire format of the command. */
     const struct mip_codec *codec;
     /** Does the device leave this command unanswered? NULL if it always answers. */
     bool (*silent)(const void *command);
@@ -77,6 +79,7 @@ struct mip_request {
      * answer in different layouts, it is the first one or the expected one, and in the end the one
      * that came. */
     const struct mip_command *command;
+    /** The wire format of the response, see `command`. */
     const struct mip_codec *codec;
     /** The responses of the command, from the one that it asks for on. */
     const struct mip_response *asked;
@@ -90,6 +93,7 @@ struct mip_request {
 
 /** The commands that are waiting for an answer, oldest first. */
 struct mip_client {
+    /** The oldest request that waits; NULL if none does. */
     struct mip_request *waiting;
     /** Milliseconds that a device may take to answer. */
     uint32_t timeout;

@@ -19,5 +19,7 @@
 #define MIP_MAX_PAYLOAD 255
 /** Most bytes of the data of a field. */
 #define MIP_MAX_FIELD_DATA 253
+/** At least as many bytes as the largest structure of a field has, on any machine. */
+#define MIP_MAX_VALUE_SIZE 496
 
 #endif

@@ -2,6 +2,8 @@
  * @file
  *
  * Copied measurements (0x92). All the fields of another set. Uncertain: Which device sends it.
+ *
+ * Devices that may support a field, though it is not certain, are in mip/profiles.h only.
  */
 #ifndef MIP_COPY_H
 #define MIP_COPY_H
@@ -27,7 +29,8 @@ extern "C" {
  *
  * In full: copy.accel.
  *
- * Has the layout of mip_measurements_accel. Sent at 100 Hz at most. May be supported by Model C.
+ * No device is certain to support it. Has the layout of mip_measurements_accel. Sent at 100 Hz at
+ * most.
  *
  * - guide: Third acceleration
  */
@@ -44,7 +47,9 @@ struct mip_copy_acc {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_COPY_ACC 0x9201
+/** Its descriptor. */
 #define MIP_COPY_ACC_DESCRIPTOR 0x01
+/** Its name in the specification. */
 #define MIP_COPY_ACC_NAME "copy.accel"
 
 /** Its wire format. */
@@ -131,7 +136,9 @@ struct mip_copy_numbers {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_COPY_NUMBERS 0x9202
+/** Its descriptor. */
 #define MIP_COPY_NUMBERS_DESCRIPTOR 0x02
+/** Its name in the specification. */
 #define MIP_COPY_NUMBERS_NAME "copy.numbers"
 
 /** Its wire format. */
@@ -220,7 +227,9 @@ struct mip_copy_strings {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_COPY_STRINGS 0x9203
+/** Its descriptor. */
 #define MIP_COPY_STRINGS_DESCRIPTOR 0x03
+/** Its name in the specification. */
 #define MIP_COPY_STRINGS_NAME "copy.strings"
 
 /** Its wire format. */
@@ -257,7 +266,9 @@ struct mip_copy_health {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_COPY_HEALTH 0x9204
+/** Its descriptor. */
 #define MIP_COPY_HEALTH_DESCRIPTOR 0x04
+/** Its name in the specification. */
 #define MIP_COPY_HEALTH_NAME "copy.health"
 
 /** Its wire format. */
@@ -328,7 +339,9 @@ struct mip_copy_arrays {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_COPY_ARRAYS 0x9205
+/** Its descriptor. */
 #define MIP_COPY_ARRAYS_DESCRIPTOR 0x05
+/** Its name in the specification. */
 #define MIP_COPY_ARRAYS_NAME "copy.arrays"
 
 /** Its wire format. */
@@ -419,7 +432,10 @@ static inline mip_error mip_copy_arrays_encode_inline(const struct mip_copy_arra
  * - sheet: Copied measurements
  */
 struct mip_copy_growing {
-    /** Parameters that are present; 0: only the required ones. */
+    /**
+     * How many parameters are there. When decoded: as many have come. To send: 0 for those that are
+     * required; with a ..._WITH_... constant, all up to that one.
+     */
     uint8_t present;
     /** Always there. */
     uint16_t first;
@@ -431,7 +447,9 @@ struct mip_copy_growing {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_COPY_GROWING 0x9206
+/** Its descriptor. */
 #define MIP_COPY_GROWING_DESCRIPTOR 0x06
+/** Its name in the specification. */
 #define MIP_COPY_GROWING_NAME "copy.growing"
 /** The value of `present` if second is the last parameter that is there. */
 #define MIP_COPY_GROWING_WITH_SECOND 2
@@ -479,7 +497,9 @@ struct mip_copy_radio {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_COPY_RADIO 0x9207
+/** Its descriptor. */
 #define MIP_COPY_RADIO_DESCRIPTOR 0x07
+/** Its name in the specification. */
 #define MIP_COPY_RADIO_NAME "copy.radio"
 
 /** Its wire format. */
@@ -554,7 +574,9 @@ struct mip_copy_cloud {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_COPY_CLOUD 0x9208
+/** Its descriptor. */
 #define MIP_COPY_CLOUD_DESCRIPTOR 0x08
+/** Its name in the specification. */
 #define MIP_COPY_CLOUD_NAME "copy.cloud"
 
 /** Its wire format. */
@@ -606,7 +628,9 @@ struct mip_copy_gust {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_COPY_GUST 0x9209
+/** Its descriptor. */
 #define MIP_COPY_GUST_DESCRIPTOR 0x09
+/** Its name in the specification. */
 #define MIP_COPY_GUST_NAME "copy.gust"
 
 /** Its wire format. */
@@ -648,7 +672,9 @@ struct mip_copy_breeze {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_COPY_BREEZE 0x920A
+/** Its descriptor. */
 #define MIP_COPY_BREEZE_DESCRIPTOR 0x0A
+/** Its name in the specification. */
 #define MIP_COPY_BREEZE_NAME "copy.breeze"
 
 /** Its wire format. */

@@ -2,6 +2,8 @@
  * @file
  *
  * Measurements (0x80). Data of every type; `tools` has what they are set up with.
+ *
+ * Devices that may support a field, though it is not certain, are in mip/profiles.h only.
  */
 #ifndef MIP_MEASUREMENTS_H
 #define MIP_MEASUREMENTS_H
@@ -45,7 +47,9 @@ struct mip_measurements_accel {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_MEASUREMENTS_ACCEL 0x8001
+/** Its descriptor. */
 #define MIP_MEASUREMENTS_ACCEL_DESCRIPTOR 0x01
+/** Its name in the specification. */
 #define MIP_MEASUREMENTS_ACCEL_NAME "measurements.accel"
 
 /** Its wire format. */
@@ -98,7 +102,7 @@ static inline mip_error mip_measurements_accel_encode_inline(
  *
  * One of each.
  *
- * Supported by Model A and Model C. May be supported by Old 1 and Old 2.
+ * Supported by Model A and Model C.
  *
  * - guide: Numbers
  */
@@ -131,7 +135,9 @@ struct mip_measurements_numbers {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_MEASUREMENTS_NUMBERS 0x8002
+/** Its descriptor. */
 #define MIP_MEASUREMENTS_NUMBERS_DESCRIPTOR 0x02
+/** Its name in the specification. */
 #define MIP_MEASUREMENTS_NUMBERS_NAME "measurements.numbers"
 
 /** Its wire format. */
@@ -219,7 +225,9 @@ struct mip_measurements_strings {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_MEASUREMENTS_STRINGS 0x8003
+/** Its descriptor. */
 #define MIP_MEASUREMENTS_STRINGS_DESCRIPTOR 0x03
+/** Its name in the specification. */
 #define MIP_MEASUREMENTS_STRINGS_NAME "measurements.strings"
 
 /** Its wire format. */
@@ -255,7 +263,9 @@ struct mip_measurements_health {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_MEASUREMENTS_HEALTH 0x8004
+/** Its descriptor. */
 #define MIP_MEASUREMENTS_HEALTH_DESCRIPTOR 0x04
+/** Its name in the specification. */
 #define MIP_MEASUREMENTS_HEALTH_NAME "measurements.health"
 
 /** Its wire format. */
@@ -325,7 +335,9 @@ struct mip_measurements_arrays {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_MEASUREMENTS_ARRAYS 0x8005
+/** Its descriptor. */
 #define MIP_MEASUREMENTS_ARRAYS_DESCRIPTOR 0x05
+/** Its name in the specification. */
 #define MIP_MEASUREMENTS_ARRAYS_NAME "measurements.arrays"
 
 /** Its wire format. */
@@ -415,7 +427,10 @@ static inline mip_error mip_measurements_arrays_encode_inline(
  * - guide: Growing
  */
 struct mip_measurements_growing {
-    /** Parameters that are present; 0: only the required ones. */
+    /**
+     * How many parameters are there. When decoded: as many have come. To send: 0 for those that are
+     * required; with a ..._WITH_... constant, all up to that one.
+     */
     uint8_t present;
     /** Always there. */
     uint16_t first;
@@ -427,7 +442,9 @@ struct mip_measurements_growing {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_MEASUREMENTS_GROWING 0x8006
+/** Its descriptor. */
 #define MIP_MEASUREMENTS_GROWING_DESCRIPTOR 0x06
+/** Its name in the specification. */
 #define MIP_MEASUREMENTS_GROWING_NAME "measurements.growing"
 /** The value of `present` if second is the last parameter that is there. */
 #define MIP_MEASUREMENTS_GROWING_WITH_SECOND 2
@@ -477,7 +494,9 @@ struct mip_measurements_radio {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_MEASUREMENTS_RADIO 0x8007
+/** Its descriptor. */
 #define MIP_MEASUREMENTS_RADIO_DESCRIPTOR 0x07
+/** Its name in the specification. */
 #define MIP_MEASUREMENTS_RADIO_NAME "measurements.radio"
 
 /** Its wire format. */
@@ -551,7 +570,9 @@ struct mip_measurements_cloud {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_MEASUREMENTS_CLOUD 0x8008
+/** Its descriptor. */
 #define MIP_MEASUREMENTS_CLOUD_DESCRIPTOR 0x08
+/** Its name in the specification. */
 #define MIP_MEASUREMENTS_CLOUD_NAME "measurements.cloud"
 
 /** Its wire format. */
@@ -602,7 +623,9 @@ struct mip_measurements_gust {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_MEASUREMENTS_GUST 0x8009
+/** Its descriptor. */
 #define MIP_MEASUREMENTS_GUST_DESCRIPTOR 0x09
+/** Its name in the specification. */
 #define MIP_MEASUREMENTS_GUST_NAME "measurements.gust"
 
 /** Its wire format. */
@@ -643,7 +666,9 @@ struct mip_measurements_breeze {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_MEASUREMENTS_BREEZE 0x800A
+/** Its descriptor. */
 #define MIP_MEASUREMENTS_BREEZE_DESCRIPTOR 0x0A
+/** Its name in the specification. */
 #define MIP_MEASUREMENTS_BREEZE_NAME "measurements.breeze"
 
 /** Its wire format. */

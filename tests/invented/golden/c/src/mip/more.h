@@ -43,7 +43,9 @@ struct mip_more_accel {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_MORE_ACCEL 0x8101
+/** Its descriptor. */
 #define MIP_MORE_ACCEL_DESCRIPTOR 0x01
+/** Its name in the specification. */
 #define MIP_MORE_ACCEL_NAME "more.accel"
 
 /** Its wire format. */
@@ -115,7 +117,9 @@ struct mip_more_strings {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_MORE_STRINGS 0x8103
+/** Its descriptor. */
 #define MIP_MORE_STRINGS_DESCRIPTOR 0x03
+/** Its name in the specification. */
 #define MIP_MORE_STRINGS_NAME "more.strings"
 
 /** Its wire format. */
@@ -149,7 +153,9 @@ struct mip_more_own {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_MORE_OWN 0x8107
+/** Its descriptor. */
 #define MIP_MORE_OWN_DESCRIPTOR 0x07
+/** Its name in the specification. */
 #define MIP_MORE_OWN_NAME "more.own"
 
 /** Its wire format. */

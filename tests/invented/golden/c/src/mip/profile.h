@@ -16,7 +16,9 @@ extern "C" {
 
 /** A command or a data field that a device supports. */
 struct mip_profile_field {
+    /** Descriptor set of the field. */
     uint8_t descriptor_set;
+    /** Descriptor of the field. */
     uint8_t descriptor;
     /** Letters of the function selectors that the device takes: "WRSLD"; empty without selectors.
      */
@@ -27,6 +29,7 @@ struct mip_profile_field {
 
 /** How often a device samples the fields of a data set. */
 struct mip_profile_rate {
+    /** The data set. */
     uint8_t descriptor_set;
     /** In Hz; 0: sent as the data arise. */
     double rate;
@@ -34,10 +37,13 @@ struct mip_profile_rate {
 
 /** A port of a device. */
 struct mip_profile_port {
+    /** What the manual calls it. */
     const char *name;
     /** The number that commands use; 0 if there is none. */
     uint8_t id;
+    /** Elements of `baud_rates`. */
     uint8_t baud_rate_count;
+    /** The baud rates that it can have; NULL if it has none. */
     const uint32_t *baud_rates;
     /** "MIP, NMEA" */
     const char *protocols;
@@ -45,21 +51,29 @@ struct mip_profile_port {
 
 /** A limit of a device: a number, and what it limits. */
 struct mip_profile_limit {
+    /** A word for it. */
     const char *name;
+    /** The limit itself. */
     double value;
     /** Empty if it has none. */
     const char *unit;
+    /** What it limits. */
     const char *description;
 };
 
 /** A note in words, with a table if it has rows. */
 struct mip_profile_note {
+    /** A word for it. */
     const char *name;
+    /** Its heading. */
     const char *title;
+    /** Its text. */
     const char *description;
     /** Row by row, the heading first. */
     const char *const *cells;
+    /** Rows of the table, the heading counted; 0: there is none. */
     uint8_t rows;
+    /** Columns of the table. */
     uint8_t columns;
 };
 
@@ -73,35 +87,51 @@ struct mip_profile_reading {
 
 /** What is known of a device. */
 struct mip_profile {
+    /** A word for it: "3dm-gx5-15". */
     const char *id;
+    /** What the maker calls it: "3DM-GX5-15". */
     const char *title;
-    /** Empty if none is known. */
+    /** The manual that describes it, as the specification calls it; empty if none is known. */
     const char *manual;
+    /** What it is. */
     const char *description;
-    /** 0 if it is not known. */
+    /** The beginning of its model and serial numbers; 0 if it is not known. */
     uint16_t model_number;
-    /** 0 if it is not known. */
+    /** "5" of 5-series devices; 0 if it is not known. */
     uint8_t generation;
-    /** Elements of the tables below. */
+    /** Elements of `also`. */
     uint8_t also_count;
+    /** Elements of `incomplete`. */
     uint8_t incomplete_count;
+    /** Elements of `fields`. */
     uint16_t field_count;
+    /** Elements of `rates`. */
     uint8_t rate_count;
+    /** Elements of `ports`. */
     uint8_t port_count;
+    /** Elements of `limits`. */
     uint8_t limit_count;
+    /** Elements of `notes`. */
     uint8_t note_count;
+    /** Elements of `readings`. */
     uint8_t reading_count;
+    /** Elements of `ack_codes`. */
     uint8_t ack_code_count;
     /** What others call it. */
     const char *const *also;
     /** What is not known of it, in sentences. If there is any, it may have more than is listed. */
     const char *const *incomplete;
-    /** By descriptor set and descriptor. */
+    /** What it supports, by descriptor set and descriptor. */
     const struct mip_profile_field *fields;
+    /** How often it samples each data set. */
     const struct mip_profile_rate *rates;
+    /** Its ports. */
     const struct mip_profile_port *ports;
+    /** Its limits. */
     const struct mip_profile_limit *limits;
+    /** What else the manual says of it. */
     const struct mip_profile_note *notes;
+    /** The types that it has of its own. */
     const struct mip_profile_reading *readings;
     /** The acknowledge codes that it sends. */
     const uint8_t *ack_codes;
@@ -109,6 +139,7 @@ struct mip_profile {
 
 /** All devices. */
 extern MIP_API const struct mip_profile *const mip_profiles[];
+/** The number of devices. */
 extern MIP_API const size_t mip_profile_count;
 
 /** A device by its id ("3dm-gx5-15"), its title or another name; NULL if it is unknown. */

@@ -17,16 +17,22 @@ extern "C" {
 /** The bytes of a member. */
 #define MIP_SIZE(type, member) sizeof(((type *)0)->member)
 
-/** The place of a member, in a program all of whose places are below 256, and in another. */
+/** The place of a member, in a program all of whose places are below 256. */
 #define MIP_AT(type, member) offsetof(type, member)
+/** The place of a member, in another program. */
 #define MIP_FAR_AT(type, member) offsetof(type, member) >> 8, offsetof(type, member) & 0xFF
 
 /** Numbers of one kind: 1 to 31 of them, or 0 if their count follows. */
 #define MIP_NUMBERS(kind, count) ((kind) << 5 | (count))
+/** Numbers of 8 bits. */
 #define MIP_8_BITS(count, place) MIP_NUMBERS(1, count), place
+/** Numbers of 16 bits. */
 #define MIP_16_BITS(count, place) MIP_NUMBERS(2, count), place
+/** Numbers of 32 bits. */
 #define MIP_32_BITS(count, place) MIP_NUMBERS(3, count), place
+/** Numbers of 64 bits. */
 #define MIP_64_BITS(count, place) MIP_NUMBERS(4, count), place
+/** Doubles, which some compilers do not have. */
 #define MIP_DOUBLES(count, place) MIP_NUMBERS(5, count), place
 
 /** More than 31 numbers: MIP_8_BITS(0, MIP_MANY(200, place)). */
@@ -34,15 +40,25 @@ extern "C" {
 
 /** What the other steps begin with. */
 enum {
+    /** Of MIP_END. */
     MIP_STEP_END,
+    /** Of MIP_FAR. */
     MIP_STEP_FAR,
+    /** Of MIP_SIZES and MIP_LAYOUT. */
     MIP_STEP_LAYOUT,
+    /** Of MIP_OPTIONAL and MIP_REQUIRED. */
     MIP_STEP_OPTIONAL,
+    /** Of MIP_GROUP. */
     MIP_STEP_GROUP,
+    /** Of MIP_CONSTANT. */
     MIP_STEP_CONSTANT,
+    /** Of MIP_COUNTED. */
     MIP_STEP_COUNTED,
+    /** Of MIP_REST. */
     MIP_STEP_REST,
+    /** Of MIP_EACH. */
     MIP_STEP_EACH,
+    /** Of MIP_SWITCH. */
     MIP_STEP_SWITCH
 };
 
@@ -50,15 +66,17 @@ enum {
 #define MIP_END MIP_STEP_END
 /** All places of the program have two bytes. Before any other step but MIP_LAYOUT. */
 #define MIP_FAR MIP_STEP_FAR
-/** The sizes that the layout may have, the number of bytes that tell it from the other layouts of
- * its descriptor, and of each such byte, where it is in the data, and its value. First of all. */
+/** The sizes that the layout may have, where they tell it from the others of its descriptor. First
+ * of all. */
 #define MIP_SIZES(shortest, longest) MIP_STEP_LAYOUT, shortest, longest, 0
+/** The same, with the number of bytes that tell it from the others, and of each such byte, where it
+ * is in the data, and its value. */
 #define MIP_LAYOUT(shortest, longest, bytes, ...) \
     MIP_STEP_LAYOUT, shortest, longest, bytes, __VA_ARGS__
-/** The structure begins with the number of present parameters. With functions, the function
- * selector follows; the step has the number of functions, and how many parameters each requires, by
- * its value. */
+/** The structure begins with the number of present parameters. */
 #define MIP_OPTIONAL MIP_STEP_OPTIONAL, 0
+/** The same, and the function selector follows: the number of functions, and how many parameters
+ * each requires, by its value. */
 #define MIP_REQUIRED(functions, ...) MIP_STEP_OPTIONAL, functions, __VA_ARGS__
 /** The following parameters, numbers `first` to `last`, are present together or not at all. */
 #define MIP_GROUP(first, last) MIP_STEP_GROUP, first, last

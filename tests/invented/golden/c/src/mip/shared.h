@@ -37,7 +37,9 @@ struct mip_shared_timestamp {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_SHARED_TIMESTAMP 0xFFD3
+/** Its descriptor. */
 #define MIP_SHARED_TIMESTAMP_DESCRIPTOR 0xD3
+/** Its name in the specification. */
 #define MIP_SHARED_TIMESTAMP_NAME "shared.timestamp"
 
 /** Its wire format. */

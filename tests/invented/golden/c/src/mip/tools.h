@@ -2,6 +2,8 @@
  * @file
  *
  * Tools (0x01). Commands of every shape.
+ *
+ * Devices that may support a field, though it is not certain, are in mip/profiles.h only.
  */
 #ifndef MIP_TOOLS_H
 #define MIP_TOOLS_H
@@ -21,10 +23,15 @@ extern "C" {
 
 /** Which member the union has. */
 enum mip_tools_shape {
+    /** The value `none`. */
     MIP_TOOLS_SHAPE_NONE = 0,
+    /** The value `circle`. */
     MIP_TOOLS_SHAPE_CIRCLE = 1,
+    /** The value `path`. */
     MIP_TOOLS_SHAPE_PATH = 2,
+    /** The value `turn`. */
     MIP_TOOLS_SHAPE_TURN = 3,
+    /** The value `label`. */
     MIP_TOOLS_SHAPE_LABEL = 4
 };
 
@@ -32,8 +39,11 @@ enum mip_tools_shape {
 MIP_API const char *mip_tools_shape_name(uint8_t value);
 /** How a circle is filled. */
 enum mip_tools_fill {
+    /** The value `empty`. */
     MIP_TOOLS_FILL_EMPTY = 0,
+    /** The value `solid`. */
     MIP_TOOLS_FILL_SOLID = 1,
+    /** The value `striped`. */
     MIP_TOOLS_FILL_STRIPED = 2
 };
 
@@ -77,20 +87,33 @@ struct mip_tools_path {
 
 /** What drives a pin. */
 enum mip_tools_drive {
+    /** The value `off`. */
     MIP_TOOLS_DRIVE_OFF = 0,
+    /** The value `pulse`. */
     MIP_TOOLS_DRIVE_PULSE = 1,
+    /** The value `serial`. */
     MIP_TOOLS_DRIVE_SERIAL = 2
 };
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_tools_drive_name(uint8_t value);
 /** Of a pulse. In full: pulse_use. */
-enum mip_tools_pulse { MIP_TOOLS_PULSE_INPUT = 1, MIP_TOOLS_PULSE_OUTPUT = 2 };
+enum mip_tools_pulse {
+    /** The value `input`. */
+    MIP_TOOLS_PULSE_INPUT = 1,
+    /** The value `output`. */
+    MIP_TOOLS_PULSE_OUTPUT = 2
+};
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_tools_pulse_name(uint8_t value);
 /** Of a serial line. */
-enum mip_tools_serial_use { MIP_TOOLS_SERIAL_USE_RECEIVE = 1, MIP_TOOLS_SERIAL_USE_TRANSMIT = 33 };
+enum mip_tools_serial_use {
+    /** The value `receive`. */
+    MIP_TOOLS_SERIAL_USE_RECEIVE = 1,
+    /** The value `transmit`. */
+    MIP_TOOLS_SERIAL_USE_TRANSMIT = 33
+};
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_tools_serial_use_name(uint8_t value);
@@ -124,7 +147,7 @@ typedef uint32_t mip_tools_model_b_faults;
  *
  * Tests the line.
  *
- * Supported by Model A, Model B, Model C and Old 1. May be supported by Old 2.
+ * Supported by Model A, Model B, Model C and Old 1.
  *
  * - guide: Ping
  * - leaflet: Ping
@@ -136,7 +159,9 @@ struct mip_tools_ping {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_PING 0x0101
+/** Its descriptor. */
 #define MIP_TOOLS_PING_DESCRIPTOR 0x01
+/** Its name in the specification. */
 #define MIP_TOOLS_PING_NAME "tools.ping"
 
 /** Its wire format. */
@@ -167,7 +192,11 @@ static inline mip_error mip_tools_ping_encode(const struct mip_tools_ping *value
  * - leaflet: Settings
  */
 struct mip_tools_settings {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required; with a ..._WITH_... constant, all up to that
+     * one.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -191,7 +220,9 @@ struct mip_tools_settings {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_SETTINGS 0x0102
+/** Its descriptor. */
 #define MIP_TOOLS_SETTINGS_DESCRIPTOR 0x02
+/** Its name in the specification. */
 #define MIP_TOOLS_SETTINGS_NAME "tools.settings"
 /** The value of `present` if limit is the last parameter that is there. */
 #define MIP_TOOLS_SETTINGS_WITH_LIMIT 4
@@ -212,11 +243,7 @@ static inline mip_error mip_tools_settings_encode(const struct mip_tools_setting
                                                   struct mip_builder *builder) {
     return mip_encode(&mip_tools_settings_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_tools_settings *mip_tools_settings_write(
     struct mip_tools_settings *command, uint8_t port, enum mip_mode mode, uint32_t baud) {
     memset(command, 0, sizeof(*command));
@@ -227,11 +254,7 @@ static inline struct mip_tools_settings *mip_tools_settings_write(
     command->reserved = 1;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_tools_settings *mip_tools_settings_read(struct mip_tools_settings *command,
                                                                  uint8_t port, enum mip_mode mode) {
     memset(command, 0, sizeof(*command));
@@ -241,11 +264,7 @@ static inline struct mip_tools_settings *mip_tools_settings_read(struct mip_tool
     command->reserved = 1;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_tools_settings *mip_tools_settings_save(struct mip_tools_settings *command,
                                                                  uint8_t port) {
     memset(command, 0, sizeof(*command));
@@ -254,11 +273,7 @@ static inline struct mip_tools_settings *mip_tools_settings_save(struct mip_tool
     command->reserved = 1;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_tools_settings *mip_tools_settings_load(struct mip_tools_settings *command,
                                                                  uint8_t port) {
     memset(command, 0, sizeof(*command));
@@ -267,11 +282,7 @@ static inline struct mip_tools_settings *mip_tools_settings_load(struct mip_tool
     command->reserved = 1;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_tools_settings *
 mip_tools_settings_default(struct mip_tools_settings *command, uint8_t port) {
     memset(command, 0, sizeof(*command));
@@ -281,9 +292,8 @@ mip_tools_settings_default(struct mip_tools_settings *command, uint8_t port) {
     return command;
 }
 /**
- * Apply the new setting and send no acknowledge (5-series devices).
- *
- * Fills the structure and returns its address.
+ * Apply the new setting and send no acknowledge (5-series devices). Fills the structure and returns
+ * its address.
  */
 static inline struct mip_tools_settings *mip_tools_settings_apply(
     struct mip_tools_settings *command, uint8_t port, enum mip_mode mode, uint32_t baud) {
@@ -322,7 +332,9 @@ struct mip_tools_settings_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_SETTINGS_RESPONSE 0x0182
+/** Its descriptor. */
 #define MIP_TOOLS_SETTINGS_RESPONSE_DESCRIPTOR 0x82
+/** Its name in the specification. */
 #define MIP_TOOLS_SETTINGS_RESPONSE_NAME "tools.settings_response"
 
 /** Its wire format. */
@@ -385,7 +397,10 @@ static inline mip_error mip_tools_settings_response_encode_inline(
  * - guide: Set time
  */
 struct mip_tools_set_time {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -397,7 +412,9 @@ struct mip_tools_set_time {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_SET_TIME 0x0103
+/** Its descriptor. */
 #define MIP_TOOLS_SET_TIME_DESCRIPTOR 0x03
+/** Its name in the specification. */
 #define MIP_TOOLS_SET_TIME_NAME "tools.set_time"
 
 /** Its wire format. */
@@ -414,11 +431,7 @@ static inline mip_error mip_tools_set_time_encode(const struct mip_tools_set_tim
                                                   struct mip_builder *builder) {
     return mip_encode(&mip_tools_set_time_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_tools_set_time *
 mip_tools_set_time_write(struct mip_tools_set_time *command, enum mip_mode part, uint32_t value) {
     memset(command, 0, sizeof(*command));
@@ -427,11 +440,7 @@ mip_tools_set_time_write(struct mip_tools_set_time *command, enum mip_mode part,
     command->value = value;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_tools_set_time *mip_tools_set_time_read(struct mip_tools_set_time *command,
                                                                  enum mip_mode part) {
     memset(command, 0, sizeof(*command));
@@ -440,9 +449,8 @@ static inline struct mip_tools_set_time *mip_tools_set_time_read(struct mip_tool
     return command;
 }
 /**
- * Apply the new setting and send no acknowledge (5-series devices).
- *
- * Fills the structure and returns its address.
+ * Apply the new setting and send no acknowledge (5-series devices). Fills the structure and returns
+ * its address.
  */
 static inline struct mip_tools_set_time *
 mip_tools_set_time_apply(struct mip_tools_set_time *command, enum mip_mode part, uint32_t value) {
@@ -467,7 +475,9 @@ struct mip_tools_set_time_fast_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_SET_TIME_FAST_RESPONSE 0x0183
+/** Its descriptor. */
 #define MIP_TOOLS_SET_TIME_FAST_RESPONSE_DESCRIPTOR 0x83
+/** Its name in the specification. */
 #define MIP_TOOLS_SET_TIME_FAST_RESPONSE_NAME "tools.set_time_fast_response"
 
 /** Its wire format. */
@@ -523,7 +533,9 @@ struct mip_tools_set_time_slow_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_SET_TIME_SLOW_RESPONSE 0x0184
+/** Its descriptor. */
 #define MIP_TOOLS_SET_TIME_SLOW_RESPONSE_DESCRIPTOR 0x84
+/** Its name in the specification. */
 #define MIP_TOOLS_SET_TIME_SLOW_RESPONSE_NAME "tools.set_time_slow_response"
 
 /** Its wire format. */
@@ -586,7 +598,9 @@ struct mip_tools_status {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_STATUS 0x0104
+/** Its descriptor. */
 #define MIP_TOOLS_STATUS_DESCRIPTOR 0x04
+/** Its name in the specification. */
 #define MIP_TOOLS_STATUS_NAME "tools.status"
 
 /** Its wire format. */
@@ -603,11 +617,7 @@ static inline mip_error mip_tools_status_encode(const struct mip_tools_status *v
                                                 struct mip_builder *builder) {
     return mip_encode(&mip_tools_status_codec, value, builder);
 }
-/**
- * Status.
- *
- * Fills the structure and returns its address.
- */
+/** Status. Fills the structure and returns its address. */
 static inline struct mip_tools_status *mip_tools_status_make(struct mip_tools_status *command,
                                                              uint8_t selector) {
     memset(command, 0, sizeof(*command));
@@ -636,7 +646,9 @@ struct mip_tools_status_short {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_STATUS_SHORT 0x0190
+/** Its descriptor. */
 #define MIP_TOOLS_STATUS_SHORT_DESCRIPTOR 0x90
+/** Its name in the specification. */
 #define MIP_TOOLS_STATUS_SHORT_NAME "tools.status_short"
 
 /** Its wire format. */
@@ -678,7 +690,9 @@ struct mip_tools_status_long {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_STATUS_LONG 0x0190
+/** Its descriptor. */
 #define MIP_TOOLS_STATUS_LONG_DESCRIPTOR 0x90
+/** Its name in the specification. */
 #define MIP_TOOLS_STATUS_LONG_NAME "tools.status_long"
 
 /** Its wire format. */
@@ -717,7 +731,9 @@ struct mip_tools_status_old {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_STATUS_OLD 0x0190
+/** Its descriptor. */
 #define MIP_TOOLS_STATUS_OLD_DESCRIPTOR 0x90
+/** Its name in the specification. */
 #define MIP_TOOLS_STATUS_OLD_NAME "tools.status_old"
 
 /** Its wire format. */
@@ -760,7 +776,9 @@ struct mip_tools_full {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_FULL 0x0190
+/** Its descriptor. */
 #define MIP_TOOLS_FULL_DESCRIPTOR 0x90
+/** Its name in the specification. */
 #define MIP_TOOLS_FULL_NAME "tools.status_full"
 
 /** Its wire format. */
@@ -790,7 +808,10 @@ static inline mip_error mip_tools_full_encode(const struct mip_tools_full *value
  * - leaflet: Bias
  */
 struct mip_tools_bias {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -800,7 +821,9 @@ struct mip_tools_bias {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_BIAS 0x0105
+/** Its descriptor. */
 #define MIP_TOOLS_BIAS_DESCRIPTOR 0x05
+/** Its name in the specification. */
 #define MIP_TOOLS_BIAS_NAME "tools.bias"
 
 /** Its wire format. */
@@ -817,11 +840,7 @@ static inline mip_error mip_tools_bias_encode(const struct mip_tools_bias *value
                                               struct mip_builder *builder) {
     return mip_encode(&mip_tools_bias_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_tools_bias *mip_tools_bias_write(struct mip_tools_bias *command,
                                                           const float bias[3]) {
     memset(command, 0, sizeof(*command));
@@ -829,41 +848,25 @@ static inline struct mip_tools_bias *mip_tools_bias_write(struct mip_tools_bias 
     memcpy(command->bias, bias, sizeof(command->bias));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_tools_bias *mip_tools_bias_read(struct mip_tools_bias *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_tools_bias *mip_tools_bias_save(struct mip_tools_bias *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
-/**
- * Load the saved setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the saved setting. Fills the structure and returns its address. */
 static inline struct mip_tools_bias *mip_tools_bias_load(struct mip_tools_bias *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
     return command;
 }
-/**
- * Load the factory default setting.
- *
- * Fills the structure and returns its address.
- */
+/** Load the factory default setting. Fills the structure and returns its address. */
 static inline struct mip_tools_bias *mip_tools_bias_default(struct mip_tools_bias *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
@@ -885,7 +888,9 @@ struct mip_tools_bias_vector {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_BIAS_VECTOR 0x019B
+/** Its descriptor. */
 #define MIP_TOOLS_BIAS_VECTOR_DESCRIPTOR 0x9B
+/** Its name in the specification. */
 #define MIP_TOOLS_BIAS_VECTOR_NAME "tools.bias_vector"
 
 /** Its wire format. */
@@ -948,7 +953,9 @@ struct mip_tools_capture_bias {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_CAPTURE_BIAS 0x0106
+/** Its descriptor. */
 #define MIP_TOOLS_CAPTURE_BIAS_DESCRIPTOR 0x06
+/** Its name in the specification. */
 #define MIP_TOOLS_CAPTURE_BIAS_NAME "tools.capture_bias"
 
 /** Its wire format. */
@@ -989,11 +996,7 @@ static inline mip_error mip_tools_capture_bias_encode_inline(
     mip_put_16(data, value->time);
     return MIP_OK;
 }
-/**
- * Capture bias.
- *
- * Fills the structure and returns its address.
- */
+/** Capture bias. Fills the structure and returns its address. */
 static inline struct mip_tools_capture_bias *
 mip_tools_capture_bias_make(struct mip_tools_capture_bias *command, uint16_t time) {
     memset(command, 0, sizeof(*command));
@@ -1023,7 +1026,9 @@ struct mip_tools_formats {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_FORMATS 0x0107
+/** Its descriptor. */
 #define MIP_TOOLS_FORMATS_DESCRIPTOR 0x07
+/** Its name in the specification. */
 #define MIP_TOOLS_FORMATS_NAME "tools.formats"
 
 /** Its wire format. */
@@ -1040,11 +1045,7 @@ static inline mip_error mip_tools_formats_encode(const struct mip_tools_formats 
                                                  struct mip_builder *builder) {
     return mip_encode(&mip_tools_formats_codec, value, builder);
 }
-/**
- * Formats.
- *
- * Fills the structure and returns its address.
- */
+/** Formats. Fills the structure and returns its address. */
 static inline struct mip_tools_formats *mip_tools_formats_make(
     struct mip_tools_formats *command, mip_bool suppress_ack, uint8_t num_segments,
     uint8_t checkpoint, const struct mip_segment segments[]) {
@@ -1079,7 +1080,10 @@ union mip_tools_choice_parameters {
  * - guide: Choice
  */
 struct mip_tools_choice {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -1095,7 +1099,9 @@ struct mip_tools_choice {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_CHOICE 0x0108
+/** Its descriptor. */
 #define MIP_TOOLS_CHOICE_DESCRIPTOR 0x08
+/** Its name in the specification. */
 #define MIP_TOOLS_CHOICE_NAME "tools.choice"
 
 /** Its wire format. */
@@ -1112,11 +1118,7 @@ static inline mip_error mip_tools_choice_encode(const struct mip_tools_choice *v
                                                 struct mip_builder *builder) {
     return mip_encode(&mip_tools_choice_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_tools_choice *mip_tools_choice_write(
     struct mip_tools_choice *command, uint8_t instance, enum mip_tools_shape shape,
     const union mip_tools_choice_parameters *parameters) {
@@ -1129,11 +1131,7 @@ static inline struct mip_tools_choice *mip_tools_choice_write(
     }
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_tools_choice *mip_tools_choice_read(struct mip_tools_choice *command,
                                                              uint8_t instance) {
     memset(command, 0, sizeof(*command));
@@ -1172,7 +1170,9 @@ struct mip_tools_choice_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_CHOICE_RESPONSE 0x0188
+/** Its descriptor. */
 #define MIP_TOOLS_CHOICE_RESPONSE_DESCRIPTOR 0x88
+/** Its name in the specification. */
 #define MIP_TOOLS_CHOICE_RESPONSE_NAME "tools.choice_response"
 
 /** Its wire format. */
@@ -1201,7 +1201,10 @@ static inline mip_error mip_tools_choice_response_encode(
  * - guide: List
  */
 struct mip_tools_list {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -1213,7 +1216,9 @@ struct mip_tools_list {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_LIST 0x0109
+/** Its descriptor. */
 #define MIP_TOOLS_LIST_DESCRIPTOR 0x09
+/** Its name in the specification. */
 #define MIP_TOOLS_LIST_NAME "tools.list"
 
 /** Its wire format. */
@@ -1230,11 +1235,7 @@ static inline mip_error mip_tools_list_encode(const struct mip_tools_list *value
                                               struct mip_builder *builder) {
     return mip_encode(&mip_tools_list_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_tools_list *mip_tools_list_write(struct mip_tools_list *command,
                                                           uint8_t count, const uint16_t items[]) {
     memset(command, 0, sizeof(*command));
@@ -1243,21 +1244,13 @@ static inline struct mip_tools_list *mip_tools_list_write(struct mip_tools_list 
     mip_copy(command->items, sizeof(command->items), items, count * sizeof(items[0]));
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_tools_list *mip_tools_list_read(struct mip_tools_list *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
-/**
- * Save the current setting to non-volatile memory.
- *
- * Fills the structure and returns its address.
- */
+/** Save the current setting to non-volatile memory. Fills the structure and returns its address. */
 static inline struct mip_tools_list *mip_tools_list_save(struct mip_tools_list *command) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
@@ -1280,7 +1273,9 @@ struct mip_tools_list_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_LIST_RESPONSE 0x0189
+/** Its descriptor. */
 #define MIP_TOOLS_LIST_RESPONSE_DESCRIPTOR 0x89
+/** Its name in the specification. */
 #define MIP_TOOLS_LIST_RESPONSE_NAME "tools.list_response"
 
 /** Its wire format. */
@@ -1316,7 +1311,9 @@ struct mip_tools_stock {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_STOCK 0x010A
+/** Its descriptor. */
 #define MIP_TOOLS_STOCK_DESCRIPTOR 0x0A
+/** Its name in the specification. */
 #define MIP_TOOLS_STOCK_NAME "tools.inventory"
 
 /** Its wire format. */
@@ -1352,7 +1349,9 @@ struct mip_tools_stock_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_STOCK_RESPONSE 0x018A
+/** Its descriptor. */
 #define MIP_TOOLS_STOCK_RESPONSE_DESCRIPTOR 0x8A
+/** Its name in the specification. */
 #define MIP_TOOLS_STOCK_RESPONSE_NAME "tools.inventory_response"
 
 /** Its wire format. */
@@ -1380,7 +1379,10 @@ static inline mip_error mip_tools_stock_response_encode(
  * - guide: Pin
  */
 struct mip_tools_pin {
-    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    /**
+     * How many parameters are there, the function selector not counted. When decoded: as many have
+     * come. To send: 0 for those that are required.
+     */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
@@ -1395,7 +1397,9 @@ struct mip_tools_pin {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_PIN 0x010B
+/** Its descriptor. */
 #define MIP_TOOLS_PIN_DESCRIPTOR 0x0B
+/** Its name in the specification. */
 #define MIP_TOOLS_PIN_NAME "tools.pin"
 
 /** Its wire format. */
@@ -1412,11 +1416,7 @@ static inline mip_error mip_tools_pin_encode(const struct mip_tools_pin *value,
                                              struct mip_builder *builder) {
     return mip_encode(&mip_tools_pin_codec, value, builder);
 }
-/**
- * Apply the new setting.
- *
- * Fills the structure and returns its address.
- */
+/** Apply the new setting. Fills the structure and returns its address. */
 static inline struct mip_tools_pin *mip_tools_pin_write(struct mip_tools_pin *command,
                                                         enum mip_tools_drive drive, uint8_t use) {
     memset(command, 0, sizeof(*command));
@@ -1425,11 +1425,7 @@ static inline struct mip_tools_pin *mip_tools_pin_write(struct mip_tools_pin *co
     command->use = use;
     return command;
 }
-/**
- * Send the current setting back in a response.
- *
- * Fills the structure and returns its address.
- */
+/** Send the current setting back in a response. Fills the structure and returns its address. */
 static inline struct mip_tools_pin *mip_tools_pin_read(struct mip_tools_pin *command,
                                                        enum mip_tools_drive drive) {
     memset(command, 0, sizeof(*command));
@@ -1457,7 +1453,9 @@ struct mip_tools_pin_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_PIN_RESPONSE 0x018B
+/** Its descriptor. */
 #define MIP_TOOLS_PIN_RESPONSE_DESCRIPTOR 0x8B
+/** Its name in the specification. */
 #define MIP_TOOLS_PIN_RESPONSE_NAME "tools.pin_response"
 
 /** Its wire format. */
@@ -1506,13 +1504,17 @@ static inline mip_error mip_tools_pin_response_encode_inline(
  *
  * The device asks and a host answers.
  *
- * Also called `keep_alive`. Answered by mip_tools_hello_response. The device sends it, and the host
- * answers. May be supported by Model C. Known from the Kit of names only.
+ * No device is certain to support it. Also called `keep_alive`. Answered by
+ * mip_tools_hello_response. The device sends it, and the host answers. Known from the Kit of names
+ * only.
  *
  * - sheet: Hello
  */
 struct mip_tools_hello {
-    /** Parameters that are present; 0: only the required ones. */
+    /**
+     * How many parameters are there. When decoded: as many have come. To send: 0 for those that are
+     * required; with a ..._WITH_... constant, all up to that one.
+     */
     uint8_t present;
     /** Reserved: send 1.0. */
     float reserved;
@@ -1522,7 +1524,9 @@ struct mip_tools_hello {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_HELLO 0x010C
+/** Its descriptor. */
 #define MIP_TOOLS_HELLO_DESCRIPTOR 0x0C
+/** Its name in the specification. */
 #define MIP_TOOLS_HELLO_NAME "tools.hello"
 /** The value of `present` if later is the last parameter that is there. */
 #define MIP_TOOLS_HELLO_WITH_LATER 2
@@ -1545,8 +1549,8 @@ static inline mip_error mip_tools_hello_encode(const struct mip_tools_hello *val
 /**
  * Hello response: response (0x01,0x8C).
  *
- * Also called `keep_alive_response` and `welcome`. Answers mip_tools_hello. May be supported by
- * Model C. Known from the Kit of names only. Uncertain: When it comes.
+ * No device is certain to support it. Also called `keep_alive_response` and `welcome`. Answers
+ * mip_tools_hello. Known from the Kit of names only. Uncertain: When it comes.
  *
  * - sheet: Hello
  */
@@ -1557,7 +1561,9 @@ struct mip_tools_hello_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_HELLO_RESPONSE 0x018C
+/** Its descriptor. */
 #define MIP_TOOLS_HELLO_RESPONSE_DESCRIPTOR 0x8C
+/** Its name in the specification. */
 #define MIP_TOOLS_HELLO_RESPONSE_NAME "tools.hello_response"
 
 /** Its wire format. */
@@ -1615,7 +1621,9 @@ struct mip_tools_readings {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_READINGS 0x010D
+/** Its descriptor. */
 #define MIP_TOOLS_READINGS_DESCRIPTOR 0x0D
+/** Its name in the specification. */
 #define MIP_TOOLS_READINGS_NAME "tools.readings"
 
 /** Its wire format. */
@@ -1656,11 +1664,7 @@ static inline mip_error mip_tools_readings_encode_inline(const struct mip_tools_
     mip_put_8(data, value->drive);
     return MIP_OK;
 }
-/**
- * Readings.
- *
- * Fills the structure and returns its address.
- */
+/** Readings. Fills the structure and returns its address. */
 static inline struct mip_tools_readings *mip_tools_readings_make(struct mip_tools_readings *command,
                                                                  enum mip_tools_drive drive) {
     memset(command, 0, sizeof(*command));
@@ -1694,7 +1698,9 @@ struct mip_tools_readings_response {
 
 /** Descriptor set and descriptor, as mip_field_key gives them. */
 #define MIP_TOOLS_READINGS_RESPONSE 0x018D
+/** Its descriptor. */
 #define MIP_TOOLS_READINGS_RESPONSE_DESCRIPTOR 0x8D
+/** Its name in the specification. */
 #define MIP_TOOLS_READINGS_RESPONSE_NAME "tools.readings_response"
 
 /** Its wire format. */

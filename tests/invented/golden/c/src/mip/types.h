@@ -67,6 +67,7 @@ static inline uint8_t mip_state_flags_get_level(mip_state_flags flags) {
     const uint32_t bits = flags & MIP_STATE_FLAGS_LEVEL;
     return (uint8_t)(bits >> 4);
 }
+/** Sets it. */
 static inline void mip_state_flags_set_level(mip_state_flags *flags, uint8_t value) {
     const uint32_t mask = MIP_STATE_FLAGS_LEVEL;
     const uint32_t bits = (uint32_t)value << 4;
@@ -78,6 +79,7 @@ static inline uint8_t mip_state_flags_get_mode(mip_state_flags flags) {
     const uint32_t bits = flags & MIP_STATE_FLAGS_MODE;
     return (uint8_t)(bits >> 8);
 }
+/** Sets it. */
 static inline void mip_state_flags_set_mode(mip_state_flags *flags, uint8_t value) {
     const uint32_t mask = MIP_STATE_FLAGS_MODE;
     const uint32_t bits = (uint32_t)value << 8;
@@ -94,6 +96,7 @@ struct mip_health {
 static inline bool mip_health_get_clock(const struct mip_health *flags) {
     return (bool)mip_get_bits(flags->bytes, 0, 1);
 }
+/** Sets it. */
 static inline void mip_health_set_clock(struct mip_health *flags, bool value) {
     mip_set_bits(flags->bytes, 0, 1, value);
 }
@@ -102,6 +105,7 @@ static inline void mip_health_set_clock(struct mip_health *flags, bool value) {
 static inline bool mip_health_get_power(const struct mip_health *flags) {
     return (bool)mip_get_bits(flags->bytes, 9, 1);
 }
+/** Sets it. */
 static inline void mip_health_set_power(struct mip_health *flags, bool value) {
     mip_set_bits(flags->bytes, 9, 1, value);
 }
@@ -110,6 +114,7 @@ static inline void mip_health_set_power(struct mip_health *flags, bool value) {
 static inline uint8_t mip_health_get_num(const struct mip_health *flags) {
     return (uint8_t)mip_get_bits(flags->bytes, 30, 4);
 }
+/** Sets it. */
 static inline void mip_health_set_num(struct mip_health *flags, uint8_t value) {
     mip_set_bits(flags->bytes, 30, 4, value);
 }
@@ -118,6 +123,7 @@ static inline void mip_health_set_num(struct mip_health *flags, uint8_t value) {
 static inline bool mip_health_get_last(const struct mip_health *flags) {
     return (bool)mip_get_bits(flags->bytes, 127, 1);
 }
+/** Sets it. */
 static inline void mip_health_set_last(struct mip_health *flags, bool value) {
     mip_set_bits(flags->bytes, 127, 1, value);
 }

@@ -1,0 +1,57 @@
+/**
+ * @file
+ * All of the library, for programs that do not mind how long they compile: nothing that they do not
+ * use is linked. Others include the headers of the sets that they need.
+ */
+#ifndef MIP_MIP_H
+#define MIP_MIP_H
+
+#include "mip/3dm.h"
+#include "mip/3dm_commands.h"
+#include "mip/aiding.h"
+#include "mip/aiding_commands.h"
+#include "mip/base.h"
+#include "mip/base_commands.h"
+#include "mip/client.h"
+#include "mip/constants.h"
+#include "mip/core.h"
+#include "mip/filter.h"
+#include "mip/filter_commands.h"
+#include "mip/filter_data.h"
+#include "mip/gnss.h"
+#include "mip/gnss_1.h"
+#include "mip/gnss_2.h"
+#include "mip/gnss_commands.h"
+#include "mip/gnss_corrections.h"
+#include "mip/gnss_data.h"
+#include "mip/gnss_external.h"
+#include "mip/gnss_external_2.h"
+#include "mip/names.h"
+#include "mip/print.h"
+#include "mip/profile.h"
+#include "mip/profiles.h"
+#include "mip/protocol.h"
+#include "mip/reflect.h"
+#include "mip/registry.h"
+#include "mip/rtk.h"
+#include "mip/rtk_commands.h"
+#include "mip/sensor.h"
+#include "mip/shared.h"
+#include "mip/system.h"
+#include "mip/system_commands.h"
+#include "mip/system_data.h"
+#include "mip/types.h"
+
+#if MIP_VERSION_NUMBER != 100
+#error "mip/mip.h and mip/constants.h are not of one version"
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,452 @@
+"""What the printer of C says of fields and packets, compared with what the model knows of them."""
+
+from __future__ import annotations
+
+import random
+import struct
+import subprocess
+from collections.abc import Iterator
+from decimal import Decimal
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import pytest
+import strategies
+from c_build import HERE, SANITIZE, compiled
+from hypothesis import given
+from mipgen import codec
+from mipgen import model as m
+from support import BUILD, SPECS, all_fields, locked, model, set_of
+
+both = pytest.mark.parametrize("spec", sorted(SPECS))
+ENOUGH = 1 << 17
+Request = tuple[str, str, int, bytes]
+
+
+@cache
+def printer(spec: str) -> Path:
+    out = BUILD / f"print-{spec}"
+    with locked(out):
+        return compiled(out, spec, "cc", HERE / "unit/print.c", "-std=c99", *SANITIZE)
+
+
+def ask(spec: str, requests: list[Request]) -> list[tuple[int, str]]:
+    """Of each request (what, device, room, bytes): the length of the whole text, and the text in that room."""
+    lines = "".join(f"{what} {device} {room} {data.hex()}\n" for what, device, room, data in requests)
+    done = subprocess.run([str(printer(spec))], input=lines.encode(), capture_output=True)
+    assert done.returncode == 0, done.stderr.decode()[-4000:]
+    found, rest = [], done.stdout
+    for _ in requests:
+        head, _, rest = rest.partition(b"\n")
+        length, size = map(int, head.split())
+        found.append((length, rest[:size].decode("ascii")))
+        rest = rest[size:]
+    assert not rest
+    return found
+
+
+def texts(spec: str, what: str, data: list[bytes], device: str = "-") -> list[str]:
+    found = ask(spec, [(what, device, ENOUGH, d) for d in data])
+    assert found and all(length == len(text) for length, text in found)
+    return [text for _, text in found]
+
+
+# --------------------------------------------------------------------------- what should be printed
+
+
+def real(bits: str) -> str:
+    """A float or a double by its bits, as short as possible."""
+    data = bytes.fromhex(bits.removeprefix("0x"))
+    form = ">f" if len(data) == 4 else ">d"
+    (value,) = struct.unpack(form, data)
+    if value != value:
+        return "nan"
+    if value in (float("inf"), float("-inf")):
+        return "inf" if value > 0 else "-inf"
+    text = f"{Decimal(repr(value)):e}"  # as long as a double may be
+    for digits in range(1, 10 if len(data) == 4 else 1):
+        text = f"{value:.{digits - 1}e}"
+        try:
+            if struct.pack(form, float(text)) == data:
+                break
+        except OverflowError:  # rounded up beyond the largest
+            continue
+    mantissa, _, exponent = text.partition("e")
+    mantissa = mantissa.rstrip("0").rstrip(".") if "." in mantissa else mantissa
+    if -4 <= int(exponent) < 16:
+        sign, figures = "-" * text.startswith("-"), mantissa.lstrip("-").replace(".", "")
+        point = int(exponent) + 1
+        if point <= 0:
+            return f"{sign}0.{'0' * -point}{figures}" if value else f"{sign}0"
+        whole, part = figures[:point].ljust(point, "0"), figures[point:]
+        return f"{sign}{whole}.{part}" if part else f"{sign}{whole}"
+    return f"{mantissa}e{int(exponent)}"
+
+
+def flags(t: m.Bitfield, value: int, size: int) -> str:
+    parts = []
+    for b in t.bits:
+        number = (value & b.mask) >> b.first
+        if b.enum is not None:
+            parts.append(f"{b.name}: {named(b.enum, number)}")
+        elif b.width > 1:
+            parts.append(f"{b.name}: {number}")
+        elif number:
+            parts.append(b.name)
+    if value & ~t.known_mask:
+        parts.append(f"0x{value & ~t.known_mask:0{2 * size}X}")
+    return f"0x{value:0{2 * size}X}" + (" = " if parts else "") + " | ".join(parts)
+
+
+def named(t: m.Enum, value: int) -> str:
+    known = next((v for v in t.values if v.value == value), None)
+    return f"{known.name} ({value})" if known else str(value)
+
+
+def quoted(text: str) -> str:
+    out = ""
+    for c in text:
+        out += "\\" + c if c in '"\\' else c if " " <= c <= "~" else f"\\x{ord(c):02X}"
+    return f'"{out}"'
+
+
+def scalar(value: Any, s: m.Scalar, t: m.Type | m.Scalar | None) -> str:
+    if s.kind == "float":
+        return real(value)
+    if isinstance(t, (m.Enum, m.Bitfield)):
+        unsigned = value % (1 << 8 * s.size)
+        return named(t, unsigned) if isinstance(t, m.Enum) else flags(t, unsigned, s.size)
+    if s.kind == "bool":
+        return ("true" if value else "false") + (f" ({value})" if value > 1 else "")
+    return quoted(chr(value)) if s.kind == "char" else str(value)
+
+
+def meaning(p: m.Parameter, values: dict[str, Any], device: str) -> Any:
+    for v in p.readings:
+        if v.key == device if v.by_device else values.get(v.by, 0) == v.value:
+            return v.type
+    return p.element
+
+
+def item(op: m.Operation, value: Any, t: Any) -> str:
+    match op:
+        case m.ScalarOp() | m.CounterOp():
+            return scalar(value, op.scalar, t)
+        case m.BitsOp():
+            return flags(t, int.from_bytes(bytes(value), "little"), op.size)
+        case m.TextOp():
+            return quoted(value)
+        case m.ArrayOp() if isinstance(t, m.Bitfield) and t.scalar is None:
+            return flags(t, int.from_bytes(bytes(value), "little"), t.size)
+        case m.ArrayOp():
+            return "[" + ", ".join(item(op.item, v, t) for v in value) + "]"
+    raise AssertionError(op)
+
+
+def lines(p: m.Parameter, values: dict[str, Any], device: str) -> Iterator[str]:
+    """The lines of one parameter; those inside of it are indented."""
+    if p.constant is not None:
+        yield f"{p.name}: {p.constant}"
+        return
+    value = values[p.name]
+    if p.element is None:
+        case = next((c for c in p.cases if c.parameter is not None and c.parameter.name in value), None)
+        yield f"{p.name}:" + ("" if case else " none")
+        if case is not None and case.parameter is not None:
+            yield from (f"  {line}" for line in lines(case.parameter, value, device))
+    elif isinstance(p.element, m.Struct):
+        if value == []:
+            yield f"{p.name}: none"
+        for i, one in enumerate([value] if p.length is None else value):
+            yield f"{p.name}:" if p.length is None else f"{p.name}[{i}]:"
+            for q in p.element.parameters:
+                yield from (f"  {line}" for line in lines(q, one, device))
+    else:
+        unit = ", ".join(p.units)
+        yield f"{p.name}: {item(p.operation, value, meaning(p, values, device))}" + (
+            f" {unit}" if unit not in ("", "1") else ""
+        )
+
+
+def hexadecimal(data: bytes) -> str:
+    return "".join(f" {byte:02X}" for byte in data)
+
+
+def field_text(of: m.Model, number: int, descriptor: int, data: bytes, device: str = "-") -> str:
+    place = f"(0x{number:02X},0x{descriptor:02X})"
+    candidates = of.candidates(number, descriptor)
+    f = codec.choose(candidates, data)
+    if f is None:
+        error = "  error: layout\n" if candidates else ""
+        return f"unknown {place}\n{error}  raw:{hexadecimal(data)}\n"
+    head = f"{f.full_name}: {f.role} {place}\n"
+    try:
+        values, trailing = codec.decode(f, data)
+    except codec.CodecError as error:
+        return f"{head}  error: {error.kind}\n  raw:{hexadecimal(data)}\n"
+    body = [
+        line for p in f.parameters if p.constant is not None or p.name in values for line in lines(p, values, device)
+    ]
+    if trailing:
+        body.append(f"trailing:{hexadecimal(data[-trailing:])}")
+    return head + "".join(f"  {line}\n" for line in body)
+
+
+def packet_text(of: m.Model, packet: bytes, verdict: str = "") -> str:
+    own = sorted((f.descriptor, i) for i, f in enumerate(of.fields) if f.set == packet[2])
+    name = f" {of.fields[own[0][1]].set_name}" if own else ""
+    out = f"packet (0x{packet[2]:02X}){name}, {len(packet)} bytes{verdict}\n"
+    payload = packet[4:-2]
+    while payload:
+        size = payload[0]
+        if size < 2 or size > len(payload):
+            return f"{out}  error: field_length\n  raw:{hexadecimal(payload)}\n"
+        text = field_text(of, packet[2], payload[1], payload[2:size])
+        out += "".join(f"  {line}\n" for line in text.splitlines())
+        payload = payload[size:]
+    return out
+
+
+def bytes_text(of: m.Model, data: bytes) -> str:
+    wrong = (
+        "sync" if data[:2] != b"ue" else "length" if len(data) < 6 or len(data) != data[3] + 6 or not data[2] else ""
+    )
+    if wrong:
+        return f"no packet ({wrong}), {len(data)} bytes\n{dump(data)}"
+    sum, right = data[-2:].hex().upper(), codec.checksum(data[:-2]).hex().upper()
+    verdict = " is right" if sum == right else f" is wrong, 0x{right} is right"
+    return packet_text(of, data, f", checksum 0x{sum}{verdict}")
+
+
+def dump(data: bytes) -> str:
+    out = ""
+    for at in range(0, len(data), 16):
+        line = data[at : at + 16]
+        left, right = (" ".join(f"{b:02X}" for b in half).ljust(23) for half in (line[:8], line[8:]))
+        shown = "".join(chr(b) if 0x20 <= b < 0x7F else "." for b in line)
+        out += f"{at:0{8 if at > 0xFFFF else 4}X}   {left}  {right}  |{shown}|\n"
+    return out
+
+
+# --------------------------------------------------------------------------- numbers
+
+
+def test_numbers() -> None:
+    """Special values, all powers of two and of ten, the ends of subnormals, and many random bits."""
+    of = random.Random(9)
+    singles = [n << 23 | tail for n in range(256) for tail in (0, 1, 0x7FFFFF)]
+    singles += [1, 2, 3, 0x7FFFFF, *(of.getrandbits(32) for _ in range(4000))]
+    doubles = [n << 52 | tail for n in range(2048) for tail in (0, 1, (1 << 52) - 1)]
+    doubles += [1, 2, 3, *(of.getrandbits(64) for _ in range(4000)), *(of.getrandbits(52) for _ in range(200))]
+    readable = [*(float(f"1e{n}") for n in range(-323, 309)), *(n / 1000 for n in range(3000)), 2.0**53 + 2, 123456.789]
+    doubles += [struct.unpack(">Q", struct.pack(">d", value))[0] for value in readable]
+    for what, size, numbers in (("float", 4, singles), ("double", 8, doubles)):
+        data = [(n ^ sign).to_bytes(size, "big") for n in numbers for sign in (0, 1 << 8 * size - 1)]
+        for bits, text in zip(data, texts("invented", what, data), strict=True):
+            wanted = real(bits.hex())
+            if wanted == "nan":
+                assert text == "nan"
+                continue
+            if size == 8 or (bits[1] << 1 | bits[2] | bits[3]) & 0xFF:
+                assert text == wanted, bits.hex()
+            assert struct.pack(">f" if size == 4 else ">d", float(text)) == bits, (bits.hex(), text)
+            assert len(figures(text)) <= len(figures(wanted)), (text, wanted)
+
+
+def figures(text: str) -> str:
+    return text.lstrip("-").partition("e")[0].replace(".", "").strip("0")
+
+
+def test_whole_numbers() -> None:
+    values = [0, 1, -1, 9, 10, -10, (1 << 63) - 1, -(1 << 63), 12345678901234567]
+    assert texts("invented", "signed", [v.to_bytes(8, "big", signed=True) for v in values]) == list(map(str, values))
+
+
+# --------------------------------------------------------------------------- fields and packets
+
+
+@both
+def test_every_example(spec: str) -> None:
+    of = model(spec)
+    packets = [e.packet for e in of.examples]
+    assert len(packets) > 5
+    assert texts(spec, "bytes", packets) == [bytes_text(of, p) for p in packets]
+
+
+def drawn(f: m.Field, count: int) -> list[dict[str, Any]]:
+    found: list[dict[str, Any]] = []
+
+    @strategies.relaxed(count)
+    @given(strategies.field_values(f))
+    def collect(values: dict[str, Any]) -> None:
+        found.append(values)
+
+    collect()
+    return found
+
+
+def packets(of: m.Model, fields: list[m.Field], count: int) -> Iterator[tuple[m.Field, bytes]]:
+    for f in fields:
+        for values in drawn(f, count):
+            try:
+                data = codec.encode(f, values)
+                yield f, codec.build(of, set_of(f, of), [(f.descriptor, data)])
+            except codec.CodecError:
+                continue  # too long for a field
+
+
+@both
+def test_every_field(spec: str) -> None:
+    """With random values, on every device that gives some values of it a meaning, and with bytes behind it."""
+    of = model(spec)
+    found = list(packets(of, all_fields(of), 6 if spec == "real" else 40))
+    assert {f.full_name for f, _ in found} == {f.full_name for f in all_fields(of)}
+    requests: list[Request] = []
+    wanted = []
+    for f, packet in found:
+        devices = {v.key for p in f.parameters for v in p.readings if v.by_device}
+        for device in ("-", "no-such-device", *sorted(devices)):
+            for more in (b"", b"\x00\xff"):
+                data = packet[6:-2] + more
+                if len(data) <= m.MAX_FIELD_DATA:
+                    whole = codec.build(of, packet[2], [(packet[5], data)])
+                    requests.append(("field", device, ENOUGH, whole))
+                    wanted.append(field_text(of, packet[2], packet[5], data, device))
+    assert any("trailing:" in text for text in wanted)
+    answers = ask(spec, requests)
+    for request, text, (_, answer) in zip(requests, wanted, answers, strict=True):
+        assert answer == text, request
+
+
+@both
+def test_every_name(spec: str) -> None:
+    """Every value of every enumeration, and every bit, wherever a field has it by itself."""
+    of = model(spec)
+    requests: list[Request] = []
+    wanted: list[list[str]] = []
+    for f in all_fields(of):
+        values = max(drawn(f, 6), key=len)
+        for p in f.parameters:
+            if p.name not in values or p.length is not None:
+                continue
+            for key, t in [("-", p.element), *((v.key, v.type) for v in p.readings if v.by_device)]:
+                for number, names in named_values(t):
+                    packet = with_value(of, f, values, p, number)
+                    if packet is not None:
+                        requests.append(("field", key, ENOUGH, packet))
+                        wanted.append(names)
+    assert len(requests) > (400 if spec == "real" else 40)
+    for (_, text), names in zip(ask(spec, requests), wanted, strict=True):
+        assert all(name in text for name in names), (names, text)
+
+
+def named_values(t: Any) -> Iterator[tuple[Any, list[str]]]:
+    if isinstance(t, m.Enum):
+        yield from ((v.value, [f" {v.name} ({v.value})"]) for v in t.values)
+    elif isinstance(t, m.Bitfield):
+        ones = (1 << 8 * t.size) - 1
+        yield (ones if t.scalar else [255] * t.size), [f" {b.name}" for b in t.bits]
+
+
+def with_value(of: m.Model, f: m.Field, values: dict[str, Any], p: m.Parameter, value: Any) -> bytes | None:
+    """A packet with that value; None if it selects or requires something else that is not there."""
+    try:
+        return codec.build(of, set_of(f, of), [(f.descriptor, codec.encode(f, {**values, p.name: value}))])
+    except codec.CodecError:
+        return None
+
+
+def test_words() -> None:
+    """A text in full, to read."""
+    of = model("real")
+    accel = of.field("sensor.scaled_accel")
+    assert accel is not None
+    data = struct.pack(">fff", 0.5, -0.25, 1)
+    packet = codec.build(of, 0x80, [(4, data), (0x7F, b"\x01")])
+    assert texts("real", "packet", [packet]) == [
+        "packet (0x80) sensor, 23 bytes\n"
+        "  sensor.scaled_accel: data (0x80,0x04)\n"
+        "    scaled_accel: [0.5, -0.25, 1] g\n"
+        "  unknown (0x80,0x7F)\n"
+        "    raw: 01\n"
+    ]
+
+
+@both
+def test_a_structure(spec: str) -> None:
+    """The same lines as those of the field, without what is around them."""
+    of = model(spec)
+    found = [p for f, p in packets(of, all_fields(of), 2) if decodes(of, p)]
+    plain = [field_text(of, p[2], p[5], p[6:-2]).splitlines()[1:] for p in found]
+    assert texts(spec, "value", found) == [
+        "".join(f"{line[2:]}\n" for line in body if not line.startswith("  trailing:")) for body in plain
+    ]
+
+
+def decodes(of: m.Model, packet: bytes) -> bool:
+    f = codec.choose(of.candidates(packet[2], packet[5]), packet[6:-2])
+    try:
+        return f is not None and codec.decode(f, packet[6:-2]) is not None
+    except codec.CodecError:
+        return False
+
+
+# --------------------------------------------------------------------------- what is wrong
+
+
+@both
+def test_garbage(spec: str) -> None:
+    """Whatever the bytes are: packets cut, with wrong lengths, wrong checksums, random fields."""
+    of, dice = model(spec), random.Random(5)
+    numbers = [s.number for s in of.sets] + [0x7F]
+    places = [(f.set, f.descriptor) for f in of.fields if f.set not in (0, 0xFF)]
+    made = [b"", b"u", b"ue", b"ue\x01", bytes(20), bytes(range(256)), bytes(300)]
+    for _ in range(1500):
+        number, descriptor = dice.choice(places) if dice.random() < 0.8 else (dice.choice(numbers), dice.randrange(256))
+        fields = [(descriptor, dice.randbytes(dice.randrange(60))), (dice.randrange(256), dice.randbytes(3))]
+        whole = bytearray(codec.build(of, number, fields))
+        made.append(bytes(whole))
+        kind = dice.randrange(4)
+        if kind == 0:
+            whole = whole[: dice.randrange(len(whole))]
+        elif kind == 1:
+            whole[dice.randrange(len(whole))] ^= 1 << dice.randrange(8)
+        elif kind == 2:  # an impossible length of a field, with a right checksum
+            whole[4] = dice.choice([0, 1, 255, len(whole) - 3])
+            whole[-2:] = codec.checksum(bytes(whole[:-2]))
+        made.append(bytes(whole))
+    answers = texts(spec, "bytes", made)
+    for data, text in zip(made, answers, strict=True):
+        assert text == bytes_text(of, data), data.hex()
+    together = "".join(answers)
+    for word in (
+        "truncated",
+        "constant",
+        "layout",
+        "field_length",
+        "(sync)",
+        "(length)",
+        "is wrong",
+        "unknown",
+        "trailing",
+    ):
+        assert word in together or (spec, word) == ("real", "constant"), word
+
+
+def test_a_hex_dump() -> None:
+    data = [bytes(range(256)), b"", b"x", bytes(17), bytes(16), bytes(range(32, 127))]
+    assert ask("invented", [("hex", "-", ENOUGH, d) for d in data]) == [(len(dump(d)), dump(d)) for d in data]
+    assert dump(b"ue\x01").startswith("0000   75 65 01") and dump(b"ue\x01").endswith("  |ue.|\n")
+    (found,) = ask("invented", [("hex", "-", 1 << 20, bytes(0x10010))])
+    assert found[1] == dump(bytes(0x10010)) and "\n00010000   00" in found[1]
+
+
+def test_a_buffer_that_is_too_small() -> None:
+    """The beginning, whole characters of it, and the length that all of it would have."""
+    of = model("invented")
+    packet = of.examples[0].packet
+    whole = bytes_text(of, packet)
+    rooms = [*range(len(whole) + 3), 10 * len(whole)]
+    answers = ask("invented", [("bytes", "-", room, packet) for room in rooms])
+    assert answers == [(len(whole), whole[: max(0, room - 1)]) for room in rooms]

@@ -1,0 +1,41 @@
+/**
+ * @file
+ * All of the library, for programs that do not mind how long they compile: nothing that they do not
+ * use is linked. Others include the headers of the sets that they need.
+ */
+#ifndef MIP_MIP_H
+#define MIP_MIP_H
+
+#include "mip/3d.h"
+#include "mip/3d_commands.h"
+#include "mip/client.h"
+#include "mip/constants.h"
+#include "mip/copy.h"
+#include "mip/core.h"
+#include "mip/measurements.h"
+#include "mip/more.h"
+#include "mip/names.h"
+#include "mip/print.h"
+#include "mip/profile.h"
+#include "mip/profiles.h"
+#include "mip/protocol.h"
+#include "mip/reflect.h"
+#include "mip/registry.h"
+#include "mip/shared.h"
+#include "mip/tools.h"
+#include "mip/tools_commands.h"
+#include "mip/types.h"
+
+#if MIP_VERSION_NUMBER != 100
+#error "mip/mip.h and mip/constants.h are not of one version"
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
