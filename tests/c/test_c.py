@@ -121,7 +121,8 @@ def test_only_the_promised_headers(spec: str) -> None:
         vectors = {"<arm_neon.h>", "<emmintrin.h>"} if path.name == "checksum.c" else set()  # of compilers
         assert set(re.findall(r"#include (<.*>)", text)) <= allowed | vectors, path
         assert not re.search(r"\b(malloc|calloc|realloc|free|printf|abort|assert)\(|__attribute__|#pragma", text), path
-        assert not re.search(r"^ +enum \w+ \w+(\[\d+\])?;", text, re.M), path  # members have a fixed width
+        # Members have a fixed width, but for what never leaves a call.
+        assert not re.search(r"^ +enum (?!mip_outcome )\w+ \w+(\[\d+\])?;", text, re.M), path
 
 
 @both

@@ -84,6 +84,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "module": names.module,
         "macro": names.macro,
         "member": names.member,
+        "argument": names.argument_name,
         "type": names.type_name,
         "c_type": names.c_type,
         "field": names.field_name,
@@ -120,6 +121,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "responses": lambda f: members.responses(f, model),
         "commands": calls.commands,
         "sends": lambda f: calls.sends(f, model),
+        "calls": lambda f: calls.calls(f, model),
         "bits_type": members.bits_type,
         "has_accessor": members.has_accessor,
         # layouts

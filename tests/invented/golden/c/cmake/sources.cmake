@@ -8,6 +8,7 @@ set(MIP_SOURCES
   ${MIP_FOLDER}/src/mip/codec.c
   ${MIP_FOLDER}/src/mip/copy.c
   ${MIP_FOLDER}/src/mip/core.c
+  ${MIP_FOLDER}/src/mip/device.c
   ${MIP_FOLDER}/src/mip/double.c
   ${MIP_FOLDER}/src/mip/error.c
   ${MIP_FOLDER}/src/mip/label.c
@@ -15,6 +16,7 @@ set(MIP_SOURCES
   ${MIP_FOLDER}/src/mip/measurements.c
   ${MIP_FOLDER}/src/mip/more.c
   ${MIP_FOLDER}/src/mip/names.c
+  ${MIP_FOLDER}/src/mip/outcome.c
   ${MIP_FOLDER}/src/mip/parser.c
   ${MIP_FOLDER}/src/mip/profile.c
   ${MIP_FOLDER}/src/mip/profiles.c
