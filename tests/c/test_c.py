@@ -183,7 +183,7 @@ def test_the_runtime_is_ordinary_source(spec: str) -> None:
 
 
 @compilers
-@pytest.mark.parametrize("program", ["packets", "fields", "client", "tables"])
+@pytest.mark.parametrize("program", ["packets", "fields", "client", "device", "tables"])
 def test_unit(program: str, compiler: str, tmp_path: Path) -> None:
     run(build(tmp_path, compiler, "invented", HERE / f"unit/{program}.c", *SANITIZE))
 

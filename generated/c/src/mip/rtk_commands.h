@@ -256,13 +256,6 @@ static inline mip_error mip_send_rtk_service_status(
                            &mip_rtk_service_status_response_codec, response, now);
 }
 
-/** Service status. See mip_device_call. */
-static inline struct mip_result mip_call_rtk_service_status(
-    struct mip_device *device, struct mip_rtk_service_status_response *response) {
-    return mip_device_call(device, &mip_rtk_service_status_command, NULL,
-                           &mip_rtk_service_status_response_codec, response);
-}
-
 /**
  * Service status: calls the command with these values, optional parameters too. See
  * mip_device_call.

@@ -18,6 +18,8 @@ __all__ = ["CONFORMANCE", "FORMATTER", "MAX_IDENTIFIER", "TITLE", "files", "filt
 TITLE = "C99, library mip"
 CONFORMANCE = ("parse", "decode", "encode", "client", "live")
 FORMATTER = formatting.CLANG_FORMAT
+#: Programs for three kinds of systems, on mip/device.h.
+EXAMPLES = ("posix.c", "bare_metal.c", "cplusplus.cpp")
 
 
 def files(model: m.Model) -> Iterator[File]:
@@ -27,7 +29,11 @@ def files(model: m.Model) -> Iterator[File]:
     taste = model.taste("taste.c")
     if taste:
         yield File("taste.c", "verbatim.j2", {"text": taste})
-    shown = {"taste": taste.partition("*/\n")[2].rstrip(), "client": model.taste("client.c").rstrip()}
+    for name in EXAMPLES:
+        if example := model.taste(name):
+            yield File(f"examples/{name}", "verbatim.j2", {"text": example})
+    shown = {name: model.taste(f"{name}.c").rstrip() for name in ("device", "client")}
+    shown["taste"] = taste.partition("*/\n")[2].rstrip()
     yield File("README.md", "README.md.j2", shown)
 
 

@@ -51,10 +51,9 @@ def sends(f: m.Field, model: m.Model) -> list[Send]:
 
 def calls(f: m.Field, model: m.Model) -> list[Call]:
     """One for each function of a command, and for each of its responses; one with its structure, if it has any."""
-    ways: list[Constructor | None] = [*constructors(f)] or [None]
-    made = [c for way in ways for c in _ways(f, way, model)]
     if not members(f):
-        return made
+        return list(_ways(f, None, model))
+    made = [c for way in constructors(f) for c in _ways(f, way, model)]
     found = model.responses(f)
     doc = f"{f.title}: calls the command with these values, optional parameters too. See mip_device_call."
     name, arguments = f"{_name('call', f)}_with", (f"const struct {field_name(f)} *command",)

@@ -604,13 +604,6 @@ static inline mip_error mip_send_tools_hello(struct mip_client *client, struct m
                            &mip_tools_hello_response_codec, response, now);
 }
 
-/** Hello. See mip_device_call. */
-static inline struct mip_result mip_call_tools_hello(struct mip_device *device,
-                                                     struct mip_tools_hello_response *response) {
-    return mip_device_call(device, &mip_tools_hello_command, NULL, &mip_tools_hello_response_codec,
-                           response);
-}
-
 /** Hello: calls the command with these values, optional parameters too. See mip_device_call. */
 static inline struct mip_result
 mip_call_tools_hello_with(struct mip_device *device, const struct mip_tools_hello *command,
