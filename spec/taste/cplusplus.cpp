@@ -86,8 +86,9 @@ static mip_port port_of(Connection &connection) {
 // Throws if the command has not been carried out.
 static void expect(const char *what, mip_result result) {
     if (!mip_succeeded(result)) {
-        throw std::runtime_error(std::string(what) + ": " + mip_outcome_name(result.outcome) + " " +
-                                 mip_result_reason(result));
+        const std::string why = mip_result_reason(result);
+        throw std::runtime_error(std::string(what) + ": " + mip_outcome_name(result.outcome) +
+                                 (why.empty() ? "" : ", " + why));
     }
 }
 

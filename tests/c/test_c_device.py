@@ -245,7 +245,7 @@ def test_posix(tmp_path: Path) -> None:
         assert (code, error) == (0, "") and out.count(" g\n") == 50
     with simulated("--pty", path, "--fault", "refuse@3") as place:
         assert place == path
-        assert ran(program, path)[::2] == (1, "base rate: refused bad_checksum\n")
+        assert ran(program, path)[::2] == (1, "base rate: refused, bad_checksum\n")
     with simulated("--pty", path, "--duration", "2"):  # it goes while data come
         code, out, error = ran(program, path)
         assert code == 1 and error == "the port is gone\n" and " g\n" in out

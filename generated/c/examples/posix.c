@@ -120,8 +120,9 @@ static const struct mip_handler handlers[] = {
 /* Has the command been carried out? If not, says why. */
 static bool done(const char *what, struct mip_result result) {
     if (!mip_succeeded(result)) {
-        fprintf(stderr, "%s: %s %s\n", what, mip_outcome_name(result.outcome),
-                mip_result_reason(result));
+        const char *why = mip_result_reason(result);
+        fprintf(stderr, "%s: %s%s%s\n", what, mip_outcome_name(result.outcome),
+                *why != '\0' ? ", " : "", why);
     }
     return mip_succeeded(result);
 }
