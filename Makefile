@@ -73,11 +73,15 @@ PYTEST = $(RUN) -m pytest -n $(JOBS) --dist loadgroup
 
 .PHONY: test
 test: tools $(VENV)/development.stamp ## run the tests of all languages that need a C compiler and cargo only
-	@$(PYTEST) -m "not heavy" $(TESTS)
+	@$(PYTEST) -m "not heavy and not cross" $(TESTS)
 
 .PHONY: test-all
 test-all: tools-all test ## these, and those that need other compilers, machines and Pythons
 	@$(PYTEST) -m heavy $(TESTS)
+
+.PHONY: test-cross
+test-cross: tools-cross $(VENV)/development.stamp ## run C on other machines, in emulators: big-endian, strict alignment, 32 bits, Cortex-M, AVR
+	@$(PYTEST) -m cross tests/cross
 
 .PHONY: quick
 quick: $(VENV)/development.stamp ## run the tests of the generator alone, in less than a minute
@@ -86,6 +90,10 @@ quick: $(VENV)/development.stamp ## run the tests of the generator alone, in les
 .PHONY: mutate
 mutate: $(VENV)/development.stamp ## change the project at random and report what no test sees: make mutate COUNT=5 PART=c SEED=2
 	@$(RUN) tests/mutate.py $(addprefix --count ,$(COUNT)) $(addprefix --part ,$(PART)) $(addprefix --seed ,$(SEED)) $(addprefix --path ,$(FILE))
+
+.PHONY: fuzz
+fuzz: tools-fuzz $(VENV)/development.stamp ## search for inputs that break C, and keep those that reach new code: make fuzz TIME=60 TARGETS="parser client"
+	@$(RUN) tests/c/fuzz/fuzz.py $(addprefix --time ,$(TIME)) $(if $(TARGETS),--targets $(TARGETS))
 
 .PHONY: check
 check: tools-check $(VENV)/development.stamp ## validate, compare generated/ with the specification, run formatters and linters
@@ -97,7 +105,7 @@ check: tools-check $(VENV)/development.stamp ## validate, compare generated/ wit
 	@cd $(OUT)/python && $(abspath $(VENV))/bin/ruff check --quiet . && $(abspath $(VENV))/bin/ruff format --quiet --check .
 	@$(VENV)/bin/mypy --no-error-summary
 	@cd $(OUT)/python && $(abspath $(VENV))/bin/mypy --no-error-summary mip_protocol
-	@find $(OUT)/c templates/c tests/c \( -name '*.c' -o -name '*.h' \) -print0 | xargs -0 $(VENV)/bin/clang-format --dry-run -Werror
+	@find $(OUT)/c templates/c tests/c tests/cross \( -name '*.c' -o -name '*.h' \) -print0 | xargs -0 $(VENV)/bin/clang-format --dry-run -Werror
 	@find $(OUT)/rust/src tests/rust -name '*.rs' -not -path '*/target/*' -print0 | xargs -0 rustfmt --check --edition 2021 --config-path $(OUT)/rust
 	@echo "checked: specification, generated files, ruff, mypy, clang-format, rustfmt; nothing was left out"
 
@@ -118,7 +126,7 @@ conformance-driver: $(VENV)/generator.stamp ## build a driver and print its comm
 
 # ----------------------------------------------------------------- tools and dirt
 
-.PHONY: tools tools-check tools-all
+.PHONY: tools tools-check tools-all tools-cross tools-fuzz
 tools:
 	@tests/tools.sh test
 
@@ -127,6 +135,12 @@ tools-check:
 
 tools-all:
 	@tests/tools.sh all
+
+tools-cross:
+	@tests/tools.sh cross
+
+tools-fuzz:
+	@tests/tools.sh fuzz
 
 .PHONY: clean
 clean: ## remove what was built; generated/ stays

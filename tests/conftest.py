@@ -13,15 +13,17 @@ from support import BUILD
 # What the generator keeps between runs is kept here: tests neither see nor change the cache of the user.
 os.environ["MIPGEN_CACHE"] = str(BUILD / "cache")
 
-#: What tests that were left out would have needed, as `support.heavy` names it.
-left_out: set[str] = set()
+#: The targets of make that run the tests that were left out, and what those need, as `support.heavy` names it.
+left_out: set[tuple[str, str]] = set()
 
 
-def needs(items: Iterable[pytest.Item]) -> Iterator[str]:
+def needs(items: Iterable[pytest.Item]) -> Iterator[tuple[str, str]]:
     for item in items:
         mark = item.get_closest_marker("heavy")
         if mark is not None:
-            yield mark.args[0]
+            yield "test-all", mark.args[0]
+        if item.get_closest_marker("cross") is not None:
+            yield "test-cross", "other machines"
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
@@ -45,7 +47,7 @@ def pytest_sessionfinish(session: pytest.Session) -> None:
 
 @pytest.hookimpl(optionalhook=True)
 def pytest_testnodedown(node: Any) -> None:
-    left_out.update(getattr(node, "workeroutput", {}).get("left_out", ()))
+    left_out.update((target, what) for target, what in getattr(node, "workeroutput", {}).get("left_out", ()))
 
 
 def pytest_unconfigure(config: pytest.Config) -> None:
@@ -57,5 +59,8 @@ def pytest_unconfigure(config: pytest.Config) -> None:
     for outcome in ("passed", "failed", "error", "skipped"):
         run.update(report.nodeid.split("/")[1] for report in reporter.stats.get(outcome, ()))
     counts = ", ".join(f"{name} {count}" for name, count in sorted(run.items()))
-    rest = f"left out, for `make test-all`: {', '.join(sorted(left_out))}" if left_out else "nothing was left out"
-    reporter.write_line(f"tests run: {counts or 'none'}; {rest}")
+    rest = "; ".join(
+        f"left out, for `make {target}`: {', '.join(sorted(what for of, what in left_out if of == target))}"
+        for target in sorted({target for target, _ in left_out})
+    )
+    reporter.write_line(f"tests run: {counts or 'none'}; {rest or 'nothing was left out'}")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from hypothesis import HealthCheck, Phase, settings
+from hypothesis import HealthCheck, Phase, given, settings
 from hypothesis import strategies as st
 from mipgen import codec
 from mipgen import model as m
@@ -117,3 +117,16 @@ def _sized(op: m.Operation) -> bool:
     return isinstance(op, (m.ScalarOp, m.ConstantOp, m.CounterOp, m.BitsOp)) or (
         isinstance(op, (m.ArrayOp, m.TextOp)) and op.count is not None
     )
+
+
+def drawn(f: m.Field, examples: int) -> list[Values]:
+    """Values of a field, the same in every run."""
+    found: list[Values] = []
+
+    @relaxed(examples)
+    @given(field_values(f))
+    def draw(values: Values) -> None:
+        found.append(values)
+
+    draw()
+    return found

@@ -1,5 +1,5 @@
 #!/bin/sh
-# tools.sh check|test|all: brings what can be brought, and names what is missing with its remedy, all of it at once.
+# tools.sh check|test|all|cross|fuzz: brings what can be brought, and names what is missing with its remedy, all of it at once.
 set -u
 missing=0
 
@@ -19,6 +19,41 @@ component() {
     rustup --quiet component add "$1" >/dev/null 2>&1
     "$2" --version >/dev/null 2>&1 || lacks "$1" "rustup component add $1 (Debian without rustup: apt-get install $3)"
 }
+
+# A compiler for Linux on another machine, with its C library.
+cross() {
+    if ! command -v "$1-gcc" >/dev/null 2>&1; then
+        lacks "$1-gcc" "install it (Debian: apt-get install gcc-$1 libc6-dev-$2-cross)"
+    else
+        printf '#include <stdio.h>\nint main(void) { return puts("") < 0; }\n' | "$1-gcc" -static -x c - -o /dev/null 2>/dev/null ||
+            lacks "the C library of $1-gcc" "install it (Debian: apt-get install libc6-dev-$2-cross)"
+    fi
+}
+
+if [ "$1" = cross ]; then
+    cross i686-linux-gnu i386
+    cross arm-linux-gnueabihf armhf
+    cross aarch64-linux-gnu arm64
+    cross powerpc-linux-gnu powerpc
+    cross mips-linux-gnu mips
+    cross sparc64-linux-gnu sparc64
+    for machine in i386 arm aarch64 ppc mips sparc64; do
+        command_or "qemu-$machine" "install it (Debian: apt-get install qemu-user)"
+    done
+    command_or arm-none-eabi-gcc "install it (Debian: apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi)"
+    command_or qemu-system-arm "install it (Debian: apt-get install qemu-system-arm)"
+    command_or avr-gcc "install it (Debian: apt-get install gcc-avr avr-libc)"
+    command_or simavr "install it (Debian: apt-get install simavr)"
+    exit $missing
+fi
+
+if [ "$1" = fuzz ]; then
+    command_or clang "install it (Debian: apt-get install clang)"
+    printf '#include <stddef.h>\nint LLVMFuzzerTestOneInput(const void *d, size_t n) { return d == NULL && n > 0; }\n' |
+        clang -fsanitize=fuzzer,address,undefined -x c - -o /dev/null 2>/dev/null ||
+        lacks libFuzzer "clang must link with -fsanitize=fuzzer,address,undefined (Debian: apt-get install libclang-rt-dev)"
+    exit $missing
+fi
 
 component rustfmt rustfmt rustfmt
 [ "$1" = check ] && exit $missing

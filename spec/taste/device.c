@@ -3,6 +3,7 @@
 
 static void on_accel(void *user, const struct mip_field *field, uint32_t arrived) {
     struct mip_sensor_scaled_accel accel;
+    (void)user;
     if (mip_sensor_scaled_accel_decode(&accel, field) == MIP_OK) {
         show(accel.scaled_accel, arrived);
     }

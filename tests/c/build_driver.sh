@@ -3,15 +3,16 @@
 #
 #     build_driver.sh GENERATED_FOLDER BUILD_FOLDER
 #
-# MIP_SANITIZE=1 builds it with the address and undefined behavior sanitizers. CC chooses the compiler.
+# MIP_SANITIZE=1 builds it with the address and undefined behavior sanitizers. CC chooses the compiler, CFLAGS adds options.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 generated=$(cd "$1" && pwd)
 mkdir -p "$2"
 build=$(cd "$2" && pwd)
 : "${CC:=cc}"
+: "${CFLAGS:=}"
 
-flags="-std=c99 -O1 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror"
+flags="-std=c99 -O1 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror $CFLAGS"
 program=$build/driver
 if [ "${MIP_SANITIZE:-0}" = 1 ]; then
     flags="$flags -g -fsanitize=address,undefined -fno-sanitize-recover=all"

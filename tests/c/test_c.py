@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import platform
 import re
 import shutil
 import subprocess
@@ -13,33 +11,17 @@ from typing import Any
 
 import awkward
 import pytest
+from c_build import HERE, SANITIZE, WARNINGS, compiled, folder, include, run, sources
 from mipgen import cli, codec
 from mipgen import model as m
-from mipgen.targets.c import literals, members, names
+from mipgen.targets.c import direct, literals, members, names
 from support import ROOT, SPECS, heavy, model, need, sent
 
-HERE = Path(__file__).parent
-WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror"]
-SANITIZE = ["-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
 COMPILERS = ("cc", pytest.param("clang", marks=heavy("clang")))
 CPP = pytest.param("g++", marks=heavy("g++"))
 
 both = pytest.mark.parametrize("spec", sorted(SPECS))
 compilers = pytest.mark.parametrize("compiler", COMPILERS)
-
-
-def folder(spec: str) -> Path:
-    return SPECS[spec][1] / "c"
-
-
-def sources(spec: str) -> list[str]:
-    return [str(p) for p in sorted((folder(spec) / "src/mip").glob("*.c"))]
-
-
-def run(*command: str | Path, **environment: str) -> str:
-    done = subprocess.run([str(c) for c in command], capture_output=True, text=True, env={**os.environ, **environment})
-    assert done.returncode == 0, f"{' '.join(map(str, command))[:400]}\n{done.stdout[-3000:]}{done.stderr[-6000:]}"
-    return done.stdout
 
 
 def written(path: Path, of: m.Model, checks: list[str]) -> Path:
@@ -51,44 +33,11 @@ def written(path: Path, of: m.Model, checks: list[str]) -> Path:
     return path
 
 
-def include(spec: str) -> str:
-    return f"-I{folder(spec)}/src"
+def build(tmp: Path, compiler: str, spec: str, source: Path, *flags: str) -> Path:
+    return compiled(tmp / source.stem, spec, compiler, source, "-std=c99", *flags)
 
 
-def build(tmp: Path, compiler: str, spec: str, program: Path, *flags: str) -> Path:
-    """A program with the whole library, under all warnings."""
-    out = tmp / program.stem
-    run(need(compiler), "-std=c99", *WARNINGS, *flags, include(spec), f"-I{HERE}/unit", program,
-        *sources(spec), "-o", out)  # fmt: skip
-    return out
-
-
-# --------------------------------------------------------------------------- compilers
-
-
-@both
-@compilers
-def test_c99_without_a_warning(compiler: str, spec: str, tmp_path: Path) -> None:
-    for level in ("-O0", "-O2"):  # some warnings come with optimization only
-        for source in sources(spec):
-            run(
-                need(compiler),
-                "-std=c99",
-                *WARNINGS,
-                level,
-                include(spec),
-                "-c",
-                source,
-                "-o",
-                tmp_path / "o",
-            )
-
-
-@both
-@pytest.mark.parametrize("compiler", [CPP, pytest.param("clang++", marks=heavy("clang"))])
-def test_the_sources_are_cpp_too(compiler: str, spec: str) -> None:
-    for source in sources(spec):
-        run(need(compiler), "-std=c++11", "-x", "c++", *WARNINGS, include(spec), "-fsyntax-only", source)
+# --------------------------------------------------------------------------- sources
 
 
 @both
@@ -98,17 +47,6 @@ def test_each_header_stands_alone(compiler: str, spec: str, tmp_path: Path) -> N
         program = tmp_path / f"{header.stem}.{'cpp' if compiler == 'g++' else 'c'}"
         program.write_text(f'#include "mip/{header.name}"\n#include "mip/{header.name}"\nint unused;\n')
         run(need(compiler), *WARNINGS, include(spec), "-fsyntax-only", program)
-
-
-@both
-@heavy("bare-metal machines with clang")
-@pytest.mark.parametrize("machine", ["thumbv7m-none-eabi", "powerpc-none-eabi", "msp430-none-elf", "avr"])
-def test_freestanding_on_small_machines(machine: str, spec: str, tmp_path: Path) -> None:
-    """32 and 16 bits, both byte orders, no C library but five functions of <string.h>."""
-    flags = ["-std=c99", "-Os", "-ffreestanding", "-nostdlibinc", *WARNINGS, "-Wno-avr-rtlib-linking-quirks"]
-    for source in sources(spec):
-        run(need("clang"), f"--target={machine}", *flags, "-isystem", HERE / "freestanding", include(spec),
-            "-fsyntax-only", source)  # fmt: skip
 
 
 @both
@@ -180,36 +118,6 @@ def test_the_runtime_is_ordinary_source(spec: str) -> None:
 
 
 # --------------------------------------------------------------------------- programs
-
-
-@compilers
-@pytest.mark.parametrize("program", ["packets", "fields", "client", "device", "tables"])
-def test_unit(program: str, compiler: str, tmp_path: Path) -> None:
-    run(build(tmp_path, compiler, "invented", HERE / f"unit/{program}.c", *SANITIZE))
-
-
-FORMS = ["PLAIN", "WORDS", *{"x86_64": ["SSE2"], "aarch64": ["NEON"]}.get(platform.machine(), [])]
-
-
-@pytest.mark.parametrize("form", FORMS)
-@compilers
-def test_every_form_of_the_checksum(compiler: str, form: str, tmp_path: Path) -> None:
-    flags = ["-O2", f"-DMIP_CHECKSUM=MIP_CHECKSUM_{form}", *SANITIZE]
-    run(build(tmp_path, compiler, "invented", HERE / "unit/checksum.c", *flags))
-
-
-@heavy("clang")
-@pytest.mark.parametrize("machine", ["aarch64-none-elf", "armv7a-none-eabi"])
-def test_the_vectors_of_arm_compile(machine: str) -> None:
-    run(need("clang"), f"--target={machine}", "-std=c99", "-O2", "-ffreestanding", "-nostdlibinc", *WARNINGS,
-        "-mfloat-abi=softfp" if machine.startswith("armv7") else "-ffreestanding", "-DMIP_CHECKSUM=MIP_CHECKSUM_NEON",
-        *(["-mfpu=neon"] if machine.startswith("armv7") else []), "-isystem", HERE / "freestanding", include("real"),
-        "-fsyntax-only", folder("real") / "src/checksum.c")  # fmt: skip
-
-
-@both
-def test_garbage(spec: str, tmp_path: Path) -> None:
-    run(build(tmp_path, "cc", spec, HERE / "unit/garbage.c", *SANITIZE))
 
 
 @pytest.mark.parametrize(
@@ -301,6 +209,75 @@ def given(p: m.Parameter) -> str:
         return f"x.{name}_count, x.{name}"
     pointer = p.element is None or (p.length is None and names.is_struct(p.element))
     return f"&x.{name}" if pointer else f"x.{name}"
+
+
+# --------------------------------------------------------------------------- direct decoders
+
+
+def direct_check(f: m.Field) -> str:
+    """Random data of every length, and of other fields, by the table and directly: the same result, the same bytes."""
+    name, elsewhere = names.field_name(f), {0: 0x80, 0xFF: 0x7F}.get(f.set, f.set + 1)
+    return f"""for (size_t size = 0; size <= {f.max_size}U + 2; size++) {{
+        struct {name} a, b;
+        struct mip_field field = random_field(size, 0x{f.set:02X}, 0x{f.descriptor:02X});
+        memset(&a, 0, sizeof(a));
+        memset(&b, 0, sizeof(b));
+        const mip_error error = {name}_decode(&a, &field);
+        CHECK({name}_decode_inline(&b, &field) == error && memcmp(&a, &b, sizeof(a)) == 0);
+        CHECK((error == MIP_OK) == (size >= {f.min_size}));
+        memset(&b, 0xAA, sizeof(b));
+        if (error != MIP_OK) {{
+            CHECK({name}_decode_inline(&b, &field) == error && memcmp(&a, &b, sizeof(a)) == 0);
+            continue;
+        }}
+        for (size_t capacity = 6; capacity < MIP_MAX_PACKET; capacity += 1 + capacity / 30) {{
+            uint8_t first[MIP_MAX_PACKET] = {{0}}, second[MIP_MAX_PACKET] = {{0}};
+            struct mip_builder p, q;
+            const uint8_t set = 0x{f.set or 1:02X};
+            CHECK(mip_builder_start(&p, first, capacity, set) == MIP_OK);
+            CHECK(mip_builder_start(&q, second, capacity, set) == MIP_OK);
+            while ({name}_encode(&a, &p) == MIP_OK) {{
+                CHECK({name}_encode_inline(&a, &q) == MIP_OK && p.length == q.length);
+            }}
+            CHECK({name}_encode_inline(&a, &q) == MIP_ERROR_LENGTH && p.length == q.length);
+            CHECK(memcmp(first, second, p.length) == 0);
+            CHECK(p.length == 4 || memcmp(first + 6, field.data, {f.min_size}) == 0);
+        }}
+        uint8_t other[MIP_MAX_PACKET];
+        struct mip_builder o;
+        CHECK(mip_builder_start(&o, other, sizeof(other), 0x{elsewhere:02X}) == MIP_OK);
+        CHECK({name}_encode_inline(&a, &o) == {name}_encode(&a, &o));
+        CHECK(o.length == MIP_HEADER_SIZE);
+    }}
+"""
+
+
+RANDOM_FIELD = """
+static struct mip_field random_field(size_t size, uint8_t set, uint8_t descriptor) {
+    static uint8_t data[MIP_MAX_FIELD_DATA];
+    static uint32_t state = 1;
+    for (size_t i = 0; i < size; i++) {
+        state = state * UINT32_C(1664525) + UINT32_C(1013904223);
+        data[i] = (uint8_t)(state >> 24);
+    }
+    const struct mip_field field = {data, (uint8_t)size, set == 0 ? 1 : set, descriptor};
+    return field;
+}
+"""
+
+
+@both
+@compilers
+def test_every_direct_decoder(compiler: str, spec: str, tmp_path: Path) -> None:
+    of = model(spec)
+    fields = [f for f in (of.protocol.acknowledge, *of.fields) if direct.direct(f)]
+    never_varies = [f for f in of.fields if f.min_size == f.max_size > 0]
+    never_varies = [f for f in never_varies if not any(isinstance(op, m.ConstantOp) for op in f.operations)]
+    assert len(fields) >= len(never_varies) > 0
+    program = written(tmp_path / "direct.c", of, [direct_check(f) for f in fields])
+    text = program.read_text("utf-8")
+    program.write_text(text.replace("int main(void) {", f"{RANDOM_FIELD}int main(void) {{"))
+    run(build(tmp_path, compiler, spec, program, *SANITIZE))
 
 
 @both
@@ -504,32 +481,33 @@ def test_a_small_program_stays_small(tmp_path: Path) -> None:
     run(*command)
     found = {name for name in symbols(program) if "mip" in name}
     objects = {"mip_sensor_", "mip_parser_", "mip_walk_", "mip_packet_", "mip_builder_", "mip_checksum", "mip_codec_",
-               "mip_decode", "mip_encode", "mip_copy", "mip_get_bits", "mip_set_bits", "mip_set_has"}  # fmt: skip
+               "mip_decode", "mip_encode", "mip_program_", "mip_copy", "mip_get_bits", "mip_set_bits", "mip_set_has"}  # fmt: skip
     assert {n for n in found if not n.startswith(tuple(objects))} == set()
     # One that leaves out what is not called takes the functions alone.
     run(*command, "-Wl,--gc-sections")
     assert {n for n in symbols(program) if n.startswith("mip_")} == {
-        "mip_checksum", "mip_decode", "mip_parser_init", "mip_parser_next", "mip_sensor_scaled_accel_codec",
-        "mip_set_has", "mip_walk_next", "mip_walk_packet",
+        "mip_checksum", "mip_decode", "mip_parser_init", "mip_parser_next", "mip_program_read",
+        "mip_sensor_scaled_accel_codec", "mip_set_has",
     }  # fmt: skip
 
 
 def test_readme_shows_programs_that_run(tmp_path: Path) -> None:
     blocks = re.findall(r"```c\n(.*?)```", (folder("real") / "README.md").read_text("utf-8"), re.S)
     example = (folder("real") / "taste.c").read_text("utf-8").partition("*/\n")[2].rstrip()
-    assert blocks[0].rstrip() == example and len(blocks) == 2
-    program = tmp_path / "client.c"
+    assert blocks[0].rstrip() == example and len(blocks) == 3
     outside = (
+        "void show(const float accel[3], uint32_t arrived);\nvoid report(const char *outcome, const char *reason);\n"
+        "bool run(const struct mip_port *port);\n",
         "uint32_t milliseconds(void);\nvoid transmit(struct mip_packet packet);\n"
         "size_t receive(uint8_t *bytes, size_t size);\n"
+        "bool set_pps_source(struct mip_client *client, struct mip_parser *parser, enum mip_3dm_pps_source source);\n",
     )
-    includes, _, code = blocks[1].rpartition("#include")
-    header, _, rest = code.partition("\n")
-    prototype = (
-        "bool set_pps_source(struct mip_client *client, struct mip_parser *parser, enum mip_3dm_pps_source source);\n"
-    )
-    program.write_text(f"{includes}#include{header}\n{outside}{prototype}{rest}")
-    run(need("cc"), "-std=c99", *WARNINGS, include("real"), "-fsyntax-only", program)
+    program = tmp_path / "program.c"
+    for block, declarations in zip(blocks[1:], outside, strict=True):
+        includes, _, code = block.rpartition("#include")
+        header, _, rest = code.partition("\n")
+        program.write_text(f"{includes}#include{header}\n{declarations}{rest}")
+        run(need("cc"), "-std=c99", *WARNINGS, include("real"), "-fsyntax-only", program)
 
 
 def long_names(folder: Path) -> set[str]:

@@ -11,26 +11,13 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
+from c_build import HERE, SANITIZE, WARNINGS, archive, compiled, folder, include, run
 from mipgen import codec
 from mipgen import model as m
 from mipgen.targets.c import calls, members, names
 from support import ROOT, heavy, model, need
-from test_c import (
-    SANITIZE,
-    WARNINGS,
-    both,
-    build,
-    constructed,
-    folder,
-    given,
-    include,
-    record,
-    run,
-    sources,
-    written,
-)  # fmt: skip
+from test_c import both, build, constructed, given, record, written
 
-HERE = Path(__file__).parent
 EXAMPLES = folder("real") / "examples"
 PATIENCE = 60
 
@@ -191,19 +178,13 @@ def test_the_compiler_sees_a_wrong_response(tmp_path: Path) -> None:
 # --------------------------------------------------------------------------- examples
 
 
-def compiled(tmp_path: Path, example: str, *more: Path | str) -> Path:
+def example(tmp_path: Path, name: str, *also: Path) -> Path:
     """An example with the library, as its user builds it, and more."""
-    program = tmp_path / example.partition(".")[0]
-    if example.endswith(".cpp"):
-        objects = []
-        for source in sources("real"):
-            objects.append(tmp_path / f"{Path(source).stem}.o")
-            run(need("cc"), "-std=c99", include("real"), "-c", source, "-o", objects[-1])
-        run(need("g++"), "-std=c++11", *WARNINGS, include("real"), EXAMPLES / example, *objects, "-o", program)
-    else:
-        run(need("cc"), "-std=c99", *WARNINGS, *SANITIZE, include("real"), EXAMPLES / example, *more,
-            *sources("real"), "-o", program)  # fmt: skip
-    return program
+    out = tmp_path / name.partition(".")[0]
+    if name.endswith(".cpp"):
+        library = archive("real", "cc", "-std=c99")
+        return compiled(out, "real", "g++", EXAMPLES / name, "-std=c++11", library=library)
+    return compiled(out, "real", "cc", EXAMPLES / name, "-std=c99", *SANITIZE, also=also)
 
 
 @contextmanager
@@ -235,7 +216,7 @@ def test_the_examples_are_these() -> None:
 
 def test_posix(tmp_path: Path) -> None:
     """At a pseudo-terminal. What it prints is in tests/readme/test_simulate.py; here, what goes wrong."""
-    program = compiled(tmp_path, "posix.c")
+    program = example(tmp_path, "posix.c")
     assert ran(program)[0] == 2
     path = f"{tmp_path}/terminal"
     code, _, error = ran(program, path)
@@ -252,13 +233,13 @@ def test_posix(tmp_path: Path) -> None:
 
 
 def test_bare_metal(tmp_path: Path) -> None:
-    ran_well = ran(compiled(tmp_path, "bare_metal.c", f"-I{HERE}/unit", HERE / "unit/board.c"))
+    ran_well = ran(example(tmp_path, "bare_metal.c", HERE / "unit/board.c"))
     assert ran_well == (0, "", "")
 
 
 @heavy("g++")
 def test_cplusplus(tmp_path: Path) -> None:
-    program = compiled(tmp_path, "cplusplus.cpp")
+    program = example(tmp_path, "cplusplus.cpp")
     with simulated("--tcp", "0", "--speed", "10") as place:
         host, _, port = place.rpartition(":")
         code, out, error = ran(program, host, port)

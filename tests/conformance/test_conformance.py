@@ -7,10 +7,9 @@ from functools import cache
 from typing import Any
 
 import pytest
-from hypothesis import given
 from mipgen import codec
 from mipgen import model as m
-from strategies import field_values, relaxed
+from strategies import drawn
 from support import (
     all_fields,
     decode_request,
@@ -118,19 +117,7 @@ def random_packets(spec: str) -> list[str]:
 @cache
 def random_values(spec: str) -> list[tuple[m.Field, dict[str, Any]]]:
     """Values for every field, drawn first and sent in one batch: a process for each would take minutes."""
-    return [(f, values) for f in all_fields(model(spec)) for values in drawn(f)]
-
-
-def drawn(f: m.Field) -> list[dict[str, Any]]:
-    found: list[dict[str, Any]] = []
-
-    @relaxed(8)
-    @given(field_values(f))
-    def draw(values: dict[str, Any]) -> None:
-        found.append(values)
-
-    draw()
-    return found
+    return [(f, values) for f in all_fields(model(spec)) for values in drawn(f, 8)]
 
 
 @each("decode")

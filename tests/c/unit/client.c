@@ -326,7 +326,7 @@ static void step_by_step(void) {
     CHECK(mip_client_next(&client, &walk, &answered, &field) && answered == &r[1] && field.descriptor == 0x9B);
     CHECK(r[1].responded && field.size == 12);
     CHECK(mip_client_next(&client, &walk, &answered, &field) && answered == NULL && field.descriptor == 0xF1);
-    CHECK(!mip_client_next(&client, &walk, &answered, &field) && answered == NULL && !walk.error != MIP_OK);
+    CHECK(!mip_client_next(&client, &walk, &answered, &field) && answered == NULL && walk.error == MIP_OK);
 }
 
 static void noise(void) {

@@ -4,6 +4,7 @@
 #include "mip/3d.h"
 #include "mip/measurements.h"
 #include "mip/more.h"
+#include "mip/shared.h"
 #include "mip/tools_commands.h"
 
 static uint8_t buffer[MIP_MAX_PACKET];
@@ -142,6 +143,39 @@ static void sets(void) {
     CHECK(mip_protocol_acknowledge_encode(&ack, fresh(0x80)) == MIP_ERROR_SET);
 }
 
+/* A field is decoded only as what it is. */
+static void other_fields(void) {
+    struct mip_measurements_accel accel;
+    struct mip_more_accel more;
+    struct mip_field field = field_of(MIP_MEASUREMENTS_SET, MIP_MEASUREMENTS_ACCEL_DESCRIPTOR, "3f800000400000004040000000ff");
+    size_t trailing;
+    CHECK(mip_field_key(&field) == MIP_MEASUREMENTS_ACCEL && mip_measurements_accel_decode(&accel, &field) == MIP_OK);
+    CHECK(mip_measurements_accel_decode_inline(&accel, &field) == MIP_OK && accel.valid_flags == 255);
+    CHECK(mip_more_accel_decode(&more, &field) == MIP_ERROR_SET && more.valid_flags == 0);
+    CHECK(mip_more_accel_decode_inline(&more, &field) == MIP_ERROR_SET);
+    field.descriptor_set = MIP_MORE_SET;
+    CHECK(mip_field_key(&field) == MIP_MORE_ACCEL && mip_more_accel_decode(&more, &field) == MIP_OK);
+    CHECK(mip_measurements_accel_decode(&accel, &field) == MIP_ERROR_SET && accel.valid_flags == 0);
+    field.descriptor++;
+    CHECK(mip_decode(&mip_more_accel_codec, &more, &field, &trailing) == MIP_ERROR_DESCRIPTOR && more.valid_flags == 0);
+    CHECK(trailing == 14 && mip_more_accel_decode_inline(&more, &field) == MIP_ERROR_DESCRIPTOR);
+    /* Shared fields are in every data set, the acknowledge is in every command set. */
+    struct mip_shared_timestamp time;
+    struct mip_protocol_acknowledge ack;
+    for (unsigned set = 1; set < 256; set++) {
+        field = field_of((uint8_t)set, MIP_SHARED_TIMESTAMP_DESCRIPTOR, "000000000000000000000000000000000000");
+        CHECK((mip_shared_timestamp_decode(&time, &field) == MIP_OK) == (set >= 0x80));
+        field = field_of((uint8_t)set, MIP_PROTOCOL_ACKNOWLEDGE_DESCRIPTOR, "0100");
+        CHECK(mip_protocol_acknowledge_decode(&ack, &field) == (set < 0x80 ? MIP_OK : MIP_ERROR_SET));
+    }
+}
+
+/* The names of values; those without one, and numbers that C cannot have in an enumeration. */
+static void names_of_values(void) {
+    CHECK(strcmp(mip_mode_name(MIP_MODE_FAST), "fast") == 0 && mip_mode_name(0x77) == NULL);
+    CHECK(strcmp(mip_wide_code_name(MIP_WIDE_CODE_HIGH), "high") == 0 && mip_wide_code_name(0x77) == NULL);
+}
+
 static void unions(void) {
     union mip_tools_choice_parameters u;
     memset(&u, 0, sizeof(u));
@@ -202,6 +236,8 @@ int main(void) {
     counts();
     refused();
     sets();
+    other_fields();
+    names_of_values();
     unions();
     strings();
     constants();

@@ -73,6 +73,22 @@ static void walk(void) {
     CHECK(!mip_walk_next(&w, &field) && w.error == MIP_ERROR_FIELD_LENGTH);
 }
 
+/* What is no packet has no fields. */
+static void walk_of_nothing(void) {
+    uint8_t buffer[8] = {0x75, 0x65, 0x01, 0xFF, 0x01, 0x01, 0x01, 0x01};
+    struct mip_builder b;
+    struct mip_field field;
+    for (size_t capacity = 0; capacity < 6; capacity++) {
+        CHECK(mip_builder_start(&b, buffer, capacity, 1) == MIP_ERROR_LENGTH);
+        const struct mip_packet packet = mip_builder_finish(&b);
+        struct mip_walk w = mip_walk_packet(&packet);
+        CHECK(packet.size == 0 && !mip_walk_next(&w, &field) && w.error == MIP_OK);
+    }
+    const struct mip_packet none = {NULL, 0, 0};
+    struct mip_walk w = mip_walk_packet(&none);
+    CHECK(!mip_walk_next(&w, &field));
+}
+
 static void parser(void) {
     uint8_t stream[32];
     const uint8_t *data = stream;
@@ -159,6 +175,7 @@ int main(void) {
     packets();
     builder();
     walk();
+    walk_of_nothing();
     parser();
     in_place();
     names();

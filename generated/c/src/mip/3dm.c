@@ -15,7 +15,7 @@ static const uint8_t program_poll_imu_data[] = {
 };
 
 const struct mip_codec mip_3dm_poll_imu_data_codec = {
-    0x0C, 0x01, MIP_COMMAND, sizeof(struct mip_3dm_poll_imu_data), program_poll_imu_data};
+    0x0C, 0x01, MIP_COMMAND, 0, sizeof(struct mip_3dm_poll_imu_data), program_poll_imu_data};
 
 static bool silent_poll_imu_data(const void *value) {
     const struct mip_3dm_poll_imu_data *v = (const struct mip_3dm_poll_imu_data *)value;
@@ -37,7 +37,7 @@ static const uint8_t program_poll_gnss_data[] = {
 };
 
 const struct mip_codec mip_3dm_poll_gnss_data_codec = {
-    0x0C, 0x02, MIP_COMMAND, sizeof(struct mip_3dm_poll_gnss_data), program_poll_gnss_data};
+    0x0C, 0x02, MIP_COMMAND, 0, sizeof(struct mip_3dm_poll_gnss_data), program_poll_gnss_data};
 
 static bool silent_poll_gnss_data(const void *value) {
     const struct mip_3dm_poll_gnss_data *v = (const struct mip_3dm_poll_gnss_data *)value;
@@ -59,7 +59,7 @@ static const uint8_t program_poll_filter_data[] = {
 };
 
 const struct mip_codec mip_3dm_poll_filter_data_codec = {
-    0x0C, 0x03, MIP_COMMAND, sizeof(struct mip_3dm_poll_filter_data), program_poll_filter_data};
+    0x0C, 0x03, MIP_COMMAND, 0, sizeof(struct mip_3dm_poll_filter_data), program_poll_filter_data};
 
 static bool silent_poll_filter_data(const void *value) {
     const struct mip_3dm_poll_filter_data *v = (const struct mip_3dm_poll_filter_data *)value;
@@ -81,7 +81,7 @@ static const uint8_t program_poll_nmea_data[] = {
 };
 
 const struct mip_codec mip_3dm_poll_nmea_data_codec = {
-    0x0C, 0x04, MIP_COMMAND, sizeof(struct mip_3dm_poll_nmea_data), program_poll_nmea_data};
+    0x0C, 0x04, MIP_COMMAND, 0, sizeof(struct mip_3dm_poll_nmea_data), program_poll_nmea_data};
 
 static bool silent_poll_nmea_data(const void *value) {
     const struct mip_3dm_poll_nmea_data *v = (const struct mip_3dm_poll_nmea_data *)value;
@@ -95,8 +95,12 @@ static const uint8_t program_get_imu_base_rate[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_get_imu_base_rate_codec = {
-    0x0C, 0x06, MIP_COMMAND, sizeof(struct mip_3dm_get_imu_base_rate), program_get_imu_base_rate};
+const struct mip_codec mip_3dm_get_imu_base_rate_codec = {0x0C,
+                                                          0x06,
+                                                          MIP_COMMAND,
+                                                          0,
+                                                          sizeof(struct mip_3dm_get_imu_base_rate),
+                                                          program_get_imu_base_rate};
 
 static const struct mip_response responses_get_imu_base_rate[] = {
     {&mip_3dm_get_imu_base_rate_response_codec, NULL},
@@ -112,7 +116,11 @@ static const uint8_t program_get_imu_base_rate_response[] = {
 };
 
 const struct mip_codec mip_3dm_get_imu_base_rate_response_codec = {
-    0x0C, 0x83, MIP_RESPONSE, sizeof(struct mip_3dm_get_imu_base_rate_response),
+    0x0C,
+    0x83,
+    MIP_RESPONSE,
+    2,
+    sizeof(struct mip_3dm_get_imu_base_rate_response),
     program_get_imu_base_rate_response};
 
 static const uint8_t program_get_gnss_base_rate[] = {
@@ -120,7 +128,12 @@ static const uint8_t program_get_gnss_base_rate[] = {
 };
 
 const struct mip_codec mip_3dm_get_gnss_base_rate_codec = {
-    0x0C, 0x07, MIP_COMMAND, sizeof(struct mip_3dm_get_gnss_base_rate), program_get_gnss_base_rate};
+    0x0C,
+    0x07,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_3dm_get_gnss_base_rate),
+    program_get_gnss_base_rate};
 
 static const struct mip_response responses_get_gnss_base_rate[] = {
     {&mip_3dm_get_gnss_base_rate_response_codec, NULL},
@@ -136,7 +149,11 @@ static const uint8_t program_get_gnss_base_rate_response[] = {
 };
 
 const struct mip_codec mip_3dm_get_gnss_base_rate_response_codec = {
-    0x0C, 0x84, MIP_RESPONSE, sizeof(struct mip_3dm_get_gnss_base_rate_response),
+    0x0C,
+    0x84,
+    MIP_RESPONSE,
+    2,
+    sizeof(struct mip_3dm_get_gnss_base_rate_response),
     program_get_gnss_base_rate_response};
 
 static const uint8_t program_imu_message_format[] = {
@@ -154,7 +171,12 @@ static const uint8_t program_imu_message_format[] = {
 };
 
 const struct mip_codec mip_3dm_imu_message_format_codec = {
-    0x0C, 0x08, MIP_COMMAND, sizeof(struct mip_3dm_imu_message_format), program_imu_message_format};
+    0x0C,
+    0x08,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_3dm_imu_message_format),
+    program_imu_message_format};
 
 static bool asked_imu_message_format_1(const void *value) {
     const struct mip_3dm_imu_message_format *v = (const struct mip_3dm_imu_message_format *)value;
@@ -182,7 +204,11 @@ static const uint8_t program_imu_message_format_response[] = {
 };
 
 const struct mip_codec mip_3dm_imu_message_format_response_codec = {
-    0x0C, 0x80, MIP_RESPONSE, sizeof(struct mip_3dm_imu_message_format_response),
+    0x0C,
+    0x80,
+    MIP_RESPONSE,
+    0,
+    sizeof(struct mip_3dm_imu_message_format_response),
     program_imu_message_format_response};
 
 static const uint8_t program_gnss_message_format[] = {
@@ -200,7 +226,11 @@ static const uint8_t program_gnss_message_format[] = {
 };
 
 const struct mip_codec mip_3dm_gnss_message_format_codec = {
-    0x0C, 0x09, MIP_COMMAND, sizeof(struct mip_3dm_gnss_message_format),
+    0x0C,
+    0x09,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_3dm_gnss_message_format),
     program_gnss_message_format};
 
 static bool asked_gnss_message_format_1(const void *value) {
@@ -229,7 +259,11 @@ static const uint8_t program_gnss_message_format_response[] = {
 };
 
 const struct mip_codec mip_3dm_gnss_message_format_response_codec = {
-    0x0C, 0x81, MIP_RESPONSE, sizeof(struct mip_3dm_gnss_message_format_response),
+    0x0C,
+    0x81,
+    MIP_RESPONSE,
+    0,
+    sizeof(struct mip_3dm_gnss_message_format_response),
     program_gnss_message_format_response};
 
 static const uint8_t program_filter_message_format[] = {
@@ -247,7 +281,11 @@ static const uint8_t program_filter_message_format[] = {
 };
 
 const struct mip_codec mip_3dm_filter_message_format_codec = {
-    0x0C, 0x0A, MIP_COMMAND, sizeof(struct mip_3dm_filter_message_format),
+    0x0C,
+    0x0A,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_3dm_filter_message_format),
     program_filter_message_format};
 
 static bool asked_filter_message_format_1(const void *value) {
@@ -277,7 +315,11 @@ static const uint8_t program_filter_message_format_response[] = {
 };
 
 const struct mip_codec mip_3dm_filter_message_format_response_codec = {
-    0x0C, 0x82, MIP_RESPONSE, sizeof(struct mip_3dm_filter_message_format_response),
+    0x0C,
+    0x82,
+    MIP_RESPONSE,
+    0,
+    sizeof(struct mip_3dm_filter_message_format_response),
     program_filter_message_format_response};
 
 static const uint8_t program_get_filter_base_rate[] = {
@@ -285,7 +327,11 @@ static const uint8_t program_get_filter_base_rate[] = {
 };
 
 const struct mip_codec mip_3dm_get_filter_base_rate_codec = {
-    0x0C, 0x0B, MIP_COMMAND, sizeof(struct mip_3dm_get_filter_base_rate),
+    0x0C,
+    0x0B,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_3dm_get_filter_base_rate),
     program_get_filter_base_rate};
 
 static const struct mip_response responses_get_filter_base_rate[] = {
@@ -302,7 +348,11 @@ static const uint8_t program_get_filter_base_rate_response[] = {
 };
 
 const struct mip_codec mip_3dm_get_filter_base_rate_response_codec = {
-    0x0C, 0x8A, MIP_RESPONSE, sizeof(struct mip_3dm_get_filter_base_rate_response),
+    0x0C,
+    0x8A,
+    MIP_RESPONSE,
+    2,
+    sizeof(struct mip_3dm_get_filter_base_rate_response),
     program_get_filter_base_rate_response};
 
 static const uint8_t program_nmea_message_format[] = {
@@ -320,7 +370,11 @@ static const uint8_t program_nmea_message_format[] = {
 };
 
 const struct mip_codec mip_3dm_nmea_message_format_codec = {
-    0x0C, 0x0C, MIP_COMMAND, sizeof(struct mip_3dm_nmea_message_format),
+    0x0C,
+    0x0C,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_3dm_nmea_message_format),
     program_nmea_message_format};
 
 static bool asked_nmea_message_format_1(const void *value) {
@@ -349,7 +403,11 @@ static const uint8_t program_nmea_message_format_response[] = {
 };
 
 const struct mip_codec mip_3dm_nmea_message_format_response_codec = {
-    0x0C, 0x8C, MIP_RESPONSE, sizeof(struct mip_3dm_nmea_message_format_response),
+    0x0C,
+    0x8C,
+    MIP_RESPONSE,
+    0,
+    sizeof(struct mip_3dm_nmea_message_format_response),
     program_nmea_message_format_response};
 
 static const uint8_t program_poll_data[] = {
@@ -361,7 +419,7 @@ static const uint8_t program_poll_data[] = {
 };
 
 const struct mip_codec mip_3dm_poll_data_codec = {
-    0x0C, 0x0D, MIP_COMMAND, sizeof(struct mip_3dm_poll_data), program_poll_data};
+    0x0C, 0x0D, MIP_COMMAND, 0, sizeof(struct mip_3dm_poll_data), program_poll_data};
 
 static bool silent_poll_data(const void *value) {
     const struct mip_3dm_poll_data *v = (const struct mip_3dm_poll_data *)value;
@@ -377,7 +435,7 @@ static const uint8_t program_get_base_rate[] = {
 };
 
 const struct mip_codec mip_3dm_get_base_rate_codec = {
-    0x0C, 0x0E, MIP_COMMAND, sizeof(struct mip_3dm_get_base_rate), program_get_base_rate};
+    0x0C, 0x0E, MIP_COMMAND, 1, sizeof(struct mip_3dm_get_base_rate), program_get_base_rate};
 
 static const struct mip_response responses_get_base_rate[] = {
     {&mip_3dm_get_base_rate_response_codec, NULL},
@@ -394,7 +452,11 @@ static const uint8_t program_get_base_rate_response[] = {
 };
 
 const struct mip_codec mip_3dm_get_base_rate_response_codec = {
-    0x0C, 0x8E, MIP_RESPONSE, sizeof(struct mip_3dm_get_base_rate_response),
+    0x0C,
+    0x8E,
+    MIP_RESPONSE,
+    3,
+    sizeof(struct mip_3dm_get_base_rate_response),
     program_get_base_rate_response};
 
 static const uint8_t program_message_format[] = {
@@ -413,7 +475,7 @@ static const uint8_t program_message_format[] = {
 };
 
 const struct mip_codec mip_3dm_message_format_codec = {
-    0x0C, 0x0F, MIP_COMMAND, sizeof(struct mip_3dm_message_format), program_message_format};
+    0x0C, 0x0F, MIP_COMMAND, 0, sizeof(struct mip_3dm_message_format), program_message_format};
 
 static bool asked_message_format_1(const void *value) {
     const struct mip_3dm_message_format *v = (const struct mip_3dm_message_format *)value;
@@ -441,7 +503,11 @@ static const uint8_t program_message_format_response[] = {
 };
 
 const struct mip_codec mip_3dm_message_format_response_codec = {
-    0x0C, 0x8F, MIP_RESPONSE, sizeof(struct mip_3dm_message_format_response),
+    0x0C,
+    0x8F,
+    MIP_RESPONSE,
+    0,
+    sizeof(struct mip_3dm_message_format_response),
     program_message_format_response};
 
 static const uint8_t program_factory_streaming[] = {
@@ -449,8 +515,12 @@ static const uint8_t program_factory_streaming[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_factory_streaming_codec = {
-    0x0C, 0x10, MIP_COMMAND, sizeof(struct mip_3dm_factory_streaming), program_factory_streaming};
+const struct mip_codec mip_3dm_factory_streaming_codec = {0x0C,
+                                                          0x10,
+                                                          MIP_COMMAND,
+                                                          2,
+                                                          sizeof(struct mip_3dm_factory_streaming),
+                                                          program_factory_streaming};
 
 const struct mip_command mip_3dm_factory_streaming_command = {&mip_3dm_factory_streaming_codec,
                                                               NULL, NULL, 0};
@@ -465,7 +535,11 @@ static const uint8_t program_data_stream_control[] = {
 };
 
 const struct mip_codec mip_3dm_data_stream_control_codec = {
-    0x0C, 0x11, MIP_COMMAND, sizeof(struct mip_3dm_data_stream_control),
+    0x0C,
+    0x11,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_3dm_data_stream_control),
     program_data_stream_control};
 
 static bool asked_data_stream_control_1(const void *value) {
@@ -487,7 +561,11 @@ static const uint8_t program_data_stream_control_response[] = {
 };
 
 const struct mip_codec mip_3dm_data_stream_control_response_codec = {
-    0x0C, 0x85, MIP_RESPONSE, sizeof(struct mip_3dm_data_stream_control_response),
+    0x0C,
+    0x85,
+    MIP_RESPONSE,
+    2,
+    sizeof(struct mip_3dm_data_stream_control_response),
     program_data_stream_control_response};
 
 static const uint8_t program_constellation_settings[] = {
@@ -507,7 +585,11 @@ static const uint8_t program_constellation_settings[] = {
 };
 
 const struct mip_codec mip_3dm_constellation_settings_codec = {
-    0x0C, 0x21, MIP_COMMAND, sizeof(struct mip_3dm_constellation_settings),
+    0x0C,
+    0x21,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_3dm_constellation_settings),
     program_constellation_settings};
 
 static bool asked_constellation_settings_1(const void *value) {
@@ -538,7 +620,11 @@ static const uint8_t program_constellation_settings_response[] = {
 };
 
 const struct mip_codec mip_3dm_constellation_settings_response_codec = {
-    0x0C, 0xA0, MIP_RESPONSE, sizeof(struct mip_3dm_constellation_settings_response),
+    0x0C,
+    0xA0,
+    MIP_RESPONSE,
+    0,
+    sizeof(struct mip_3dm_constellation_settings_response),
     program_constellation_settings_response};
 
 static const uint8_t program_gnss_sbas_settings[] = {
@@ -556,7 +642,12 @@ static const uint8_t program_gnss_sbas_settings[] = {
 };
 
 const struct mip_codec mip_3dm_gnss_sbas_settings_codec = {
-    0x0C, 0x22, MIP_COMMAND, sizeof(struct mip_3dm_gnss_sbas_settings), program_gnss_sbas_settings};
+    0x0C,
+    0x22,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_3dm_gnss_sbas_settings),
+    program_gnss_sbas_settings};
 
 static bool asked_gnss_sbas_settings_1(const void *value) {
     const struct mip_3dm_gnss_sbas_settings *v = (const struct mip_3dm_gnss_sbas_settings *)value;
@@ -582,7 +673,11 @@ static const uint8_t program_gnss_sbas_settings_response[] = {
 };
 
 const struct mip_codec mip_3dm_gnss_sbas_settings_response_codec = {
-    0x0C, 0xA1, MIP_RESPONSE, sizeof(struct mip_3dm_gnss_sbas_settings_response),
+    0x0C,
+    0xA1,
+    MIP_RESPONSE,
+    0,
+    sizeof(struct mip_3dm_gnss_sbas_settings_response),
     program_gnss_sbas_settings_response};
 
 static const uint8_t program_gnss_assisted_fix[] = {
@@ -594,8 +689,12 @@ static const uint8_t program_gnss_assisted_fix[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_gnss_assisted_fix_codec = {
-    0x0C, 0x23, MIP_COMMAND, sizeof(struct mip_3dm_gnss_assisted_fix), program_gnss_assisted_fix};
+const struct mip_codec mip_3dm_gnss_assisted_fix_codec = {0x0C,
+                                                          0x23,
+                                                          MIP_COMMAND,
+                                                          0,
+                                                          sizeof(struct mip_3dm_gnss_assisted_fix),
+                                                          program_gnss_assisted_fix};
 
 static bool asked_gnss_assisted_fix_1(const void *value) {
     const struct mip_3dm_gnss_assisted_fix *v = (const struct mip_3dm_gnss_assisted_fix *)value;
@@ -616,7 +715,11 @@ static const uint8_t program_gnss_assisted_fix_response[] = {
 };
 
 const struct mip_codec mip_3dm_gnss_assisted_fix_response_codec = {
-    0x0C, 0xA2, MIP_RESPONSE, sizeof(struct mip_3dm_gnss_assisted_fix_response),
+    0x0C,
+    0xA2,
+    MIP_RESPONSE,
+    2,
+    sizeof(struct mip_3dm_gnss_assisted_fix_response),
     program_gnss_assisted_fix_response};
 
 static const uint8_t program_gnss_time_assistance[] = {
@@ -631,7 +734,11 @@ static const uint8_t program_gnss_time_assistance[] = {
 };
 
 const struct mip_codec mip_3dm_gnss_time_assistance_codec = {
-    0x0C, 0x24, MIP_COMMAND, sizeof(struct mip_3dm_gnss_time_assistance),
+    0x0C,
+    0x24,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_3dm_gnss_time_assistance),
     program_gnss_time_assistance};
 
 static bool asked_gnss_time_assistance_1(const void *value) {
@@ -656,7 +763,11 @@ static const uint8_t program_gnss_time_assistance_response[] = {
 };
 
 const struct mip_codec mip_3dm_gnss_time_assistance_response_codec = {
-    0x0C, 0xA3, MIP_RESPONSE, sizeof(struct mip_3dm_gnss_time_assistance_response),
+    0x0C,
+    0xA3,
+    MIP_RESPONSE,
+    14,
+    sizeof(struct mip_3dm_gnss_time_assistance_response),
     program_gnss_time_assistance_response};
 
 static const uint8_t program_pps_source_control[] = {
@@ -667,7 +778,12 @@ static const uint8_t program_pps_source_control[] = {
 };
 
 const struct mip_codec mip_3dm_pps_source_control_codec = {
-    0x0C, 0x28, MIP_COMMAND, sizeof(struct mip_3dm_pps_source_control), program_pps_source_control};
+    0x0C,
+    0x28,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_3dm_pps_source_control),
+    program_pps_source_control};
 
 static bool asked_pps_source_control_1(const void *value) {
     const struct mip_3dm_pps_source_control *v = (const struct mip_3dm_pps_source_control *)value;
@@ -688,7 +804,11 @@ static const uint8_t program_pps_source_control_response[] = {
 };
 
 const struct mip_codec mip_3dm_pps_source_control_response_codec = {
-    0x0C, 0xA8, MIP_RESPONSE, sizeof(struct mip_3dm_pps_source_control_response),
+    0x0C,
+    0xA8,
+    MIP_RESPONSE,
+    1,
+    sizeof(struct mip_3dm_pps_source_control_response),
     program_pps_source_control_response};
 
 static const uint8_t program_get_event_support[] = {
@@ -696,8 +816,12 @@ static const uint8_t program_get_event_support[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_get_event_support_codec = {
-    0x0C, 0x2A, MIP_COMMAND, sizeof(struct mip_3dm_get_event_support), program_get_event_support};
+const struct mip_codec mip_3dm_get_event_support_codec = {0x0C,
+                                                          0x2A,
+                                                          MIP_COMMAND,
+                                                          1,
+                                                          sizeof(struct mip_3dm_get_event_support),
+                                                          program_get_event_support};
 
 static const struct mip_response responses_get_event_support[] = {
     {&mip_3dm_get_event_support_response_codec, NULL},
@@ -719,7 +843,11 @@ static const uint8_t program_get_event_support_response[] = {
 };
 
 const struct mip_codec mip_3dm_get_event_support_response_codec = {
-    0x0C, 0xB4, MIP_RESPONSE, sizeof(struct mip_3dm_get_event_support_response),
+    0x0C,
+    0xB4,
+    MIP_RESPONSE,
+    0,
+    sizeof(struct mip_3dm_get_event_support_response),
     program_get_event_support_response};
 
 static const uint8_t program_event_control[] = {
@@ -732,7 +860,7 @@ static const uint8_t program_event_control[] = {
 };
 
 const struct mip_codec mip_3dm_event_control_codec = {
-    0x0C, 0x2B, MIP_COMMAND, sizeof(struct mip_3dm_event_control), program_event_control};
+    0x0C, 0x2B, MIP_COMMAND, 0, sizeof(struct mip_3dm_event_control), program_event_control};
 
 static bool asked_event_control_1(const void *value) {
     const struct mip_3dm_event_control *v = (const struct mip_3dm_event_control *)value;
@@ -753,7 +881,11 @@ static const uint8_t program_event_control_response[] = {
 };
 
 const struct mip_codec mip_3dm_event_control_response_codec = {
-    0x0C, 0xB5, MIP_RESPONSE, sizeof(struct mip_3dm_event_control_response),
+    0x0C,
+    0xB5,
+    MIP_RESPONSE,
+    2,
+    sizeof(struct mip_3dm_event_control_response),
     program_event_control_response};
 
 static const uint8_t program_get_event_trigger_status[] = {
@@ -765,7 +897,11 @@ static const uint8_t program_get_event_trigger_status[] = {
 };
 
 const struct mip_codec mip_3dm_get_event_trigger_status_codec = {
-    0x0C, 0x2C, MIP_COMMAND, sizeof(struct mip_3dm_get_event_trigger_status),
+    0x0C,
+    0x2C,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_3dm_get_event_trigger_status),
     program_get_event_trigger_status};
 
 static const struct mip_response responses_get_event_trigger_status[] = {
@@ -788,7 +924,11 @@ static const uint8_t program_get_event_trigger_status_response[] = {
 };
 
 const struct mip_codec mip_3dm_get_event_trigger_status_response_codec = {
-    0x0C, 0xB6, MIP_RESPONSE, sizeof(struct mip_3dm_get_event_trigger_status_response),
+    0x0C,
+    0xB6,
+    MIP_RESPONSE,
+    0,
+    sizeof(struct mip_3dm_get_event_trigger_status_response),
     program_get_event_trigger_status_response};
 
 static const uint8_t program_get_event_action_status[] = {
@@ -800,7 +940,11 @@ static const uint8_t program_get_event_action_status[] = {
 };
 
 const struct mip_codec mip_3dm_get_event_action_status_codec = {
-    0x0C, 0x2D, MIP_COMMAND, sizeof(struct mip_3dm_get_event_action_status),
+    0x0C,
+    0x2D,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_3dm_get_event_action_status),
     program_get_event_action_status};
 
 static const struct mip_response responses_get_event_action_status[] = {
@@ -823,7 +967,11 @@ static const uint8_t program_get_event_action_status_response[] = {
 };
 
 const struct mip_codec mip_3dm_get_event_action_status_response_codec = {
-    0x0C, 0xB7, MIP_RESPONSE, sizeof(struct mip_3dm_get_event_action_status_response),
+    0x0C,
+    0xB7,
+    MIP_RESPONSE,
+    0,
+    sizeof(struct mip_3dm_get_event_action_status_response),
     program_get_event_action_status_response};
 
 static const uint8_t program_event_trigger_config[] = {
@@ -858,7 +1006,11 @@ static const uint8_t program_event_trigger_config[] = {
 };
 
 const struct mip_codec mip_3dm_event_trigger_config_codec = {
-    0x0C, 0x2E, MIP_COMMAND, sizeof(struct mip_3dm_event_trigger_config),
+    0x0C,
+    0x2E,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_3dm_event_trigger_config),
     program_event_trigger_config};
 
 static bool asked_event_trigger_config_1(const void *value) {
@@ -905,7 +1057,11 @@ static const uint8_t program_event_trigger_config_response[] = {
 };
 
 const struct mip_codec mip_3dm_event_trigger_config_response_codec = {
-    0x0C, 0xB8, MIP_RESPONSE, sizeof(struct mip_3dm_event_trigger_config_response),
+    0x0C,
+    0xB8,
+    MIP_RESPONSE,
+    0,
+    sizeof(struct mip_3dm_event_trigger_config_response),
     program_event_trigger_config_response};
 
 static const uint8_t program_event_action_config[] = {
@@ -933,7 +1089,11 @@ static const uint8_t program_event_action_config[] = {
 };
 
 const struct mip_codec mip_3dm_event_action_config_codec = {
-    0x0C, 0x2F, MIP_COMMAND, sizeof(struct mip_3dm_event_action_config),
+    0x0C,
+    0x2F,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_3dm_event_action_config),
     program_event_action_config};
 
 static bool asked_event_action_config_1(const void *value) {
@@ -972,7 +1132,11 @@ static const uint8_t program_event_action_config_response[] = {
 };
 
 const struct mip_codec mip_3dm_event_action_config_response_codec = {
-    0x0C, 0xB9, MIP_RESPONSE, sizeof(struct mip_3dm_event_action_config_response),
+    0x0C,
+    0xB9,
+    MIP_RESPONSE,
+    0,
+    sizeof(struct mip_3dm_event_action_config_response),
     program_event_action_config_response};
 
 static const uint8_t program_device_settings[] = {
@@ -981,7 +1145,7 @@ static const uint8_t program_device_settings[] = {
 };
 
 const struct mip_codec mip_3dm_device_settings_codec = {
-    0x0C, 0x30, MIP_COMMAND, sizeof(struct mip_3dm_device_settings), program_device_settings};
+    0x0C, 0x30, MIP_COMMAND, 1, sizeof(struct mip_3dm_device_settings), program_device_settings};
 
 const struct mip_command mip_3dm_device_settings_command = {&mip_3dm_device_settings_codec, NULL,
                                                             NULL, 1000};
@@ -998,7 +1162,11 @@ static const uint8_t program_sensor_to_vehicle_euler[] = {
 };
 
 const struct mip_codec mip_3dm_sensor_to_vehicle_euler_codec = {
-    0x0C, 0x31, MIP_COMMAND, sizeof(struct mip_3dm_sensor_to_vehicle_euler),
+    0x0C,
+    0x31,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_3dm_sensor_to_vehicle_euler),
     program_sensor_to_vehicle_euler};
 
 static bool asked_sensor_to_vehicle_euler_1(const void *value) {
@@ -1021,7 +1189,11 @@ static const uint8_t program_sensor_to_vehicle_euler_response[] = {
 };
 
 const struct mip_codec mip_3dm_sensor_to_vehicle_euler_response_codec = {
-    0x0C, 0xB1, MIP_RESPONSE, sizeof(struct mip_3dm_sensor_to_vehicle_euler_response),
+    0x0C,
+    0xB1,
+    MIP_RESPONSE,
+    12,
+    sizeof(struct mip_3dm_sensor_to_vehicle_euler_response),
     program_sensor_to_vehicle_euler_response};
 
 static const uint8_t program_sensor_to_vehicle_quaternion[] = {
@@ -1032,7 +1204,11 @@ static const uint8_t program_sensor_to_vehicle_quaternion[] = {
 };
 
 const struct mip_codec mip_3dm_sensor_to_vehicle_quaternion_codec = {
-    0x0C, 0x32, MIP_COMMAND, sizeof(struct mip_3dm_sensor_to_vehicle_quaternion),
+    0x0C,
+    0x32,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_3dm_sensor_to_vehicle_quaternion),
     program_sensor_to_vehicle_quaternion};
 
 static bool asked_sensor_to_vehicle_quaternion_1(const void *value) {
@@ -1055,7 +1231,11 @@ static const uint8_t program_sensor_to_vehicle_quaternion_response[] = {
 };
 
 const struct mip_codec mip_3dm_sensor_to_vehicle_quaternion_response_codec = {
-    0x0C, 0xB2, MIP_RESPONSE, sizeof(struct mip_3dm_sensor_to_vehicle_quaternion_response),
+    0x0C,
+    0xB2,
+    MIP_RESPONSE,
+    16,
+    sizeof(struct mip_3dm_sensor_to_vehicle_quaternion_response),
     program_sensor_to_vehicle_quaternion_response};
 
 static const uint8_t program_sensor_to_vehicle_dcm[] = {
@@ -1066,7 +1246,11 @@ static const uint8_t program_sensor_to_vehicle_dcm[] = {
 };
 
 const struct mip_codec mip_3dm_sensor_to_vehicle_dcm_codec = {
-    0x0C, 0x33, MIP_COMMAND, sizeof(struct mip_3dm_sensor_to_vehicle_dcm),
+    0x0C,
+    0x33,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_3dm_sensor_to_vehicle_dcm),
     program_sensor_to_vehicle_dcm};
 
 static bool asked_sensor_to_vehicle_dcm_1(const void *value) {
@@ -1089,7 +1273,11 @@ static const uint8_t program_sensor_to_vehicle_dcm_response[] = {
 };
 
 const struct mip_codec mip_3dm_sensor_to_vehicle_dcm_response_codec = {
-    0x0C, 0xB3, MIP_RESPONSE, sizeof(struct mip_3dm_sensor_to_vehicle_dcm_response),
+    0x0C,
+    0xB3,
+    MIP_RESPONSE,
+    36,
+    sizeof(struct mip_3dm_sensor_to_vehicle_dcm_response),
     program_sensor_to_vehicle_dcm_response};
 
 static const uint8_t program_accel_bias[] = {
@@ -1100,7 +1288,7 @@ static const uint8_t program_accel_bias[] = {
 };
 
 const struct mip_codec mip_3dm_accel_bias_codec = {
-    0x0C, 0x37, MIP_COMMAND, sizeof(struct mip_3dm_accel_bias), program_accel_bias};
+    0x0C, 0x37, MIP_COMMAND, 0, sizeof(struct mip_3dm_accel_bias), program_accel_bias};
 
 static bool silent_accel_bias(const void *value) {
     const struct mip_3dm_accel_bias *v = (const struct mip_3dm_accel_bias *)value;
@@ -1126,7 +1314,11 @@ static const uint8_t program_accel_bias_response[] = {
 };
 
 const struct mip_codec mip_3dm_accel_bias_response_codec = {
-    0x0C, 0x9A, MIP_RESPONSE, sizeof(struct mip_3dm_accel_bias_response),
+    0x0C,
+    0x9A,
+    MIP_RESPONSE,
+    12,
+    sizeof(struct mip_3dm_accel_bias_response),
     program_accel_bias_response};
 
 static const uint8_t program_gyro_bias[] = {
@@ -1137,7 +1329,7 @@ static const uint8_t program_gyro_bias[] = {
 };
 
 const struct mip_codec mip_3dm_gyro_bias_codec = {
-    0x0C, 0x38, MIP_COMMAND, sizeof(struct mip_3dm_gyro_bias), program_gyro_bias};
+    0x0C, 0x38, MIP_COMMAND, 0, sizeof(struct mip_3dm_gyro_bias), program_gyro_bias};
 
 static bool silent_gyro_bias(const void *value) {
     const struct mip_3dm_gyro_bias *v = (const struct mip_3dm_gyro_bias *)value;
@@ -1163,7 +1355,11 @@ static const uint8_t program_gyro_bias_response[] = {
 };
 
 const struct mip_codec mip_3dm_gyro_bias_response_codec = {
-    0x0C, 0x9B, MIP_RESPONSE, sizeof(struct mip_3dm_gyro_bias_response),
+    0x0C,
+    0x9B,
+    MIP_RESPONSE,
+    12,
+    sizeof(struct mip_3dm_gyro_bias_response),
     program_gyro_bias_response};
 
 static const uint8_t program_capture_gyro_bias[] = {
@@ -1171,8 +1367,12 @@ static const uint8_t program_capture_gyro_bias[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_3dm_capture_gyro_bias_codec = {
-    0x0C, 0x39, MIP_COMMAND, sizeof(struct mip_3dm_capture_gyro_bias), program_capture_gyro_bias};
+const struct mip_codec mip_3dm_capture_gyro_bias_codec = {0x0C,
+                                                          0x39,
+                                                          MIP_COMMAND,
+                                                          2,
+                                                          sizeof(struct mip_3dm_capture_gyro_bias),
+                                                          program_capture_gyro_bias};
 
 static const struct mip_response responses_capture_gyro_bias[] = {
     {&mip_3dm_gyro_bias_response_codec, NULL},
@@ -1190,7 +1390,11 @@ static const uint8_t program_mag_hard_iron_offset[] = {
 };
 
 const struct mip_codec mip_3dm_mag_hard_iron_offset_codec = {
-    0x0C, 0x3A, MIP_COMMAND, sizeof(struct mip_3dm_mag_hard_iron_offset),
+    0x0C,
+    0x3A,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_3dm_mag_hard_iron_offset),
     program_mag_hard_iron_offset};
 
 static bool silent_mag_hard_iron_offset(const void *value) {
@@ -1220,7 +1424,11 @@ static const uint8_t program_mag_hard_iron_offset_response[] = {
 };
 
 const struct mip_codec mip_3dm_mag_hard_iron_offset_response_codec = {
-    0x0C, 0x9C, MIP_RESPONSE, sizeof(struct mip_3dm_mag_hard_iron_offset_response),
+    0x0C,
+    0x9C,
+    MIP_RESPONSE,
+    12,
+    sizeof(struct mip_3dm_mag_hard_iron_offset_response),
     program_mag_hard_iron_offset_response};
 
 static const uint8_t program_mag_soft_iron_matrix[] = {
@@ -1231,7 +1439,11 @@ static const uint8_t program_mag_soft_iron_matrix[] = {
 };
 
 const struct mip_codec mip_3dm_mag_soft_iron_matrix_codec = {
-    0x0C, 0x3B, MIP_COMMAND, sizeof(struct mip_3dm_mag_soft_iron_matrix),
+    0x0C,
+    0x3B,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_3dm_mag_soft_iron_matrix),
     program_mag_soft_iron_matrix};
 
 static bool silent_mag_soft_iron_matrix(const void *value) {
@@ -1261,7 +1473,11 @@ static const uint8_t program_mag_soft_iron_matrix_response[] = {
 };
 
 const struct mip_codec mip_3dm_mag_soft_iron_matrix_response_codec = {
-    0x0C, 0x9D, MIP_RESPONSE, sizeof(struct mip_3dm_mag_soft_iron_matrix_response),
+    0x0C,
+    0x9D,
+    MIP_RESPONSE,
+    36,
+    sizeof(struct mip_3dm_mag_soft_iron_matrix_response),
     program_mag_soft_iron_matrix_response};
 
 static const uint8_t program_coning_sculling_enable[] = {
@@ -1272,7 +1488,11 @@ static const uint8_t program_coning_sculling_enable[] = {
 };
 
 const struct mip_codec mip_3dm_coning_sculling_enable_codec = {
-    0x0C, 0x3E, MIP_COMMAND, sizeof(struct mip_3dm_coning_sculling_enable),
+    0x0C,
+    0x3E,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_3dm_coning_sculling_enable),
     program_coning_sculling_enable};
 
 static bool asked_coning_sculling_enable_1(const void *value) {
@@ -1295,7 +1515,11 @@ static const uint8_t program_coning_sculling_enable_response[] = {
 };
 
 const struct mip_codec mip_3dm_coning_sculling_enable_response_codec = {
-    0x0C, 0x9E, MIP_RESPONSE, sizeof(struct mip_3dm_coning_sculling_enable_response),
+    0x0C,
+    0x9E,
+    MIP_RESPONSE,
+    1,
+    sizeof(struct mip_3dm_coning_sculling_enable_response),
     program_coning_sculling_enable_response};
 
 static const uint8_t program_uart_baud_rate[] = {
@@ -1306,7 +1530,7 @@ static const uint8_t program_uart_baud_rate[] = {
 };
 
 const struct mip_codec mip_3dm_uart_baud_rate_codec = {
-    0x0C, 0x40, MIP_COMMAND, sizeof(struct mip_3dm_uart_baud_rate), program_uart_baud_rate};
+    0x0C, 0x40, MIP_COMMAND, 0, sizeof(struct mip_3dm_uart_baud_rate), program_uart_baud_rate};
 
 static bool asked_uart_baud_rate_1(const void *value) {
     const struct mip_3dm_uart_baud_rate *v = (const struct mip_3dm_uart_baud_rate *)value;
@@ -1327,7 +1551,11 @@ static const uint8_t program_uart_baud_rate_response[] = {
 };
 
 const struct mip_codec mip_3dm_uart_baud_rate_response_codec = {
-    0x0C, 0x87, MIP_RESPONSE, sizeof(struct mip_3dm_uart_baud_rate_response),
+    0x0C,
+    0x87,
+    MIP_RESPONSE,
+    4,
+    sizeof(struct mip_3dm_uart_baud_rate_response),
     program_uart_baud_rate_response};
 
 static const uint8_t program_gpio_config[] = {
@@ -1344,7 +1572,7 @@ static const uint8_t program_gpio_config[] = {
 };
 
 const struct mip_codec mip_3dm_gpio_config_codec = {
-    0x0C, 0x41, MIP_COMMAND, sizeof(struct mip_3dm_gpio_config), program_gpio_config};
+    0x0C, 0x41, MIP_COMMAND, 0, sizeof(struct mip_3dm_gpio_config), program_gpio_config};
 
 static bool asked_gpio_config_1(const void *value) {
     const struct mip_3dm_gpio_config *v = (const struct mip_3dm_gpio_config *)value;
@@ -1365,7 +1593,11 @@ static const uint8_t program_gpio_config_response[] = {
 };
 
 const struct mip_codec mip_3dm_gpio_config_response_codec = {
-    0x0C, 0xC1, MIP_RESPONSE, sizeof(struct mip_3dm_gpio_config_response),
+    0x0C,
+    0xC1,
+    MIP_RESPONSE,
+    4,
+    sizeof(struct mip_3dm_gpio_config_response),
     program_gpio_config_response};
 
 static const uint8_t program_gpio_state[] = {
@@ -1378,7 +1610,7 @@ static const uint8_t program_gpio_state[] = {
 };
 
 const struct mip_codec mip_3dm_gpio_state_codec = {
-    0x0C, 0x42, MIP_COMMAND, sizeof(struct mip_3dm_gpio_state), program_gpio_state};
+    0x0C, 0x42, MIP_COMMAND, 0, sizeof(struct mip_3dm_gpio_state), program_gpio_state};
 
 static bool asked_gpio_state_1(const void *value) {
     const struct mip_3dm_gpio_state *v = (const struct mip_3dm_gpio_state *)value;
@@ -1399,7 +1631,11 @@ static const uint8_t program_gpio_state_response[] = {
 };
 
 const struct mip_codec mip_3dm_gpio_state_response_codec = {
-    0x0C, 0xC2, MIP_RESPONSE, sizeof(struct mip_3dm_gpio_state_response),
+    0x0C,
+    0xC2,
+    MIP_RESPONSE,
+    2,
+    sizeof(struct mip_3dm_gpio_state_response),
     program_gpio_state_response};
 
 static const uint8_t program_odometer_config[] = {
@@ -1414,7 +1650,7 @@ static const uint8_t program_odometer_config[] = {
 };
 
 const struct mip_codec mip_3dm_odometer_config_codec = {
-    0x0C, 0x43, MIP_COMMAND, sizeof(struct mip_3dm_odometer_config), program_odometer_config};
+    0x0C, 0x43, MIP_COMMAND, 0, sizeof(struct mip_3dm_odometer_config), program_odometer_config};
 
 static bool asked_odometer_config_1(const void *value) {
     const struct mip_3dm_odometer_config *v = (const struct mip_3dm_odometer_config *)value;
@@ -1436,7 +1672,11 @@ static const uint8_t program_odometer_config_response[] = {
 };
 
 const struct mip_codec mip_3dm_odometer_config_response_codec = {
-    0x0C, 0xC3, MIP_RESPONSE, sizeof(struct mip_3dm_odometer_config_response),
+    0x0C,
+    0xC3,
+    MIP_RESPONSE,
+    9,
+    sizeof(struct mip_3dm_odometer_config_response),
     program_odometer_config_response};
 
 static const uint8_t program_imu_low_pass_filter[] = {
@@ -1455,7 +1695,11 @@ static const uint8_t program_imu_low_pass_filter[] = {
 };
 
 const struct mip_codec mip_3dm_imu_low_pass_filter_codec = {
-    0x0C, 0x50, MIP_COMMAND, sizeof(struct mip_3dm_imu_low_pass_filter),
+    0x0C,
+    0x50,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_3dm_imu_low_pass_filter),
     program_imu_low_pass_filter};
 
 static bool asked_imu_low_pass_filter_1(const void *value) {
@@ -1479,7 +1723,11 @@ static const uint8_t program_imu_low_pass_filter_response[] = {
 };
 
 const struct mip_codec mip_3dm_imu_low_pass_filter_response_codec = {
-    0x0C, 0x8B, MIP_RESPONSE, sizeof(struct mip_3dm_imu_low_pass_filter_response),
+    0x0C,
+    0x8B,
+    MIP_RESPONSE,
+    6,
+    sizeof(struct mip_3dm_imu_low_pass_filter_response),
     program_imu_low_pass_filter_response};
 
 static const uint8_t program_complementary_filter[] = {
@@ -1496,7 +1744,11 @@ static const uint8_t program_complementary_filter[] = {
 };
 
 const struct mip_codec mip_3dm_complementary_filter_codec = {
-    0x0C, 0x51, MIP_COMMAND, sizeof(struct mip_3dm_complementary_filter),
+    0x0C,
+    0x51,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_3dm_complementary_filter),
     program_complementary_filter};
 
 static bool asked_complementary_filter_1(const void *value) {
@@ -1520,7 +1772,11 @@ static const uint8_t program_complementary_filter_response[] = {
 };
 
 const struct mip_codec mip_3dm_complementary_filter_response_codec = {
-    0x0C, 0x97, MIP_RESPONSE, sizeof(struct mip_3dm_complementary_filter_response),
+    0x0C,
+    0x97,
+    MIP_RESPONSE,
+    10,
+    sizeof(struct mip_3dm_complementary_filter_response),
     program_complementary_filter_response};
 
 static const uint8_t program_sensor_range[] = {
@@ -1533,7 +1789,7 @@ static const uint8_t program_sensor_range[] = {
 };
 
 const struct mip_codec mip_3dm_sensor_range_codec = {
-    0x0C, 0x52, MIP_COMMAND, sizeof(struct mip_3dm_sensor_range), program_sensor_range};
+    0x0C, 0x52, MIP_COMMAND, 0, sizeof(struct mip_3dm_sensor_range), program_sensor_range};
 
 static bool asked_sensor_range_1(const void *value) {
     const struct mip_3dm_sensor_range *v = (const struct mip_3dm_sensor_range *)value;
@@ -1554,7 +1810,11 @@ static const uint8_t program_sensor_range_response[] = {
 };
 
 const struct mip_codec mip_3dm_sensor_range_response_codec = {
-    0x0C, 0xD2, MIP_RESPONSE, sizeof(struct mip_3dm_sensor_range_response),
+    0x0C,
+    0xD2,
+    MIP_RESPONSE,
+    2,
+    sizeof(struct mip_3dm_sensor_range_response),
     program_sensor_range_response};
 
 static const uint8_t program_get_calibrated_sensor_ranges[] = {
@@ -1563,7 +1823,11 @@ static const uint8_t program_get_calibrated_sensor_ranges[] = {
 };
 
 const struct mip_codec mip_3dm_get_calibrated_sensor_ranges_codec = {
-    0x0C, 0x53, MIP_COMMAND, sizeof(struct mip_3dm_get_calibrated_sensor_ranges),
+    0x0C,
+    0x53,
+    MIP_COMMAND,
+    1,
+    sizeof(struct mip_3dm_get_calibrated_sensor_ranges),
     program_get_calibrated_sensor_ranges};
 
 static const struct mip_response responses_get_calibrated_sensor_ranges[] = {
@@ -1587,7 +1851,11 @@ static const uint8_t program_get_calibrated_sensor_ranges_response[] = {
 };
 
 const struct mip_codec mip_3dm_get_calibrated_sensor_ranges_response_codec = {
-    0x0C, 0xD3, MIP_RESPONSE, sizeof(struct mip_3dm_get_calibrated_sensor_ranges_response),
+    0x0C,
+    0xD3,
+    MIP_RESPONSE,
+    0,
+    sizeof(struct mip_3dm_get_calibrated_sensor_ranges_response),
     program_get_calibrated_sensor_ranges_response};
 
 static const uint8_t program_low_pass_filter[] = {
@@ -1606,7 +1874,7 @@ static const uint8_t program_low_pass_filter[] = {
 };
 
 const struct mip_codec mip_3dm_low_pass_filter_codec = {
-    0x0C, 0x54, MIP_COMMAND, sizeof(struct mip_3dm_low_pass_filter), program_low_pass_filter};
+    0x0C, 0x54, MIP_COMMAND, 0, sizeof(struct mip_3dm_low_pass_filter), program_low_pass_filter};
 
 static bool asked_low_pass_filter_1(const void *value) {
     const struct mip_3dm_low_pass_filter *v = (const struct mip_3dm_low_pass_filter *)value;
@@ -1628,7 +1896,11 @@ static const uint8_t program_low_pass_filter_response[] = {
 };
 
 const struct mip_codec mip_3dm_low_pass_filter_response_codec = {
-    0x0C, 0xD4, MIP_RESPONSE, sizeof(struct mip_3dm_low_pass_filter_response),
+    0x0C,
+    0xD4,
+    MIP_RESPONSE,
+    8,
+    sizeof(struct mip_3dm_low_pass_filter_response),
     program_low_pass_filter_response};
 
 static const uint8_t program_device_status[] = {
@@ -1638,7 +1910,7 @@ static const uint8_t program_device_status[] = {
 };
 
 const struct mip_codec mip_3dm_device_status_codec = {
-    0x0C, 0x64, MIP_COMMAND, sizeof(struct mip_3dm_device_status), program_device_status};
+    0x0C, 0x64, MIP_COMMAND, 3, sizeof(struct mip_3dm_device_status), program_device_status};
 
 static bool asked_device_status_1(const void *value) {
     const struct mip_3dm_device_status *v = (const struct mip_3dm_device_status *)value;
@@ -1676,7 +1948,11 @@ static const uint8_t program_device_status_basic_response[] = {
 };
 
 const struct mip_codec mip_3dm_device_status_basic_response_codec = {
-    0x0C, 0x90, MIP_RESPONSE, sizeof(struct mip_3dm_device_status_basic_response),
+    0x0C,
+    0x90,
+    MIP_RESPONSE,
+    0,
+    sizeof(struct mip_3dm_device_status_basic_response),
     program_device_status_basic_response};
 
 static const uint8_t program_device_status_basic_stateless_response[] = {
@@ -1688,7 +1964,11 @@ static const uint8_t program_device_status_basic_stateless_response[] = {
 };
 
 const struct mip_codec mip_3dm_device_status_basic_stateless_response_codec = {
-    0x0C, 0x90, MIP_RESPONSE, sizeof(struct mip_3dm_device_status_basic_stateless_response),
+    0x0C,
+    0x90,
+    MIP_RESPONSE,
+    0,
+    sizeof(struct mip_3dm_device_status_basic_stateless_response),
     program_device_status_basic_stateless_response};
 
 static const uint8_t program_device_status_diagnostic_response[] = {
@@ -1704,7 +1984,11 @@ static const uint8_t program_device_status_diagnostic_response[] = {
 };
 
 const struct mip_codec mip_3dm_device_status_diagnostic_response_codec = {
-    0x0C, 0x90, MIP_RESPONSE, sizeof(struct mip_3dm_device_status_diagnostic_response),
+    0x0C,
+    0x90,
+    MIP_RESPONSE,
+    0,
+    sizeof(struct mip_3dm_device_status_diagnostic_response),
     program_device_status_diagnostic_response};
 
 static const uint8_t program_device_status_diagnostic_gnss_response[] = {
@@ -1724,7 +2008,11 @@ static const uint8_t program_device_status_diagnostic_gnss_response[] = {
 };
 
 const struct mip_codec mip_3dm_device_status_diagnostic_gnss_response_codec = {
-    0x0C, 0x90, MIP_RESPONSE, sizeof(struct mip_3dm_device_status_diagnostic_gnss_response),
+    0x0C,
+    0x90,
+    MIP_RESPONSE,
+    0,
+    sizeof(struct mip_3dm_device_status_diagnostic_gnss_response),
     program_device_status_diagnostic_gnss_response};
 
 static const uint8_t program_device_status_diagnostic_gq4_45_response[] = {
@@ -1752,7 +2040,11 @@ static const uint8_t program_device_status_diagnostic_gq4_45_response[] = {
 };
 
 const struct mip_codec mip_3dm_device_status_diagnostic_gq4_45_response_codec = {
-    0x0C, 0x90, MIP_RESPONSE, sizeof(struct mip_3dm_device_status_diagnostic_gq4_45_response),
+    0x0C,
+    0x90,
+    MIP_RESPONSE,
+    0,
+    sizeof(struct mip_3dm_device_status_diagnostic_gq4_45_response),
     program_device_status_diagnostic_gq4_45_response};
 
 static const uint8_t program_device_status_diagnostic_rq1_45_response[] = {
@@ -1779,7 +2071,11 @@ static const uint8_t program_device_status_diagnostic_rq1_45_response[] = {
 };
 
 const struct mip_codec mip_3dm_device_status_diagnostic_rq1_45_response_codec = {
-    0x0C, 0x90, MIP_RESPONSE, sizeof(struct mip_3dm_device_status_diagnostic_rq1_45_response),
+    0x0C,
+    0x90,
+    MIP_RESPONSE,
+    0,
+    sizeof(struct mip_3dm_device_status_diagnostic_rq1_45_response),
     program_device_status_diagnostic_rq1_45_response};
 
 static const uint8_t program_device_status_diagnostic_gx4_response[] = {
@@ -1794,7 +2090,11 @@ static const uint8_t program_device_status_diagnostic_gx4_response[] = {
 };
 
 const struct mip_codec mip_3dm_device_status_diagnostic_gx4_response_codec = {
-    0x0C, 0x90, MIP_RESPONSE, sizeof(struct mip_3dm_device_status_diagnostic_gx4_response),
+    0x0C,
+    0x90,
+    MIP_RESPONSE,
+    0,
+    sizeof(struct mip_3dm_device_status_diagnostic_gx4_response),
     program_device_status_diagnostic_gx4_response};
 
 static const uint8_t program_device_status_diagnostic_imu_response[] = {
@@ -1814,5 +2114,9 @@ static const uint8_t program_device_status_diagnostic_imu_response[] = {
 };
 
 const struct mip_codec mip_3dm_device_status_diagnostic_imu_response_codec = {
-    0x0C, 0x90, MIP_RESPONSE, sizeof(struct mip_3dm_device_status_diagnostic_imu_response),
+    0x0C,
+    0x90,
+    MIP_RESPONSE,
+    0,
+    sizeof(struct mip_3dm_device_status_diagnostic_imu_response),
     program_device_status_diagnostic_imu_response};

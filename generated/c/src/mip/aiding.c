@@ -25,7 +25,7 @@ static const uint8_t program_frame_config[] = {
 };
 
 const struct mip_codec mip_aiding_frame_config_codec = {
-    0x13, 0x01, MIP_COMMAND, sizeof(struct mip_aiding_frame_config), program_frame_config};
+    0x13, 0x01, MIP_COMMAND, 0, sizeof(struct mip_aiding_frame_config), program_frame_config};
 
 static bool asked_frame_config_1(const void *value) {
     const struct mip_aiding_frame_config *v = (const struct mip_aiding_frame_config *)value;
@@ -54,7 +54,11 @@ static const uint8_t program_frame_config_response[] = {
 };
 
 const struct mip_codec mip_aiding_frame_config_response_codec = {
-    0x13, 0x81, MIP_RESPONSE, sizeof(struct mip_aiding_frame_config_response),
+    0x13,
+    0x81,
+    MIP_RESPONSE,
+    0,
+    sizeof(struct mip_aiding_frame_config_response),
     program_frame_config_response};
 
 static const uint8_t program_echo_control[] = {
@@ -65,7 +69,7 @@ static const uint8_t program_echo_control[] = {
 };
 
 const struct mip_codec mip_aiding_echo_control_codec = {
-    0x13, 0x1F, MIP_COMMAND, sizeof(struct mip_aiding_echo_control), program_echo_control};
+    0x13, 0x1F, MIP_COMMAND, 0, sizeof(struct mip_aiding_echo_control), program_echo_control};
 
 static bool asked_echo_control_1(const void *value) {
     const struct mip_aiding_echo_control *v = (const struct mip_aiding_echo_control *)value;
@@ -86,7 +90,11 @@ static const uint8_t program_echo_control_response[] = {
 };
 
 const struct mip_codec mip_aiding_echo_control_response_codec = {
-    0x13, 0x9F, MIP_RESPONSE, sizeof(struct mip_aiding_echo_control_response),
+    0x13,
+    0x9F,
+    MIP_RESPONSE,
+    1,
+    sizeof(struct mip_aiding_echo_control_response),
     program_echo_control_response};
 
 static const uint8_t program_ecef_position[] = {
@@ -100,7 +108,7 @@ static const uint8_t program_ecef_position[] = {
 };
 
 const struct mip_codec mip_aiding_ecef_position_codec = {
-    0x13, 0x21, MIP_COMMAND, sizeof(struct mip_aiding_ecef_position), program_ecef_position};
+    0x13, 0x21, MIP_COMMAND, 49, sizeof(struct mip_aiding_ecef_position), program_ecef_position};
 
 const struct mip_command mip_aiding_ecef_position_command = {&mip_aiding_ecef_position_codec, NULL,
                                                              NULL, 0};
@@ -116,7 +124,7 @@ static const uint8_t program_llh_position[] = {
 };
 
 const struct mip_codec mip_aiding_llh_position_codec = {
-    0x13, 0x22, MIP_COMMAND, sizeof(struct mip_aiding_llh_position), program_llh_position};
+    0x13, 0x22, MIP_COMMAND, 49, sizeof(struct mip_aiding_llh_position), program_llh_position};
 
 const struct mip_command mip_aiding_llh_position_command = {&mip_aiding_llh_position_codec, NULL,
                                                             NULL, 0};
@@ -131,7 +139,11 @@ static const uint8_t program_height_above_ellipsoid[] = {
 };
 
 const struct mip_codec mip_aiding_height_above_ellipsoid_codec = {
-    0x13, 0x23, MIP_COMMAND, sizeof(struct mip_aiding_height_above_ellipsoid),
+    0x13,
+    0x23,
+    MIP_COMMAND,
+    21,
+    sizeof(struct mip_aiding_height_above_ellipsoid),
     program_height_above_ellipsoid};
 
 const struct mip_command mip_aiding_height_above_ellipsoid_command = {
@@ -147,7 +159,7 @@ static const uint8_t program_ecef_velocity[] = {
 };
 
 const struct mip_codec mip_aiding_ecef_velocity_codec = {
-    0x13, 0x28, MIP_COMMAND, sizeof(struct mip_aiding_ecef_velocity), program_ecef_velocity};
+    0x13, 0x28, MIP_COMMAND, 37, sizeof(struct mip_aiding_ecef_velocity), program_ecef_velocity};
 
 const struct mip_command mip_aiding_ecef_velocity_command = {&mip_aiding_ecef_velocity_codec, NULL,
                                                              NULL, 0};
@@ -162,7 +174,7 @@ static const uint8_t program_ned_velocity[] = {
 };
 
 const struct mip_codec mip_aiding_ned_velocity_codec = {
-    0x13, 0x29, MIP_COMMAND, sizeof(struct mip_aiding_ned_velocity), program_ned_velocity};
+    0x13, 0x29, MIP_COMMAND, 37, sizeof(struct mip_aiding_ned_velocity), program_ned_velocity};
 
 const struct mip_command mip_aiding_ned_velocity_command = {&mip_aiding_ned_velocity_codec, NULL,
                                                             NULL, 0};
@@ -177,7 +189,11 @@ static const uint8_t program_body_frame_velocity[] = {
 };
 
 const struct mip_codec mip_aiding_body_frame_velocity_codec = {
-    0x13, 0x2A, MIP_COMMAND, sizeof(struct mip_aiding_body_frame_velocity),
+    0x13,
+    0x2A,
+    MIP_COMMAND,
+    37,
+    sizeof(struct mip_aiding_body_frame_velocity),
     program_body_frame_velocity};
 
 const struct mip_command mip_aiding_body_frame_velocity_command = {
@@ -193,7 +209,7 @@ static const uint8_t program_true_heading[] = {
 };
 
 const struct mip_codec mip_aiding_true_heading_codec = {
-    0x13, 0x31, MIP_COMMAND, sizeof(struct mip_aiding_true_heading), program_true_heading};
+    0x13, 0x31, MIP_COMMAND, 21, sizeof(struct mip_aiding_true_heading), program_true_heading};
 
 const struct mip_command mip_aiding_true_heading_command = {&mip_aiding_true_heading_codec, NULL,
                                                             NULL, 0};
@@ -208,7 +224,7 @@ static const uint8_t program_magnetic_field[] = {
 };
 
 const struct mip_codec mip_aiding_magnetic_field_codec = {
-    0x13, 0x32, MIP_COMMAND, sizeof(struct mip_aiding_magnetic_field), program_magnetic_field};
+    0x13, 0x32, MIP_COMMAND, 37, sizeof(struct mip_aiding_magnetic_field), program_magnetic_field};
 
 const struct mip_command mip_aiding_magnetic_field_command = {&mip_aiding_magnetic_field_codec,
                                                               NULL, NULL, 0};
@@ -223,6 +239,6 @@ static const uint8_t program_pressure[] = {
 };
 
 const struct mip_codec mip_aiding_pressure_codec = {
-    0x13, 0x33, MIP_COMMAND, sizeof(struct mip_aiding_pressure), program_pressure};
+    0x13, 0x33, MIP_COMMAND, 21, sizeof(struct mip_aiding_pressure), program_pressure};
 
 const struct mip_command mip_aiding_pressure_command = {&mip_aiding_pressure_codec, NULL, NULL, 0};

@@ -7,8 +7,8 @@ static const uint8_t program_ping[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_base_ping_codec = {0x01, 0x01, MIP_COMMAND, sizeof(struct mip_base_ping),
-                                              program_ping};
+const struct mip_codec mip_base_ping_codec = {
+    0x01, 0x01, MIP_COMMAND, 0, sizeof(struct mip_base_ping), program_ping};
 
 const struct mip_command mip_base_ping_command = {&mip_base_ping_codec, NULL, NULL, 0};
 
@@ -17,7 +17,7 @@ static const uint8_t program_set_idle[] = {
 };
 
 const struct mip_codec mip_base_set_idle_codec = {
-    0x01, 0x02, MIP_COMMAND, sizeof(struct mip_base_set_idle), program_set_idle};
+    0x01, 0x02, MIP_COMMAND, 0, sizeof(struct mip_base_set_idle), program_set_idle};
 
 const struct mip_command mip_base_set_idle_command = {&mip_base_set_idle_codec, NULL, NULL, 0};
 
@@ -26,7 +26,7 @@ static const uint8_t program_get_device_info[] = {
 };
 
 const struct mip_codec mip_base_get_device_info_codec = {
-    0x01, 0x03, MIP_COMMAND, sizeof(struct mip_base_get_device_info), program_get_device_info};
+    0x01, 0x03, MIP_COMMAND, 0, sizeof(struct mip_base_get_device_info), program_get_device_info};
 
 static const struct mip_response responses_get_device_info[] = {
     {&mip_base_get_device_info_response_codec, NULL},
@@ -47,7 +47,11 @@ static const uint8_t program_get_device_info_response[] = {
 };
 
 const struct mip_codec mip_base_get_device_info_response_codec = {
-    0x01, 0x81, MIP_RESPONSE, sizeof(struct mip_base_get_device_info_response),
+    0x01,
+    0x81,
+    MIP_RESPONSE,
+    0,
+    sizeof(struct mip_base_get_device_info_response),
     program_get_device_info_response};
 
 static const uint8_t program_get_device_descriptors[] = {
@@ -55,7 +59,11 @@ static const uint8_t program_get_device_descriptors[] = {
 };
 
 const struct mip_codec mip_base_get_device_descriptors_codec = {
-    0x01, 0x04, MIP_COMMAND, sizeof(struct mip_base_get_device_descriptors),
+    0x01,
+    0x04,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_base_get_device_descriptors),
     program_get_device_descriptors};
 
 static const struct mip_response responses_get_device_descriptors[] = {
@@ -73,7 +81,11 @@ static const uint8_t program_get_device_descriptors_response[] = {
 };
 
 const struct mip_codec mip_base_get_device_descriptors_response_codec = {
-    0x01, 0x82, MIP_RESPONSE, sizeof(struct mip_base_get_device_descriptors_response),
+    0x01,
+    0x82,
+    MIP_RESPONSE,
+    0,
+    sizeof(struct mip_base_get_device_descriptors_response),
     program_get_device_descriptors_response};
 
 static const uint8_t program_built_in_test[] = {
@@ -81,7 +93,7 @@ static const uint8_t program_built_in_test[] = {
 };
 
 const struct mip_codec mip_base_built_in_test_codec = {
-    0x01, 0x05, MIP_COMMAND, sizeof(struct mip_base_built_in_test), program_built_in_test};
+    0x01, 0x05, MIP_COMMAND, 0, sizeof(struct mip_base_built_in_test), program_built_in_test};
 
 static const struct mip_response responses_built_in_test[] = {
     {&mip_base_built_in_test_response_codec, NULL},
@@ -97,15 +109,19 @@ static const uint8_t program_built_in_test_response[] = {
 };
 
 const struct mip_codec mip_base_built_in_test_response_codec = {
-    0x01, 0x83, MIP_RESPONSE, sizeof(struct mip_base_built_in_test_response),
+    0x01,
+    0x83,
+    MIP_RESPONSE,
+    4,
+    sizeof(struct mip_base_built_in_test_response),
     program_built_in_test_response};
 
 static const uint8_t program_resume[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_base_resume_codec = {0x01, 0x06, MIP_COMMAND,
-                                                sizeof(struct mip_base_resume), program_resume};
+const struct mip_codec mip_base_resume_codec = {
+    0x01, 0x06, MIP_COMMAND, 0, sizeof(struct mip_base_resume), program_resume};
 
 const struct mip_command mip_base_resume_command = {&mip_base_resume_codec, NULL, NULL, 0};
 
@@ -114,7 +130,11 @@ static const uint8_t program_get_extended_descriptors[] = {
 };
 
 const struct mip_codec mip_base_get_extended_descriptors_codec = {
-    0x01, 0x07, MIP_COMMAND, sizeof(struct mip_base_get_extended_descriptors),
+    0x01,
+    0x07,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_base_get_extended_descriptors),
     program_get_extended_descriptors};
 
 static const struct mip_response responses_get_extended_descriptors[] = {
@@ -132,7 +152,11 @@ static const uint8_t program_get_extended_descriptors_response[] = {
 };
 
 const struct mip_codec mip_base_get_extended_descriptors_response_codec = {
-    0x01, 0x86, MIP_RESPONSE, sizeof(struct mip_base_get_extended_descriptors_response),
+    0x01,
+    0x86,
+    MIP_RESPONSE,
+    0,
+    sizeof(struct mip_base_get_extended_descriptors_response),
     program_get_extended_descriptors_response};
 
 static const uint8_t program_continuous_built_in_test[] = {
@@ -140,7 +164,11 @@ static const uint8_t program_continuous_built_in_test[] = {
 };
 
 const struct mip_codec mip_base_continuous_built_in_test_codec = {
-    0x01, 0x08, MIP_COMMAND, sizeof(struct mip_base_continuous_built_in_test),
+    0x01,
+    0x08,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_base_continuous_built_in_test),
     program_continuous_built_in_test};
 
 static const struct mip_response responses_continuous_built_in_test[] = {
@@ -157,7 +185,11 @@ static const uint8_t program_continuous_built_in_test_response[] = {
 };
 
 const struct mip_codec mip_base_continuous_built_in_test_response_codec = {
-    0x01, 0x88, MIP_RESPONSE, sizeof(struct mip_base_continuous_built_in_test_response),
+    0x01,
+    0x88,
+    MIP_RESPONSE,
+    16,
+    sizeof(struct mip_base_continuous_built_in_test_response),
     program_continuous_built_in_test_response};
 
 static const uint8_t program_comm_speed[] = {
@@ -170,7 +202,7 @@ static const uint8_t program_comm_speed[] = {
 };
 
 const struct mip_codec mip_base_comm_speed_codec = {
-    0x01, 0x09, MIP_COMMAND, sizeof(struct mip_base_comm_speed), program_comm_speed};
+    0x01, 0x09, MIP_COMMAND, 0, sizeof(struct mip_base_comm_speed), program_comm_speed};
 
 static bool asked_comm_speed_1(const void *value) {
     const struct mip_base_comm_speed *v = (const struct mip_base_comm_speed *)value;
@@ -192,7 +224,11 @@ static const uint8_t program_comm_speed_response[] = {
 };
 
 const struct mip_codec mip_base_comm_speed_response_codec = {
-    0x01, 0x89, MIP_RESPONSE, sizeof(struct mip_base_comm_speed_response),
+    0x01,
+    0x89,
+    MIP_RESPONSE,
+    5,
+    sizeof(struct mip_base_comm_speed_response),
     program_comm_speed_response};
 
 static const uint8_t program_gps_time_update[] = {
@@ -205,7 +241,7 @@ static const uint8_t program_gps_time_update[] = {
 };
 
 const struct mip_codec mip_base_gps_time_update_codec = {
-    0x01, 0x72, MIP_COMMAND, sizeof(struct mip_base_gps_time_update), program_gps_time_update};
+    0x01, 0x72, MIP_COMMAND, 0, sizeof(struct mip_base_gps_time_update), program_gps_time_update};
 
 static bool silent_gps_time_update(const void *value) {
     const struct mip_base_gps_time_update *v = (const struct mip_base_gps_time_update *)value;
@@ -237,7 +273,11 @@ static const uint8_t program_gps_time_update_week_number_response[] = {
 };
 
 const struct mip_codec mip_base_gps_time_update_week_number_response_codec = {
-    0x01, 0x84, MIP_RESPONSE, sizeof(struct mip_base_gps_time_update_week_number_response),
+    0x01,
+    0x84,
+    MIP_RESPONSE,
+    4,
+    sizeof(struct mip_base_gps_time_update_week_number_response),
     program_gps_time_update_week_number_response};
 
 static const uint8_t program_gps_time_update_tow_response[] = {
@@ -246,7 +286,11 @@ static const uint8_t program_gps_time_update_tow_response[] = {
 };
 
 const struct mip_codec mip_base_gps_time_update_tow_response_codec = {
-    0x01, 0x85, MIP_RESPONSE, sizeof(struct mip_base_gps_time_update_tow_response),
+    0x01,
+    0x85,
+    MIP_RESPONSE,
+    4,
+    sizeof(struct mip_base_gps_time_update_tow_response),
     program_gps_time_update_tow_response};
 
 static const uint8_t program_soft_reset[] = {
@@ -254,6 +298,6 @@ static const uint8_t program_soft_reset[] = {
 };
 
 const struct mip_codec mip_base_soft_reset_codec = {
-    0x01, 0x7E, MIP_COMMAND, sizeof(struct mip_base_soft_reset), program_soft_reset};
+    0x01, 0x7E, MIP_COMMAND, 0, sizeof(struct mip_base_soft_reset), program_soft_reset};
 
 const struct mip_command mip_base_soft_reset_command = {&mip_base_soft_reset_codec, NULL, NULL, 0};

@@ -7,8 +7,8 @@ static const uint8_t program_reset[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_reset_codec = {0x0D, 0x01, MIP_COMMAND,
-                                                 sizeof(struct mip_filter_reset), program_reset};
+const struct mip_codec mip_filter_reset_codec = {
+    0x0D, 0x01, MIP_COMMAND, 0, sizeof(struct mip_filter_reset), program_reset};
 
 const struct mip_command mip_filter_reset_command = {&mip_filter_reset_codec, NULL, NULL, 0};
 
@@ -18,7 +18,11 @@ static const uint8_t program_set_initial_attitude[] = {
 };
 
 const struct mip_codec mip_filter_set_initial_attitude_codec = {
-    0x0D, 0x02, MIP_COMMAND, sizeof(struct mip_filter_set_initial_attitude),
+    0x0D,
+    0x02,
+    MIP_COMMAND,
+    12,
+    sizeof(struct mip_filter_set_initial_attitude),
     program_set_initial_attitude};
 
 const struct mip_command mip_filter_set_initial_attitude_command = {
@@ -30,7 +34,11 @@ static const uint8_t program_set_initial_heading[] = {
 };
 
 const struct mip_codec mip_filter_set_initial_heading_codec = {
-    0x0D, 0x03, MIP_COMMAND, sizeof(struct mip_filter_set_initial_heading),
+    0x0D,
+    0x03,
+    MIP_COMMAND,
+    4,
+    sizeof(struct mip_filter_set_initial_heading),
     program_set_initial_heading};
 
 const struct mip_command mip_filter_set_initial_heading_command = {
@@ -40,8 +48,8 @@ static const uint8_t program_run[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_filter_run_codec = {0x0D, 0x05, MIP_COMMAND,
-                                               sizeof(struct mip_filter_run), program_run};
+const struct mip_codec mip_filter_run_codec = {
+    0x0D, 0x05, MIP_COMMAND, 0, sizeof(struct mip_filter_run), program_run};
 
 const struct mip_command mip_filter_run_command = {&mip_filter_run_codec, NULL, NULL, 0};
 
@@ -53,7 +61,11 @@ static const uint8_t program_vehicle_dynamics_mode[] = {
 };
 
 const struct mip_codec mip_filter_vehicle_dynamics_mode_codec = {
-    0x0D, 0x10, MIP_COMMAND, sizeof(struct mip_filter_vehicle_dynamics_mode),
+    0x0D,
+    0x10,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_filter_vehicle_dynamics_mode),
     program_vehicle_dynamics_mode};
 
 static bool asked_vehicle_dynamics_mode_1(const void *value) {
@@ -76,7 +88,11 @@ static const uint8_t program_vehicle_dynamics_mode_response[] = {
 };
 
 const struct mip_codec mip_filter_vehicle_dynamics_mode_response_codec = {
-    0x0D, 0x80, MIP_RESPONSE, sizeof(struct mip_filter_vehicle_dynamics_mode_response),
+    0x0D,
+    0x80,
+    MIP_RESPONSE,
+    1,
+    sizeof(struct mip_filter_vehicle_dynamics_mode_response),
     program_vehicle_dynamics_mode_response};
 
 static const uint8_t program_sensor_to_vehicle_euler[] = {
@@ -91,7 +107,11 @@ static const uint8_t program_sensor_to_vehicle_euler[] = {
 };
 
 const struct mip_codec mip_filter_sensor_to_vehicle_euler_codec = {
-    0x0D, 0x11, MIP_COMMAND, sizeof(struct mip_filter_sensor_to_vehicle_euler),
+    0x0D,
+    0x11,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_filter_sensor_to_vehicle_euler),
     program_sensor_to_vehicle_euler};
 
 static bool asked_sensor_to_vehicle_euler_1(const void *value) {
@@ -114,7 +134,11 @@ static const uint8_t program_sensor_to_vehicle_euler_response[] = {
 };
 
 const struct mip_codec mip_filter_sensor_to_vehicle_euler_response_codec = {
-    0x0D, 0x81, MIP_RESPONSE, sizeof(struct mip_filter_sensor_to_vehicle_euler_response),
+    0x0D,
+    0x81,
+    MIP_RESPONSE,
+    12,
+    sizeof(struct mip_filter_sensor_to_vehicle_euler_response),
     program_sensor_to_vehicle_euler_response};
 
 static const uint8_t program_sensor_to_vehicle_offset[] = {
@@ -125,7 +149,11 @@ static const uint8_t program_sensor_to_vehicle_offset[] = {
 };
 
 const struct mip_codec mip_filter_sensor_to_vehicle_offset_codec = {
-    0x0D, 0x12, MIP_COMMAND, sizeof(struct mip_filter_sensor_to_vehicle_offset),
+    0x0D,
+    0x12,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_filter_sensor_to_vehicle_offset),
     program_sensor_to_vehicle_offset};
 
 static bool asked_sensor_to_vehicle_offset_1(const void *value) {
@@ -148,7 +176,11 @@ static const uint8_t program_sensor_to_vehicle_offset_response[] = {
 };
 
 const struct mip_codec mip_filter_sensor_to_vehicle_offset_response_codec = {
-    0x0D, 0x82, MIP_RESPONSE, sizeof(struct mip_filter_sensor_to_vehicle_offset_response),
+    0x0D,
+    0x82,
+    MIP_RESPONSE,
+    12,
+    sizeof(struct mip_filter_sensor_to_vehicle_offset_response),
     program_sensor_to_vehicle_offset_response};
 
 static const uint8_t program_antenna_offset[] = {
@@ -159,7 +191,7 @@ static const uint8_t program_antenna_offset[] = {
 };
 
 const struct mip_codec mip_filter_antenna_offset_codec = {
-    0x0D, 0x13, MIP_COMMAND, sizeof(struct mip_filter_antenna_offset), program_antenna_offset};
+    0x0D, 0x13, MIP_COMMAND, 0, sizeof(struct mip_filter_antenna_offset), program_antenna_offset};
 
 static bool asked_antenna_offset_1(const void *value) {
     const struct mip_filter_antenna_offset *v = (const struct mip_filter_antenna_offset *)value;
@@ -180,7 +212,11 @@ static const uint8_t program_antenna_offset_response[] = {
 };
 
 const struct mip_codec mip_filter_antenna_offset_response_codec = {
-    0x0D, 0x83, MIP_RESPONSE, sizeof(struct mip_filter_antenna_offset_response),
+    0x0D,
+    0x83,
+    MIP_RESPONSE,
+    12,
+    sizeof(struct mip_filter_antenna_offset_response),
     program_antenna_offset_response};
 
 static const uint8_t program_estimation_control[] = {
@@ -191,7 +227,11 @@ static const uint8_t program_estimation_control[] = {
 };
 
 const struct mip_codec mip_filter_estimation_control_codec = {
-    0x0D, 0x14, MIP_COMMAND, sizeof(struct mip_filter_estimation_control),
+    0x0D,
+    0x14,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_filter_estimation_control),
     program_estimation_control};
 
 static bool asked_estimation_control_1(const void *value) {
@@ -214,7 +254,11 @@ static const uint8_t program_estimation_control_response[] = {
 };
 
 const struct mip_codec mip_filter_estimation_control_response_codec = {
-    0x0D, 0x84, MIP_RESPONSE, sizeof(struct mip_filter_estimation_control_response),
+    0x0D,
+    0x84,
+    MIP_RESPONSE,
+    2,
+    sizeof(struct mip_filter_estimation_control_response),
     program_estimation_control_response};
 
 static const uint8_t program_gnss_source[] = {
@@ -225,7 +269,7 @@ static const uint8_t program_gnss_source[] = {
 };
 
 const struct mip_codec mip_filter_gnss_source_codec = {
-    0x0D, 0x15, MIP_COMMAND, sizeof(struct mip_filter_gnss_source), program_gnss_source};
+    0x0D, 0x15, MIP_COMMAND, 0, sizeof(struct mip_filter_gnss_source), program_gnss_source};
 
 static bool asked_gnss_source_1(const void *value) {
     const struct mip_filter_gnss_source *v = (const struct mip_filter_gnss_source *)value;
@@ -246,7 +290,11 @@ static const uint8_t program_gnss_source_response[] = {
 };
 
 const struct mip_codec mip_filter_gnss_source_response_codec = {
-    0x0D, 0x86, MIP_RESPONSE, sizeof(struct mip_filter_gnss_source_response),
+    0x0D,
+    0x86,
+    MIP_RESPONSE,
+    1,
+    sizeof(struct mip_filter_gnss_source_response),
     program_gnss_source_response};
 
 static const uint8_t program_external_gnss_update[] = {
@@ -258,7 +306,11 @@ static const uint8_t program_external_gnss_update[] = {
 };
 
 const struct mip_codec mip_filter_external_gnss_update_codec = {
-    0x0D, 0x16, MIP_COMMAND, sizeof(struct mip_filter_external_gnss_update),
+    0x0D,
+    0x16,
+    MIP_COMMAND,
+    70,
+    sizeof(struct mip_filter_external_gnss_update),
     program_external_gnss_update};
 
 const struct mip_command mip_filter_external_gnss_update_command = {
@@ -271,7 +323,11 @@ static const uint8_t program_external_heading_update[] = {
 };
 
 const struct mip_codec mip_filter_external_heading_update_codec = {
-    0x0D, 0x17, MIP_COMMAND, sizeof(struct mip_filter_external_heading_update),
+    0x0D,
+    0x17,
+    MIP_COMMAND,
+    9,
+    sizeof(struct mip_filter_external_heading_update),
     program_external_heading_update};
 
 const struct mip_command mip_filter_external_heading_update_command = {
@@ -285,7 +341,7 @@ static const uint8_t program_heading_source[] = {
 };
 
 const struct mip_codec mip_filter_heading_source_codec = {
-    0x0D, 0x18, MIP_COMMAND, sizeof(struct mip_filter_heading_source), program_heading_source};
+    0x0D, 0x18, MIP_COMMAND, 0, sizeof(struct mip_filter_heading_source), program_heading_source};
 
 static bool asked_heading_source_1(const void *value) {
     const struct mip_filter_heading_source *v = (const struct mip_filter_heading_source *)value;
@@ -306,7 +362,11 @@ static const uint8_t program_heading_source_response[] = {
 };
 
 const struct mip_codec mip_filter_heading_source_response_codec = {
-    0x0D, 0x87, MIP_RESPONSE, sizeof(struct mip_filter_heading_source_response),
+    0x0D,
+    0x87,
+    MIP_RESPONSE,
+    1,
+    sizeof(struct mip_filter_heading_source_response),
     program_heading_source_response};
 
 static const uint8_t program_auto_initialization_control[] = {
@@ -317,7 +377,11 @@ static const uint8_t program_auto_initialization_control[] = {
 };
 
 const struct mip_codec mip_filter_auto_initialization_control_codec = {
-    0x0D, 0x19, MIP_COMMAND, sizeof(struct mip_filter_auto_initialization_control),
+    0x0D,
+    0x19,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_filter_auto_initialization_control),
     program_auto_initialization_control};
 
 static bool asked_auto_initialization_control_1(const void *value) {
@@ -340,7 +404,11 @@ static const uint8_t program_auto_initialization_control_response[] = {
 };
 
 const struct mip_codec mip_filter_auto_initialization_control_response_codec = {
-    0x0D, 0x88, MIP_RESPONSE, sizeof(struct mip_filter_auto_initialization_control_response),
+    0x0D,
+    0x88,
+    MIP_RESPONSE,
+    1,
+    sizeof(struct mip_filter_auto_initialization_control_response),
     program_auto_initialization_control_response};
 
 static const uint8_t program_accel_noise[] = {
@@ -351,7 +419,7 @@ static const uint8_t program_accel_noise[] = {
 };
 
 const struct mip_codec mip_filter_accel_noise_codec = {
-    0x0D, 0x1A, MIP_COMMAND, sizeof(struct mip_filter_accel_noise), program_accel_noise};
+    0x0D, 0x1A, MIP_COMMAND, 0, sizeof(struct mip_filter_accel_noise), program_accel_noise};
 
 static bool asked_accel_noise_1(const void *value) {
     const struct mip_filter_accel_noise *v = (const struct mip_filter_accel_noise *)value;
@@ -372,7 +440,11 @@ static const uint8_t program_accel_noise_response[] = {
 };
 
 const struct mip_codec mip_filter_accel_noise_response_codec = {
-    0x0D, 0x89, MIP_RESPONSE, sizeof(struct mip_filter_accel_noise_response),
+    0x0D,
+    0x89,
+    MIP_RESPONSE,
+    12,
+    sizeof(struct mip_filter_accel_noise_response),
     program_accel_noise_response};
 
 static const uint8_t program_gyro_noise[] = {
@@ -383,7 +455,7 @@ static const uint8_t program_gyro_noise[] = {
 };
 
 const struct mip_codec mip_filter_gyro_noise_codec = {
-    0x0D, 0x1B, MIP_COMMAND, sizeof(struct mip_filter_gyro_noise), program_gyro_noise};
+    0x0D, 0x1B, MIP_COMMAND, 0, sizeof(struct mip_filter_gyro_noise), program_gyro_noise};
 
 static bool asked_gyro_noise_1(const void *value) {
     const struct mip_filter_gyro_noise *v = (const struct mip_filter_gyro_noise *)value;
@@ -404,7 +476,11 @@ static const uint8_t program_gyro_noise_response[] = {
 };
 
 const struct mip_codec mip_filter_gyro_noise_response_codec = {
-    0x0D, 0x8A, MIP_RESPONSE, sizeof(struct mip_filter_gyro_noise_response),
+    0x0D,
+    0x8A,
+    MIP_RESPONSE,
+    12,
+    sizeof(struct mip_filter_gyro_noise_response),
     program_gyro_noise_response};
 
 static const uint8_t program_accel_bias_model[] = {
@@ -417,7 +493,12 @@ static const uint8_t program_accel_bias_model[] = {
 };
 
 const struct mip_codec mip_filter_accel_bias_model_codec = {
-    0x0D, 0x1C, MIP_COMMAND, sizeof(struct mip_filter_accel_bias_model), program_accel_bias_model};
+    0x0D,
+    0x1C,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_filter_accel_bias_model),
+    program_accel_bias_model};
 
 static bool asked_accel_bias_model_1(const void *value) {
     const struct mip_filter_accel_bias_model *v = (const struct mip_filter_accel_bias_model *)value;
@@ -438,7 +519,11 @@ static const uint8_t program_accel_bias_model_response[] = {
 };
 
 const struct mip_codec mip_filter_accel_bias_model_response_codec = {
-    0x0D, 0x8B, MIP_RESPONSE, sizeof(struct mip_filter_accel_bias_model_response),
+    0x0D,
+    0x8B,
+    MIP_RESPONSE,
+    24,
+    sizeof(struct mip_filter_accel_bias_model_response),
     program_accel_bias_model_response};
 
 static const uint8_t program_gyro_bias_model[] = {
@@ -451,7 +536,7 @@ static const uint8_t program_gyro_bias_model[] = {
 };
 
 const struct mip_codec mip_filter_gyro_bias_model_codec = {
-    0x0D, 0x1D, MIP_COMMAND, sizeof(struct mip_filter_gyro_bias_model), program_gyro_bias_model};
+    0x0D, 0x1D, MIP_COMMAND, 0, sizeof(struct mip_filter_gyro_bias_model), program_gyro_bias_model};
 
 static bool asked_gyro_bias_model_1(const void *value) {
     const struct mip_filter_gyro_bias_model *v = (const struct mip_filter_gyro_bias_model *)value;
@@ -472,7 +557,11 @@ static const uint8_t program_gyro_bias_model_response[] = {
 };
 
 const struct mip_codec mip_filter_gyro_bias_model_response_codec = {
-    0x0D, 0x8C, MIP_RESPONSE, sizeof(struct mip_filter_gyro_bias_model_response),
+    0x0D,
+    0x8C,
+    MIP_RESPONSE,
+    24,
+    sizeof(struct mip_filter_gyro_bias_model_response),
     program_gyro_bias_model_response};
 
 static const uint8_t program_auto_zupt[] = {
@@ -485,7 +574,7 @@ static const uint8_t program_auto_zupt[] = {
 };
 
 const struct mip_codec mip_filter_auto_zupt_codec = {
-    0x0D, 0x1E, MIP_COMMAND, sizeof(struct mip_filter_auto_zupt), program_auto_zupt};
+    0x0D, 0x1E, MIP_COMMAND, 0, sizeof(struct mip_filter_auto_zupt), program_auto_zupt};
 
 static bool asked_auto_zupt_1(const void *value) {
     const struct mip_filter_auto_zupt *v = (const struct mip_filter_auto_zupt *)value;
@@ -507,7 +596,11 @@ static const uint8_t program_auto_zupt_response[] = {
 };
 
 const struct mip_codec mip_filter_auto_zupt_response_codec = {
-    0x0D, 0x8D, MIP_RESPONSE, sizeof(struct mip_filter_auto_zupt_response),
+    0x0D,
+    0x8D,
+    MIP_RESPONSE,
+    5,
+    sizeof(struct mip_filter_auto_zupt_response),
     program_auto_zupt_response};
 
 static const uint8_t program_external_heading_update_with_time[] = {
@@ -519,7 +612,11 @@ static const uint8_t program_external_heading_update_with_time[] = {
 };
 
 const struct mip_codec mip_filter_external_heading_update_with_time_codec = {
-    0x0D, 0x1F, MIP_COMMAND, sizeof(struct mip_filter_external_heading_update_with_time),
+    0x0D,
+    0x1F,
+    MIP_COMMAND,
+    19,
+    sizeof(struct mip_filter_external_heading_update_with_time),
     program_external_heading_update_with_time};
 
 const struct mip_command mip_filter_external_heading_update_with_time_command = {
@@ -535,7 +632,11 @@ static const uint8_t program_auto_angular_zupt[] = {
 };
 
 const struct mip_codec mip_filter_auto_angular_zupt_codec = {
-    0x0D, 0x20, MIP_COMMAND, sizeof(struct mip_filter_auto_angular_zupt),
+    0x0D,
+    0x20,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_filter_auto_angular_zupt),
     program_auto_angular_zupt};
 
 static bool asked_auto_angular_zupt_1(const void *value) {
@@ -559,7 +660,11 @@ static const uint8_t program_auto_angular_zupt_response[] = {
 };
 
 const struct mip_codec mip_filter_auto_angular_zupt_response_codec = {
-    0x0D, 0x8E, MIP_RESPONSE, sizeof(struct mip_filter_auto_angular_zupt_response),
+    0x0D,
+    0x8E,
+    MIP_RESPONSE,
+    5,
+    sizeof(struct mip_filter_auto_angular_zupt_response),
     program_auto_angular_zupt_response};
 
 static const uint8_t program_tare_orientation[] = {
@@ -570,7 +675,12 @@ static const uint8_t program_tare_orientation[] = {
 };
 
 const struct mip_codec mip_filter_tare_orientation_codec = {
-    0x0D, 0x21, MIP_COMMAND, sizeof(struct mip_filter_tare_orientation), program_tare_orientation};
+    0x0D,
+    0x21,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_filter_tare_orientation),
+    program_tare_orientation};
 
 static bool asked_tare_orientation_1(const void *value) {
     const struct mip_filter_tare_orientation *v = (const struct mip_filter_tare_orientation *)value;
@@ -591,7 +701,11 @@ static const uint8_t program_tare_orientation_response[] = {
 };
 
 const struct mip_codec mip_filter_tare_orientation_response_codec = {
-    0x0D, 0xA1, MIP_RESPONSE, sizeof(struct mip_filter_tare_orientation_response),
+    0x0D,
+    0xA1,
+    MIP_RESPONSE,
+    1,
+    sizeof(struct mip_filter_tare_orientation_response),
     program_tare_orientation_response};
 
 static const uint8_t program_commanded_zupt[] = {
@@ -599,7 +713,7 @@ static const uint8_t program_commanded_zupt[] = {
 };
 
 const struct mip_codec mip_filter_commanded_zupt_codec = {
-    0x0D, 0x22, MIP_COMMAND, sizeof(struct mip_filter_commanded_zupt), program_commanded_zupt};
+    0x0D, 0x22, MIP_COMMAND, 0, sizeof(struct mip_filter_commanded_zupt), program_commanded_zupt};
 
 const struct mip_command mip_filter_commanded_zupt_command = {&mip_filter_commanded_zupt_codec,
                                                               NULL, NULL, 0};
@@ -609,7 +723,11 @@ static const uint8_t program_commanded_angular_zupt[] = {
 };
 
 const struct mip_codec mip_filter_commanded_angular_zupt_codec = {
-    0x0D, 0x23, MIP_COMMAND, sizeof(struct mip_filter_commanded_angular_zupt),
+    0x0D,
+    0x23,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_filter_commanded_angular_zupt),
     program_commanded_angular_zupt};
 
 const struct mip_command mip_filter_commanded_angular_zupt_command = {
@@ -629,7 +747,11 @@ static const uint8_t program_reference_position[] = {
 };
 
 const struct mip_codec mip_filter_reference_position_codec = {
-    0x0D, 0x26, MIP_COMMAND, sizeof(struct mip_filter_reference_position),
+    0x0D,
+    0x26,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_filter_reference_position),
     program_reference_position};
 
 static bool asked_reference_position_1(const void *value) {
@@ -653,7 +775,11 @@ static const uint8_t program_reference_position_response[] = {
 };
 
 const struct mip_codec mip_filter_reference_position_response_codec = {
-    0x0D, 0x90, MIP_RESPONSE, sizeof(struct mip_filter_reference_position_response),
+    0x0D,
+    0x90,
+    MIP_RESPONSE,
+    25,
+    sizeof(struct mip_filter_reference_position_response),
     program_reference_position_response};
 
 static const uint8_t program_mag_capture_auto_calibration[] = {
@@ -662,7 +788,11 @@ static const uint8_t program_mag_capture_auto_calibration[] = {
 };
 
 const struct mip_codec mip_filter_mag_capture_auto_calibration_codec = {
-    0x0D, 0x27, MIP_COMMAND, sizeof(struct mip_filter_mag_capture_auto_calibration),
+    0x0D,
+    0x27,
+    MIP_COMMAND,
+    1,
+    sizeof(struct mip_filter_mag_capture_auto_calibration),
     program_mag_capture_auto_calibration};
 
 const struct mip_command mip_filter_mag_capture_auto_calibration_command = {
@@ -676,7 +806,7 @@ static const uint8_t program_gravity_noise[] = {
 };
 
 const struct mip_codec mip_filter_gravity_noise_codec = {
-    0x0D, 0x28, MIP_COMMAND, sizeof(struct mip_filter_gravity_noise), program_gravity_noise};
+    0x0D, 0x28, MIP_COMMAND, 0, sizeof(struct mip_filter_gravity_noise), program_gravity_noise};
 
 static bool asked_gravity_noise_1(const void *value) {
     const struct mip_filter_gravity_noise *v = (const struct mip_filter_gravity_noise *)value;
@@ -697,7 +827,11 @@ static const uint8_t program_gravity_noise_response[] = {
 };
 
 const struct mip_codec mip_filter_gravity_noise_response_codec = {
-    0x0D, 0x93, MIP_RESPONSE, sizeof(struct mip_filter_gravity_noise_response),
+    0x0D,
+    0x93,
+    MIP_RESPONSE,
+    12,
+    sizeof(struct mip_filter_gravity_noise_response),
     program_gravity_noise_response};
 
 static const uint8_t program_pressure_altitude_noise[] = {
@@ -708,7 +842,11 @@ static const uint8_t program_pressure_altitude_noise[] = {
 };
 
 const struct mip_codec mip_filter_pressure_altitude_noise_codec = {
-    0x0D, 0x29, MIP_COMMAND, sizeof(struct mip_filter_pressure_altitude_noise),
+    0x0D,
+    0x29,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_filter_pressure_altitude_noise),
     program_pressure_altitude_noise};
 
 static bool asked_pressure_altitude_noise_1(const void *value) {
@@ -731,7 +869,11 @@ static const uint8_t program_pressure_altitude_noise_response[] = {
 };
 
 const struct mip_codec mip_filter_pressure_altitude_noise_response_codec = {
-    0x0D, 0x94, MIP_RESPONSE, sizeof(struct mip_filter_pressure_altitude_noise_response),
+    0x0D,
+    0x94,
+    MIP_RESPONSE,
+    4,
+    sizeof(struct mip_filter_pressure_altitude_noise_response),
     program_pressure_altitude_noise_response};
 
 static const uint8_t program_hard_iron_offset_noise[] = {
@@ -742,7 +884,11 @@ static const uint8_t program_hard_iron_offset_noise[] = {
 };
 
 const struct mip_codec mip_filter_hard_iron_offset_noise_codec = {
-    0x0D, 0x2B, MIP_COMMAND, sizeof(struct mip_filter_hard_iron_offset_noise),
+    0x0D,
+    0x2B,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_filter_hard_iron_offset_noise),
     program_hard_iron_offset_noise};
 
 static bool asked_hard_iron_offset_noise_1(const void *value) {
@@ -765,7 +911,11 @@ static const uint8_t program_hard_iron_offset_noise_response[] = {
 };
 
 const struct mip_codec mip_filter_hard_iron_offset_noise_response_codec = {
-    0x0D, 0x96, MIP_RESPONSE, sizeof(struct mip_filter_hard_iron_offset_noise_response),
+    0x0D,
+    0x96,
+    MIP_RESPONSE,
+    12,
+    sizeof(struct mip_filter_hard_iron_offset_noise_response),
     program_hard_iron_offset_noise_response};
 
 static const uint8_t program_soft_iron_matrix_noise[] = {
@@ -776,7 +926,11 @@ static const uint8_t program_soft_iron_matrix_noise[] = {
 };
 
 const struct mip_codec mip_filter_soft_iron_matrix_noise_codec = {
-    0x0D, 0x2C, MIP_COMMAND, sizeof(struct mip_filter_soft_iron_matrix_noise),
+    0x0D,
+    0x2C,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_filter_soft_iron_matrix_noise),
     program_soft_iron_matrix_noise};
 
 static bool asked_soft_iron_matrix_noise_1(const void *value) {
@@ -799,7 +953,11 @@ static const uint8_t program_soft_iron_matrix_noise_response[] = {
 };
 
 const struct mip_codec mip_filter_soft_iron_matrix_noise_response_codec = {
-    0x0D, 0x97, MIP_RESPONSE, sizeof(struct mip_filter_soft_iron_matrix_noise_response),
+    0x0D,
+    0x97,
+    MIP_RESPONSE,
+    36,
+    sizeof(struct mip_filter_soft_iron_matrix_noise_response),
     program_soft_iron_matrix_noise_response};
 
 static const uint8_t program_enable_measurements[] = {
@@ -810,7 +968,11 @@ static const uint8_t program_enable_measurements[] = {
 };
 
 const struct mip_codec mip_filter_enable_measurements_codec = {
-    0x0D, 0x41, MIP_COMMAND, sizeof(struct mip_filter_enable_measurements),
+    0x0D,
+    0x41,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_filter_enable_measurements),
     program_enable_measurements};
 
 static bool asked_enable_measurements_1(const void *value) {
@@ -833,7 +995,11 @@ static const uint8_t program_enable_measurements_response[] = {
 };
 
 const struct mip_codec mip_filter_enable_measurements_response_codec = {
-    0x0D, 0xB0, MIP_RESPONSE, sizeof(struct mip_filter_enable_measurements_response),
+    0x0D,
+    0xB0,
+    MIP_RESPONSE,
+    2,
+    sizeof(struct mip_filter_enable_measurements_response),
     program_enable_measurements_response};
 
 static const uint8_t program_mag_noise[] = {
@@ -844,7 +1010,7 @@ static const uint8_t program_mag_noise[] = {
 };
 
 const struct mip_codec mip_filter_mag_noise_codec = {
-    0x0D, 0x42, MIP_COMMAND, sizeof(struct mip_filter_mag_noise), program_mag_noise};
+    0x0D, 0x42, MIP_COMMAND, 0, sizeof(struct mip_filter_mag_noise), program_mag_noise};
 
 static bool asked_mag_noise_1(const void *value) {
     const struct mip_filter_mag_noise *v = (const struct mip_filter_mag_noise *)value;
@@ -865,7 +1031,11 @@ static const uint8_t program_mag_noise_response[] = {
 };
 
 const struct mip_codec mip_filter_mag_noise_response_codec = {
-    0x0D, 0xB1, MIP_RESPONSE, sizeof(struct mip_filter_mag_noise_response),
+    0x0D,
+    0xB1,
+    MIP_RESPONSE,
+    12,
+    sizeof(struct mip_filter_mag_noise_response),
     program_mag_noise_response};
 
 static const uint8_t program_magnetic_declination_source[] = {
@@ -878,7 +1048,11 @@ static const uint8_t program_magnetic_declination_source[] = {
 };
 
 const struct mip_codec mip_filter_magnetic_declination_source_codec = {
-    0x0D, 0x43, MIP_COMMAND, sizeof(struct mip_filter_magnetic_declination_source),
+    0x0D,
+    0x43,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_filter_magnetic_declination_source),
     program_magnetic_declination_source};
 
 static bool asked_magnetic_declination_source_1(const void *value) {
@@ -902,7 +1076,11 @@ static const uint8_t program_magnetic_declination_source_response[] = {
 };
 
 const struct mip_codec mip_filter_magnetic_declination_source_response_codec = {
-    0x0D, 0xB2, MIP_RESPONSE, sizeof(struct mip_filter_magnetic_declination_source_response),
+    0x0D,
+    0xB2,
+    MIP_RESPONSE,
+    5,
+    sizeof(struct mip_filter_magnetic_declination_source_response),
     program_magnetic_declination_source_response};
 
 static const uint8_t program_accel_magnitude_adaptive[] = {
@@ -925,7 +1103,11 @@ static const uint8_t program_accel_magnitude_adaptive[] = {
 };
 
 const struct mip_codec mip_filter_accel_magnitude_adaptive_codec = {
-    0x0D, 0x44, MIP_COMMAND, sizeof(struct mip_filter_accel_magnitude_adaptive),
+    0x0D,
+    0x44,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_filter_accel_magnitude_adaptive),
     program_accel_magnitude_adaptive};
 
 static bool asked_accel_magnitude_adaptive_1(const void *value) {
@@ -950,7 +1132,11 @@ static const uint8_t program_accel_magnitude_adaptive_response[] = {
 };
 
 const struct mip_codec mip_filter_accel_magnitude_adaptive_response_codec = {
-    0x0D, 0xB3, MIP_RESPONSE, sizeof(struct mip_filter_accel_magnitude_adaptive_response),
+    0x0D,
+    0xB3,
+    MIP_RESPONSE,
+    25,
+    sizeof(struct mip_filter_accel_magnitude_adaptive_response),
     program_accel_magnitude_adaptive_response};
 
 static const uint8_t program_mag_magnitude_adaptive[] = {
@@ -973,7 +1159,11 @@ static const uint8_t program_mag_magnitude_adaptive[] = {
 };
 
 const struct mip_codec mip_filter_mag_magnitude_adaptive_codec = {
-    0x0D, 0x45, MIP_COMMAND, sizeof(struct mip_filter_mag_magnitude_adaptive),
+    0x0D,
+    0x45,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_filter_mag_magnitude_adaptive),
     program_mag_magnitude_adaptive};
 
 static bool asked_mag_magnitude_adaptive_1(const void *value) {
@@ -997,7 +1187,11 @@ static const uint8_t program_mag_magnitude_adaptive_response[] = {
 };
 
 const struct mip_codec mip_filter_mag_magnitude_adaptive_response_codec = {
-    0x0D, 0xB4, MIP_RESPONSE, sizeof(struct mip_filter_mag_magnitude_adaptive_response),
+    0x0D,
+    0xB4,
+    MIP_RESPONSE,
+    25,
+    sizeof(struct mip_filter_mag_magnitude_adaptive_response),
     program_mag_magnitude_adaptive_response};
 
 static const uint8_t program_mag_dip_angle_adaptive[] = {
@@ -1016,7 +1210,11 @@ static const uint8_t program_mag_dip_angle_adaptive[] = {
 };
 
 const struct mip_codec mip_filter_mag_dip_angle_adaptive_codec = {
-    0x0D, 0x46, MIP_COMMAND, sizeof(struct mip_filter_mag_dip_angle_adaptive),
+    0x0D,
+    0x46,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_filter_mag_dip_angle_adaptive),
     program_mag_dip_angle_adaptive};
 
 static bool asked_mag_dip_angle_adaptive_1(const void *value) {
@@ -1040,7 +1238,11 @@ static const uint8_t program_mag_dip_angle_adaptive_response[] = {
 };
 
 const struct mip_codec mip_filter_mag_dip_angle_adaptive_response_codec = {
-    0x0D, 0xB5, MIP_RESPONSE, sizeof(struct mip_filter_mag_dip_angle_adaptive_response),
+    0x0D,
+    0xB5,
+    MIP_RESPONSE,
+    17,
+    sizeof(struct mip_filter_mag_dip_angle_adaptive_response),
     program_mag_dip_angle_adaptive_response};
 
 static const uint8_t program_altitude_aiding[] = {
@@ -1051,7 +1253,7 @@ static const uint8_t program_altitude_aiding[] = {
 };
 
 const struct mip_codec mip_filter_altitude_aiding_codec = {
-    0x0D, 0x47, MIP_COMMAND, sizeof(struct mip_filter_altitude_aiding), program_altitude_aiding};
+    0x0D, 0x47, MIP_COMMAND, 0, sizeof(struct mip_filter_altitude_aiding), program_altitude_aiding};
 
 static bool asked_altitude_aiding_1(const void *value) {
     const struct mip_filter_altitude_aiding *v = (const struct mip_filter_altitude_aiding *)value;
@@ -1072,7 +1274,11 @@ static const uint8_t program_altitude_aiding_response[] = {
 };
 
 const struct mip_codec mip_filter_altitude_aiding_response_codec = {
-    0x0D, 0xB7, MIP_RESPONSE, sizeof(struct mip_filter_altitude_aiding_response),
+    0x0D,
+    0xB7,
+    MIP_RESPONSE,
+    1,
+    sizeof(struct mip_filter_altitude_aiding_response),
     program_altitude_aiding_response};
 
 static const uint8_t program_pitch_roll_aiding[] = {
@@ -1083,7 +1289,11 @@ static const uint8_t program_pitch_roll_aiding[] = {
 };
 
 const struct mip_codec mip_filter_pitch_roll_aiding_codec = {
-    0x0D, 0x4B, MIP_COMMAND, sizeof(struct mip_filter_pitch_roll_aiding),
+    0x0D,
+    0x4B,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_filter_pitch_roll_aiding),
     program_pitch_roll_aiding};
 
 static bool asked_pitch_roll_aiding_1(const void *value) {
@@ -1106,7 +1316,11 @@ static const uint8_t program_pitch_roll_aiding_response[] = {
 };
 
 const struct mip_codec mip_filter_pitch_roll_aiding_response_codec = {
-    0x0D, 0xBB, MIP_RESPONSE, sizeof(struct mip_filter_pitch_roll_aiding_response),
+    0x0D,
+    0xBB,
+    MIP_RESPONSE,
+    1,
+    sizeof(struct mip_filter_pitch_roll_aiding_response),
     program_pitch_roll_aiding_response};
 
 static const uint8_t program_magnetic_inclination_source[] = {
@@ -1119,7 +1333,11 @@ static const uint8_t program_magnetic_inclination_source[] = {
 };
 
 const struct mip_codec mip_filter_magnetic_inclination_source_codec = {
-    0x0D, 0x4C, MIP_COMMAND, sizeof(struct mip_filter_magnetic_inclination_source),
+    0x0D,
+    0x4C,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_filter_magnetic_inclination_source),
     program_magnetic_inclination_source};
 
 static bool asked_magnetic_inclination_source_1(const void *value) {
@@ -1143,7 +1361,11 @@ static const uint8_t program_magnetic_inclination_source_response[] = {
 };
 
 const struct mip_codec mip_filter_magnetic_inclination_source_response_codec = {
-    0x0D, 0xBC, MIP_RESPONSE, sizeof(struct mip_filter_magnetic_inclination_source_response),
+    0x0D,
+    0xBC,
+    MIP_RESPONSE,
+    5,
+    sizeof(struct mip_filter_magnetic_inclination_source_response),
     program_magnetic_inclination_source_response};
 
 static const uint8_t program_magnetic_magnitude_source[] = {
@@ -1156,7 +1378,11 @@ static const uint8_t program_magnetic_magnitude_source[] = {
 };
 
 const struct mip_codec mip_filter_magnetic_magnitude_source_codec = {
-    0x0D, 0x4D, MIP_COMMAND, sizeof(struct mip_filter_magnetic_magnitude_source),
+    0x0D,
+    0x4D,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_filter_magnetic_magnitude_source),
     program_magnetic_magnitude_source};
 
 static bool asked_magnetic_magnitude_source_1(const void *value) {
@@ -1180,7 +1406,11 @@ static const uint8_t program_magnetic_magnitude_source_response[] = {
 };
 
 const struct mip_codec mip_filter_magnetic_magnitude_source_response_codec = {
-    0x0D, 0xBD, MIP_RESPONSE, sizeof(struct mip_filter_magnetic_magnitude_source_response),
+    0x0D,
+    0xBD,
+    MIP_RESPONSE,
+    5,
+    sizeof(struct mip_filter_magnetic_magnitude_source_response),
     program_magnetic_magnitude_source_response};
 
 static const uint8_t program_sensor_to_vehicle_dcm[] = {
@@ -1191,7 +1421,11 @@ static const uint8_t program_sensor_to_vehicle_dcm[] = {
 };
 
 const struct mip_codec mip_filter_sensor_to_vehicle_dcm_codec = {
-    0x0D, 0x4E, MIP_COMMAND, sizeof(struct mip_filter_sensor_to_vehicle_dcm),
+    0x0D,
+    0x4E,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_filter_sensor_to_vehicle_dcm),
     program_sensor_to_vehicle_dcm};
 
 static bool asked_sensor_to_vehicle_dcm_1(const void *value) {
@@ -1214,7 +1448,11 @@ static const uint8_t program_sensor_to_vehicle_dcm_response[] = {
 };
 
 const struct mip_codec mip_filter_sensor_to_vehicle_dcm_response_codec = {
-    0x0D, 0xBE, MIP_RESPONSE, sizeof(struct mip_filter_sensor_to_vehicle_dcm_response),
+    0x0D,
+    0xBE,
+    MIP_RESPONSE,
+    36,
+    sizeof(struct mip_filter_sensor_to_vehicle_dcm_response),
     program_sensor_to_vehicle_dcm_response};
 
 static const uint8_t program_sensor_to_vehicle_quaternion[] = {
@@ -1225,7 +1463,11 @@ static const uint8_t program_sensor_to_vehicle_quaternion[] = {
 };
 
 const struct mip_codec mip_filter_sensor_to_vehicle_quaternion_codec = {
-    0x0D, 0x4F, MIP_COMMAND, sizeof(struct mip_filter_sensor_to_vehicle_quaternion),
+    0x0D,
+    0x4F,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_filter_sensor_to_vehicle_quaternion),
     program_sensor_to_vehicle_quaternion};
 
 static bool asked_sensor_to_vehicle_quaternion_1(const void *value) {
@@ -1249,7 +1491,11 @@ static const uint8_t program_sensor_to_vehicle_quaternion_response[] = {
 };
 
 const struct mip_codec mip_filter_sensor_to_vehicle_quaternion_response_codec = {
-    0x0D, 0xBF, MIP_RESPONSE, sizeof(struct mip_filter_sensor_to_vehicle_quaternion_response),
+    0x0D,
+    0xBF,
+    MIP_RESPONSE,
+    16,
+    sizeof(struct mip_filter_sensor_to_vehicle_quaternion_response),
     program_sensor_to_vehicle_quaternion_response};
 
 static const uint8_t program_aiding_measurement_enable[] = {
@@ -1262,7 +1508,11 @@ static const uint8_t program_aiding_measurement_enable[] = {
 };
 
 const struct mip_codec mip_filter_aiding_measurement_enable_codec = {
-    0x0D, 0x50, MIP_COMMAND, sizeof(struct mip_filter_aiding_measurement_enable),
+    0x0D,
+    0x50,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_filter_aiding_measurement_enable),
     program_aiding_measurement_enable};
 
 static bool asked_aiding_measurement_enable_1(const void *value) {
@@ -1286,7 +1536,11 @@ static const uint8_t program_aiding_measurement_enable_response[] = {
 };
 
 const struct mip_codec mip_filter_aiding_measurement_enable_response_codec = {
-    0x0D, 0xD0, MIP_RESPONSE, sizeof(struct mip_filter_aiding_measurement_enable_response),
+    0x0D,
+    0xD0,
+    MIP_RESPONSE,
+    3,
+    sizeof(struct mip_filter_aiding_measurement_enable_response),
     program_aiding_measurement_enable_response};
 
 static const uint8_t program_kinematic_constraint[] = {
@@ -1301,7 +1555,11 @@ static const uint8_t program_kinematic_constraint[] = {
 };
 
 const struct mip_codec mip_filter_kinematic_constraint_codec = {
-    0x0D, 0x51, MIP_COMMAND, sizeof(struct mip_filter_kinematic_constraint),
+    0x0D,
+    0x51,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_filter_kinematic_constraint),
     program_kinematic_constraint};
 
 static bool asked_kinematic_constraint_1(const void *value) {
@@ -1324,7 +1582,11 @@ static const uint8_t program_kinematic_constraint_response[] = {
 };
 
 const struct mip_codec mip_filter_kinematic_constraint_response_codec = {
-    0x0D, 0xD1, MIP_RESPONSE, sizeof(struct mip_filter_kinematic_constraint_response),
+    0x0D,
+    0xD1,
+    MIP_RESPONSE,
+    3,
+    sizeof(struct mip_filter_kinematic_constraint_response),
     program_kinematic_constraint_response};
 
 static const uint8_t program_initialization_config[] = {
@@ -1351,7 +1613,11 @@ static const uint8_t program_initialization_config[] = {
 };
 
 const struct mip_codec mip_filter_initialization_config_codec = {
-    0x0D, 0x52, MIP_COMMAND, sizeof(struct mip_filter_initialization_config),
+    0x0D,
+    0x52,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_filter_initialization_config),
     program_initialization_config};
 
 static bool asked_initialization_config_1(const void *value) {
@@ -1377,7 +1643,11 @@ static const uint8_t program_initialization_config_response[] = {
 };
 
 const struct mip_codec mip_filter_initialization_config_response_codec = {
-    0x0D, 0xD2, MIP_RESPONSE, sizeof(struct mip_filter_initialization_config_response),
+    0x0D,
+    0xD2,
+    MIP_RESPONSE,
+    40,
+    sizeof(struct mip_filter_initialization_config_response),
     program_initialization_config_response};
 
 static const uint8_t program_adaptive_filter_options[] = {
@@ -1390,7 +1660,11 @@ static const uint8_t program_adaptive_filter_options[] = {
 };
 
 const struct mip_codec mip_filter_adaptive_filter_options_codec = {
-    0x0D, 0x53, MIP_COMMAND, sizeof(struct mip_filter_adaptive_filter_options),
+    0x0D,
+    0x53,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_filter_adaptive_filter_options),
     program_adaptive_filter_options};
 
 static bool asked_adaptive_filter_options_1(const void *value) {
@@ -1414,7 +1688,11 @@ static const uint8_t program_adaptive_filter_options_response[] = {
 };
 
 const struct mip_codec mip_filter_adaptive_filter_options_response_codec = {
-    0x0D, 0xD3, MIP_RESPONSE, sizeof(struct mip_filter_adaptive_filter_options_response),
+    0x0D,
+    0xD3,
+    MIP_RESPONSE,
+    3,
+    sizeof(struct mip_filter_adaptive_filter_options_response),
     program_adaptive_filter_options_response};
 
 static const uint8_t program_multi_antenna_offset[] = {
@@ -1427,7 +1705,11 @@ static const uint8_t program_multi_antenna_offset[] = {
 };
 
 const struct mip_codec mip_filter_multi_antenna_offset_codec = {
-    0x0D, 0x54, MIP_COMMAND, sizeof(struct mip_filter_multi_antenna_offset),
+    0x0D,
+    0x54,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_filter_multi_antenna_offset),
     program_multi_antenna_offset};
 
 static bool asked_multi_antenna_offset_1(const void *value) {
@@ -1451,7 +1733,11 @@ static const uint8_t program_multi_antenna_offset_response[] = {
 };
 
 const struct mip_codec mip_filter_multi_antenna_offset_response_codec = {
-    0x0D, 0xD4, MIP_RESPONSE, sizeof(struct mip_filter_multi_antenna_offset_response),
+    0x0D,
+    0xD4,
+    MIP_RESPONSE,
+    13,
+    sizeof(struct mip_filter_multi_antenna_offset_response),
     program_multi_antenna_offset_response};
 
 static const uint8_t program_relative_position_config[] = {
@@ -1466,7 +1752,11 @@ static const uint8_t program_relative_position_config[] = {
 };
 
 const struct mip_codec mip_filter_relative_position_config_codec = {
-    0x0D, 0x55, MIP_COMMAND, sizeof(struct mip_filter_relative_position_config),
+    0x0D,
+    0x55,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_filter_relative_position_config),
     program_relative_position_config};
 
 static bool asked_relative_position_config_1(const void *value) {
@@ -1491,7 +1781,11 @@ static const uint8_t program_relative_position_config_response[] = {
 };
 
 const struct mip_codec mip_filter_relative_position_config_response_codec = {
-    0x0D, 0xD5, MIP_RESPONSE, sizeof(struct mip_filter_relative_position_config_response),
+    0x0D,
+    0xD5,
+    MIP_RESPONSE,
+    26,
+    sizeof(struct mip_filter_relative_position_config_response),
     program_relative_position_config_response};
 
 static const uint8_t program_reference_point_lever_arm[] = {
@@ -1504,7 +1798,11 @@ static const uint8_t program_reference_point_lever_arm[] = {
 };
 
 const struct mip_codec mip_filter_reference_point_lever_arm_codec = {
-    0x0D, 0x56, MIP_COMMAND, sizeof(struct mip_filter_reference_point_lever_arm),
+    0x0D,
+    0x56,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_filter_reference_point_lever_arm),
     program_reference_point_lever_arm};
 
 static bool asked_reference_point_lever_arm_1(const void *value) {
@@ -1528,7 +1826,11 @@ static const uint8_t program_reference_point_lever_arm_response[] = {
 };
 
 const struct mip_codec mip_filter_reference_point_lever_arm_response_codec = {
-    0x0D, 0xD6, MIP_RESPONSE, sizeof(struct mip_filter_reference_point_lever_arm_response),
+    0x0D,
+    0xD6,
+    MIP_RESPONSE,
+    13,
+    sizeof(struct mip_filter_reference_point_lever_arm_response),
     program_reference_point_lever_arm_response};
 
 static const uint8_t program_speed_measurement[] = {
@@ -1538,7 +1840,11 @@ static const uint8_t program_speed_measurement[] = {
 };
 
 const struct mip_codec mip_filter_speed_measurement_codec = {
-    0x0D, 0x60, MIP_COMMAND, sizeof(struct mip_filter_speed_measurement),
+    0x0D,
+    0x60,
+    MIP_COMMAND,
+    13,
+    sizeof(struct mip_filter_speed_measurement),
     program_speed_measurement};
 
 const struct mip_command mip_filter_speed_measurement_command = {
@@ -1554,7 +1860,7 @@ static const uint8_t program_speed_lever_arm[] = {
 };
 
 const struct mip_codec mip_filter_speed_lever_arm_codec = {
-    0x0D, 0x61, MIP_COMMAND, sizeof(struct mip_filter_speed_lever_arm), program_speed_lever_arm};
+    0x0D, 0x61, MIP_COMMAND, 0, sizeof(struct mip_filter_speed_lever_arm), program_speed_lever_arm};
 
 static bool asked_speed_lever_arm_1(const void *value) {
     const struct mip_filter_speed_lever_arm *v = (const struct mip_filter_speed_lever_arm *)value;
@@ -1576,7 +1882,11 @@ static const uint8_t program_speed_lever_arm_response[] = {
 };
 
 const struct mip_codec mip_filter_speed_lever_arm_response_codec = {
-    0x0D, 0xE1, MIP_RESPONSE, sizeof(struct mip_filter_speed_lever_arm_response),
+    0x0D,
+    0xE1,
+    MIP_RESPONSE,
+    13,
+    sizeof(struct mip_filter_speed_lever_arm_response),
     program_speed_lever_arm_response};
 
 static const uint8_t program_vertical_gyro_constraint[] = {
@@ -1587,7 +1897,11 @@ static const uint8_t program_vertical_gyro_constraint[] = {
 };
 
 const struct mip_codec mip_filter_vertical_gyro_constraint_codec = {
-    0x0D, 0x62, MIP_COMMAND, sizeof(struct mip_filter_vertical_gyro_constraint),
+    0x0D,
+    0x62,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_filter_vertical_gyro_constraint),
     program_vertical_gyro_constraint};
 
 static bool asked_vertical_gyro_constraint_1(const void *value) {
@@ -1610,7 +1924,11 @@ static const uint8_t program_vertical_gyro_constraint_response[] = {
 };
 
 const struct mip_codec mip_filter_vertical_gyro_constraint_response_codec = {
-    0x0D, 0xE2, MIP_RESPONSE, sizeof(struct mip_filter_vertical_gyro_constraint_response),
+    0x0D,
+    0xE2,
+    MIP_RESPONSE,
+    1,
+    sizeof(struct mip_filter_vertical_gyro_constraint_response),
     program_vertical_gyro_constraint_response};
 
 static const uint8_t program_wheeled_vehicle_constraint[] = {
@@ -1621,7 +1939,11 @@ static const uint8_t program_wheeled_vehicle_constraint[] = {
 };
 
 const struct mip_codec mip_filter_wheeled_vehicle_constraint_codec = {
-    0x0D, 0x63, MIP_COMMAND, sizeof(struct mip_filter_wheeled_vehicle_constraint),
+    0x0D,
+    0x63,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_filter_wheeled_vehicle_constraint),
     program_wheeled_vehicle_constraint};
 
 static bool asked_wheeled_vehicle_constraint_1(const void *value) {
@@ -1644,7 +1966,11 @@ static const uint8_t program_wheeled_vehicle_constraint_response[] = {
 };
 
 const struct mip_codec mip_filter_wheeled_vehicle_constraint_response_codec = {
-    0x0D, 0xE3, MIP_RESPONSE, sizeof(struct mip_filter_wheeled_vehicle_constraint_response),
+    0x0D,
+    0xE3,
+    MIP_RESPONSE,
+    1,
+    sizeof(struct mip_filter_wheeled_vehicle_constraint_response),
     program_wheeled_vehicle_constraint_response};
 
 static const uint8_t program_gnss_antenna_calibration[] = {
@@ -1657,7 +1983,11 @@ static const uint8_t program_gnss_antenna_calibration[] = {
 };
 
 const struct mip_codec mip_filter_gnss_antenna_calibration_codec = {
-    0x0D, 0x64, MIP_COMMAND, sizeof(struct mip_filter_gnss_antenna_calibration),
+    0x0D,
+    0x64,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_filter_gnss_antenna_calibration),
     program_gnss_antenna_calibration};
 
 static bool asked_gnss_antenna_calibration_1(const void *value) {
@@ -1681,5 +2011,9 @@ static const uint8_t program_gnss_antenna_calibration_response[] = {
 };
 
 const struct mip_codec mip_filter_gnss_antenna_calibration_response_codec = {
-    0x0D, 0xE4, MIP_RESPONSE, sizeof(struct mip_filter_gnss_antenna_calibration_response),
+    0x0D,
+    0xE4,
+    MIP_RESPONSE,
+    5,
+    sizeof(struct mip_filter_gnss_antenna_calibration_response),
     program_gnss_antenna_calibration_response};

@@ -174,29 +174,30 @@ enum mip_filter_pitch_roll_aiding_source {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_pitch_roll_aiding_source_name(uint8_t value);
-/** A source of aiding measurements. */
-enum mip_filter_aiding_source {
-    /** GNSS position and velocity. */
-    MIP_FILTER_AIDING_SOURCE_GNSS_POSITION_VELOCITY = 0,
-    /** GNSS heading of two antennas. */
-    MIP_FILTER_AIDING_SOURCE_GNSS_HEADING = 1,
-    /** Built-in pressure altimeter. */
-    MIP_FILTER_AIDING_SOURCE_ALTIMETER = 2,
-    /** Speed sensor or odometer. */
-    MIP_FILTER_AIDING_SOURCE_SPEED = 3,
-    /** Built-in magnetometer. */
-    MIP_FILTER_AIDING_SOURCE_MAG = 4,
-    /** Heading that the user sends. */
-    MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING = 5,
-    /** Pressure altitude that the user sends. */
-    MIP_FILTER_AIDING_SOURCE_EXTERNAL_ALTIMETER = 6,
-    /** Magnetic field that the user sends. */
-    MIP_FILTER_AIDING_SOURCE_EXTERNAL_MAG = 7,
-    /** Velocity in the vehicle that the user sends. */
-    MIP_FILTER_AIDING_SOURCE_BODY_FRAME_VELOCITY = 8,
-    /** All sources, for save, load and default. */
-    MIP_FILTER_AIDING_SOURCE_ALL = 65535
-};
+/**
+ * A source of aiding measurements.
+ *
+ * GNSS position and velocity.
+ */
+#define MIP_FILTER_AIDING_SOURCE_GNSS_POSITION_VELOCITY 0
+/** GNSS heading of two antennas. */
+#define MIP_FILTER_AIDING_SOURCE_GNSS_HEADING 1
+/** Built-in pressure altimeter. */
+#define MIP_FILTER_AIDING_SOURCE_ALTIMETER 2
+/** Speed sensor or odometer. */
+#define MIP_FILTER_AIDING_SOURCE_SPEED 3
+/** Built-in magnetometer. */
+#define MIP_FILTER_AIDING_SOURCE_MAG 4
+/** Heading that the user sends. */
+#define MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING 5
+/** Pressure altitude that the user sends. */
+#define MIP_FILTER_AIDING_SOURCE_EXTERNAL_ALTIMETER 6
+/** Magnetic field that the user sends. */
+#define MIP_FILTER_AIDING_SOURCE_EXTERNAL_MAG 7
+/** Velocity in the vehicle that the user sends. */
+#define MIP_FILTER_AIDING_SOURCE_BODY_FRAME_VELOCITY 8
+/** All sources, for save, load and default. */
+#define MIP_FILTER_AIDING_SOURCE_ALL 0xFFFF
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_aiding_source_name(uint16_t value);
@@ -6469,10 +6470,10 @@ struct mip_filter_aiding_measurement_enable {
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
-     * The source; `all` is for save, load and default. A value of enum mip_filter_aiding_source. On
-     * the 3DM-CV7-AHRS: only MIP_FILTER_AIDING_SOURCE_MAG,
-     * MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL. On the
-     * 3DM-CV7-AR: only MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL.
+     * The source; `all` is for save, load and default. A value of mip_filter_aiding_source. On the
+     * 3DM-CV7-AHRS: only MIP_FILTER_AIDING_SOURCE_MAG, MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING
+     * and MIP_FILTER_AIDING_SOURCE_ALL. On the 3DM-CV7-AR: only
+     * MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING and MIP_FILTER_AIDING_SOURCE_ALL.
      */
     uint16_t aiding_source;
     /** Whether the filter uses the source. Required for write. */
@@ -6505,11 +6506,10 @@ static inline mip_error mip_filter_aiding_measurement_enable_encode(
  */
 static inline struct mip_filter_aiding_measurement_enable *
 mip_filter_aiding_measurement_enable_write(struct mip_filter_aiding_measurement_enable *command,
-                                           enum mip_filter_aiding_source aiding_source,
-                                           mip_bool enable) {
+                                           uint16_t aiding_source, mip_bool enable) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_WRITE;
-    command->aiding_source = (uint16_t)aiding_source;
+    command->aiding_source = aiding_source;
     command->enable = enable;
     return command;
 }
@@ -6520,10 +6520,10 @@ mip_filter_aiding_measurement_enable_write(struct mip_filter_aiding_measurement_
  */
 static inline struct mip_filter_aiding_measurement_enable *
 mip_filter_aiding_measurement_enable_read(struct mip_filter_aiding_measurement_enable *command,
-                                          enum mip_filter_aiding_source aiding_source) {
+                                          uint16_t aiding_source) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_READ;
-    command->aiding_source = (uint16_t)aiding_source;
+    command->aiding_source = aiding_source;
     return command;
 }
 /**
@@ -6533,10 +6533,10 @@ mip_filter_aiding_measurement_enable_read(struct mip_filter_aiding_measurement_e
  */
 static inline struct mip_filter_aiding_measurement_enable *
 mip_filter_aiding_measurement_enable_save(struct mip_filter_aiding_measurement_enable *command,
-                                          enum mip_filter_aiding_source aiding_source) {
+                                          uint16_t aiding_source) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
-    command->aiding_source = (uint16_t)aiding_source;
+    command->aiding_source = aiding_source;
     return command;
 }
 /**
@@ -6546,10 +6546,10 @@ mip_filter_aiding_measurement_enable_save(struct mip_filter_aiding_measurement_e
  */
 static inline struct mip_filter_aiding_measurement_enable *
 mip_filter_aiding_measurement_enable_load(struct mip_filter_aiding_measurement_enable *command,
-                                          enum mip_filter_aiding_source aiding_source) {
+                                          uint16_t aiding_source) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_LOAD;
-    command->aiding_source = (uint16_t)aiding_source;
+    command->aiding_source = aiding_source;
     return command;
 }
 /**
@@ -6559,10 +6559,10 @@ mip_filter_aiding_measurement_enable_load(struct mip_filter_aiding_measurement_e
  */
 static inline struct mip_filter_aiding_measurement_enable *
 mip_filter_aiding_measurement_enable_default(struct mip_filter_aiding_measurement_enable *command,
-                                             enum mip_filter_aiding_source aiding_source) {
+                                             uint16_t aiding_source) {
     memset(command, 0, sizeof(*command));
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
-    command->aiding_source = (uint16_t)aiding_source;
+    command->aiding_source = aiding_source;
     return command;
 }
 /**
@@ -6574,9 +6574,7 @@ mip_filter_aiding_measurement_enable_default(struct mip_filter_aiding_measuremen
  * - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
  */
 struct mip_filter_aiding_measurement_enable_response {
-    /**
-     * The source; `all` is for save, load and default. A value of enum mip_filter_aiding_source.
-     */
+    /** The source; `all` is for save, load and default. A value of mip_filter_aiding_source. */
     uint16_t aiding_source;
     /** Whether the filter uses the source. */
     mip_bool enable;

@@ -2647,7 +2647,7 @@ static inline mip_error mip_send_filter_aiding_measurement_enable(
 
 /** Aiding measurement control: write. Apply the new setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_aiding_measurement_enable_write(
-    struct mip_device *device, enum mip_filter_aiding_source aiding_source, mip_bool enable) {
+    struct mip_device *device, uint16_t aiding_source, mip_bool enable) {
     struct mip_filter_aiding_measurement_enable command;
     return mip_device_call(
         device, &mip_filter_aiding_measurement_enable_command,
@@ -2659,7 +2659,7 @@ static inline struct mip_result mip_call_filter_aiding_measurement_enable_write(
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_aiding_measurement_enable_read(
-    struct mip_device *device, enum mip_filter_aiding_source aiding_source,
+    struct mip_device *device, uint16_t aiding_source,
     struct mip_filter_aiding_measurement_enable_response *response) {
     struct mip_filter_aiding_measurement_enable command;
     return mip_device_call(device, &mip_filter_aiding_measurement_enable_command,
@@ -2671,8 +2671,8 @@ static inline struct mip_result mip_call_filter_aiding_measurement_enable_read(
  * Aiding measurement control: save. Save the current setting to non-volatile memory. See
  * mip_device_call.
  */
-static inline struct mip_result mip_call_filter_aiding_measurement_enable_save(
-    struct mip_device *device, enum mip_filter_aiding_source aiding_source) {
+static inline struct mip_result
+mip_call_filter_aiding_measurement_enable_save(struct mip_device *device, uint16_t aiding_source) {
     struct mip_filter_aiding_measurement_enable command;
     return mip_device_call(device, &mip_filter_aiding_measurement_enable_command,
                            mip_filter_aiding_measurement_enable_save(&command, aiding_source), NULL,
@@ -2680,8 +2680,8 @@ static inline struct mip_result mip_call_filter_aiding_measurement_enable_save(
 }
 
 /** Aiding measurement control: load. Load the saved setting. See mip_device_call. */
-static inline struct mip_result mip_call_filter_aiding_measurement_enable_load(
-    struct mip_device *device, enum mip_filter_aiding_source aiding_source) {
+static inline struct mip_result
+mip_call_filter_aiding_measurement_enable_load(struct mip_device *device, uint16_t aiding_source) {
     struct mip_filter_aiding_measurement_enable command;
     return mip_device_call(device, &mip_filter_aiding_measurement_enable_command,
                            mip_filter_aiding_measurement_enable_load(&command, aiding_source), NULL,
@@ -2690,7 +2690,7 @@ static inline struct mip_result mip_call_filter_aiding_measurement_enable_load(
 
 /** Aiding measurement control: default. Load the factory default setting. See mip_device_call. */
 static inline struct mip_result mip_call_filter_aiding_measurement_enable_default(
-    struct mip_device *device, enum mip_filter_aiding_source aiding_source) {
+    struct mip_device *device, uint16_t aiding_source) {
     struct mip_filter_aiding_measurement_enable command;
     return mip_device_call(device, &mip_filter_aiding_measurement_enable_command,
                            mip_filter_aiding_measurement_enable_default(&command, aiding_source),

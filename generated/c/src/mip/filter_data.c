@@ -9,7 +9,7 @@ static const uint8_t program_llh_position[] = {
 };
 
 const struct mip_codec mip_filter_data_llh_position_codec = {
-    0x82, 0x01, MIP_DATA, sizeof(struct mip_filter_data_llh_position), program_llh_position};
+    0x82, 0x01, MIP_DATA, 26, sizeof(struct mip_filter_data_llh_position), program_llh_position};
 
 static const uint8_t program_ned_velocity[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_data_ned_velocity, north)),
@@ -18,7 +18,7 @@ static const uint8_t program_ned_velocity[] = {
 };
 
 const struct mip_codec mip_filter_data_ned_velocity_codec = {
-    0x82, 0x02, MIP_DATA, sizeof(struct mip_filter_data_ned_velocity), program_ned_velocity};
+    0x82, 0x02, MIP_DATA, 14, sizeof(struct mip_filter_data_ned_velocity), program_ned_velocity};
 
 static const uint8_t program_attitude_quaternion[] = {
     MIP_32_BITS(4, MIP_AT(struct mip_filter_data_attitude_quaternion, q)),
@@ -27,7 +27,11 @@ static const uint8_t program_attitude_quaternion[] = {
 };
 
 const struct mip_codec mip_filter_data_attitude_quaternion_codec = {
-    0x82, 0x03, MIP_DATA, sizeof(struct mip_filter_data_attitude_quaternion),
+    0x82,
+    0x03,
+    MIP_DATA,
+    18,
+    sizeof(struct mip_filter_data_attitude_quaternion),
     program_attitude_quaternion};
 
 static const uint8_t program_attitude_dcm[] = {
@@ -37,7 +41,7 @@ static const uint8_t program_attitude_dcm[] = {
 };
 
 const struct mip_codec mip_filter_data_attitude_dcm_codec = {
-    0x82, 0x04, MIP_DATA, sizeof(struct mip_filter_data_attitude_dcm), program_attitude_dcm};
+    0x82, 0x04, MIP_DATA, 38, sizeof(struct mip_filter_data_attitude_dcm), program_attitude_dcm};
 
 static const uint8_t program_euler_angles[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_data_euler_angles, roll)),
@@ -46,7 +50,7 @@ static const uint8_t program_euler_angles[] = {
 };
 
 const struct mip_codec mip_filter_data_euler_angles_codec = {
-    0x82, 0x05, MIP_DATA, sizeof(struct mip_filter_data_euler_angles), program_euler_angles};
+    0x82, 0x05, MIP_DATA, 14, sizeof(struct mip_filter_data_euler_angles), program_euler_angles};
 
 static const uint8_t program_gyro_bias[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_data_gyro_bias, bias)),
@@ -55,7 +59,7 @@ static const uint8_t program_gyro_bias[] = {
 };
 
 const struct mip_codec mip_filter_data_gyro_bias_codec = {
-    0x82, 0x06, MIP_DATA, sizeof(struct mip_filter_data_gyro_bias), program_gyro_bias};
+    0x82, 0x06, MIP_DATA, 14, sizeof(struct mip_filter_data_gyro_bias), program_gyro_bias};
 
 static const uint8_t program_accel_bias[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_data_accel_bias, bias)),
@@ -64,7 +68,7 @@ static const uint8_t program_accel_bias[] = {
 };
 
 const struct mip_codec mip_filter_data_accel_bias_codec = {
-    0x82, 0x07, MIP_DATA, sizeof(struct mip_filter_data_accel_bias), program_accel_bias};
+    0x82, 0x07, MIP_DATA, 14, sizeof(struct mip_filter_data_accel_bias), program_accel_bias};
 
 static const uint8_t program_llh_position_uncertainty[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_data_llh_position_uncertainty, north)),
@@ -73,7 +77,11 @@ static const uint8_t program_llh_position_uncertainty[] = {
 };
 
 const struct mip_codec mip_filter_data_llh_position_uncertainty_codec = {
-    0x82, 0x08, MIP_DATA, sizeof(struct mip_filter_data_llh_position_uncertainty),
+    0x82,
+    0x08,
+    MIP_DATA,
+    14,
+    sizeof(struct mip_filter_data_llh_position_uncertainty),
     program_llh_position_uncertainty};
 
 static const uint8_t program_ned_velocity_uncertainty[] = {
@@ -83,7 +91,11 @@ static const uint8_t program_ned_velocity_uncertainty[] = {
 };
 
 const struct mip_codec mip_filter_data_ned_velocity_uncertainty_codec = {
-    0x82, 0x09, MIP_DATA, sizeof(struct mip_filter_data_ned_velocity_uncertainty),
+    0x82,
+    0x09,
+    MIP_DATA,
+    14,
+    sizeof(struct mip_filter_data_ned_velocity_uncertainty),
     program_ned_velocity_uncertainty};
 
 static const uint8_t program_euler_angles_uncertainty[] = {
@@ -93,7 +105,11 @@ static const uint8_t program_euler_angles_uncertainty[] = {
 };
 
 const struct mip_codec mip_filter_data_euler_angles_uncertainty_codec = {
-    0x82, 0x0A, MIP_DATA, sizeof(struct mip_filter_data_euler_angles_uncertainty),
+    0x82,
+    0x0A,
+    MIP_DATA,
+    14,
+    sizeof(struct mip_filter_data_euler_angles_uncertainty),
     program_euler_angles_uncertainty};
 
 static const uint8_t program_gyro_bias_uncertainty[] = {
@@ -103,7 +119,11 @@ static const uint8_t program_gyro_bias_uncertainty[] = {
 };
 
 const struct mip_codec mip_filter_data_gyro_bias_uncertainty_codec = {
-    0x82, 0x0B, MIP_DATA, sizeof(struct mip_filter_data_gyro_bias_uncertainty),
+    0x82,
+    0x0B,
+    MIP_DATA,
+    14,
+    sizeof(struct mip_filter_data_gyro_bias_uncertainty),
     program_gyro_bias_uncertainty};
 
 static const uint8_t program_accel_bias_uncertainty[] = {
@@ -113,7 +133,11 @@ static const uint8_t program_accel_bias_uncertainty[] = {
 };
 
 const struct mip_codec mip_filter_data_accel_bias_uncertainty_codec = {
-    0x82, 0x0C, MIP_DATA, sizeof(struct mip_filter_data_accel_bias_uncertainty),
+    0x82,
+    0x0C,
+    MIP_DATA,
+    14,
+    sizeof(struct mip_filter_data_accel_bias_uncertainty),
     program_accel_bias_uncertainty};
 
 static const uint8_t program_linear_accel[] = {
@@ -123,7 +147,7 @@ static const uint8_t program_linear_accel[] = {
 };
 
 const struct mip_codec mip_filter_data_linear_accel_codec = {
-    0x82, 0x0D, MIP_DATA, sizeof(struct mip_filter_data_linear_accel), program_linear_accel};
+    0x82, 0x0D, MIP_DATA, 14, sizeof(struct mip_filter_data_linear_accel), program_linear_accel};
 
 static const uint8_t program_comp_angular_rate[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_data_comp_angular_rate, gyro)),
@@ -132,7 +156,11 @@ static const uint8_t program_comp_angular_rate[] = {
 };
 
 const struct mip_codec mip_filter_data_comp_angular_rate_codec = {
-    0x82, 0x0E, MIP_DATA, sizeof(struct mip_filter_data_comp_angular_rate),
+    0x82,
+    0x0E,
+    MIP_DATA,
+    14,
+    sizeof(struct mip_filter_data_comp_angular_rate),
     program_comp_angular_rate};
 
 static const uint8_t program_wgs84_gravity_magnitude[] = {
@@ -142,7 +170,11 @@ static const uint8_t program_wgs84_gravity_magnitude[] = {
 };
 
 const struct mip_codec mip_filter_data_wgs84_gravity_magnitude_codec = {
-    0x82, 0x0F, MIP_DATA, sizeof(struct mip_filter_data_wgs84_gravity_magnitude),
+    0x82,
+    0x0F,
+    MIP_DATA,
+    6,
+    sizeof(struct mip_filter_data_wgs84_gravity_magnitude),
     program_wgs84_gravity_magnitude};
 
 static const uint8_t program_status[] = {
@@ -151,7 +183,7 @@ static const uint8_t program_status[] = {
 };
 
 const struct mip_codec mip_filter_data_status_codec = {
-    0x82, 0x10, MIP_DATA, sizeof(struct mip_filter_data_status), program_status};
+    0x82, 0x10, MIP_DATA, 6, sizeof(struct mip_filter_data_status), program_status};
 
 static const uint8_t program_timestamp[] = {
     MIP_DOUBLES(1, MIP_AT(struct mip_filter_data_timestamp, tow)),
@@ -160,7 +192,7 @@ static const uint8_t program_timestamp[] = {
 };
 
 const struct mip_codec mip_filter_data_timestamp_codec = {
-    0x82, 0x11, MIP_DATA, sizeof(struct mip_filter_data_timestamp), program_timestamp};
+    0x82, 0x11, MIP_DATA, 12, sizeof(struct mip_filter_data_timestamp), program_timestamp};
 
 static const uint8_t program_quaternion_attitude_uncertainty[] = {
     MIP_32_BITS(4, MIP_AT(struct mip_filter_data_quaternion_attitude_uncertainty, q)),
@@ -169,7 +201,11 @@ static const uint8_t program_quaternion_attitude_uncertainty[] = {
 };
 
 const struct mip_codec mip_filter_data_quaternion_attitude_uncertainty_codec = {
-    0x82, 0x12, MIP_DATA, sizeof(struct mip_filter_data_quaternion_attitude_uncertainty),
+    0x82,
+    0x12,
+    MIP_DATA,
+    18,
+    sizeof(struct mip_filter_data_quaternion_attitude_uncertainty),
     program_quaternion_attitude_uncertainty};
 
 static const uint8_t program_gravity_vector[] = {
@@ -179,7 +215,12 @@ static const uint8_t program_gravity_vector[] = {
 };
 
 const struct mip_codec mip_filter_data_gravity_vector_codec = {
-    0x82, 0x13, MIP_DATA, sizeof(struct mip_filter_data_gravity_vector), program_gravity_vector};
+    0x82,
+    0x13,
+    MIP_DATA,
+    14,
+    sizeof(struct mip_filter_data_gravity_vector),
+    program_gravity_vector};
 
 static const uint8_t program_heading_update_state[] = {
     MIP_32_BITS(2, MIP_AT(struct mip_filter_data_heading_update_state, heading)),
@@ -188,7 +229,11 @@ static const uint8_t program_heading_update_state[] = {
 };
 
 const struct mip_codec mip_filter_data_heading_update_state_codec = {
-    0x82, 0x14, MIP_DATA, sizeof(struct mip_filter_data_heading_update_state),
+    0x82,
+    0x14,
+    MIP_DATA,
+    12,
+    sizeof(struct mip_filter_data_heading_update_state),
     program_heading_update_state};
 
 static const uint8_t program_magnetic_model[] = {
@@ -198,7 +243,12 @@ static const uint8_t program_magnetic_model[] = {
 };
 
 const struct mip_codec mip_filter_data_magnetic_model_codec = {
-    0x82, 0x15, MIP_DATA, sizeof(struct mip_filter_data_magnetic_model), program_magnetic_model};
+    0x82,
+    0x15,
+    MIP_DATA,
+    22,
+    sizeof(struct mip_filter_data_magnetic_model),
+    program_magnetic_model};
 
 static const uint8_t program_gyro_scale_factor[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_data_gyro_scale_factor, scale_factor)),
@@ -207,7 +257,11 @@ static const uint8_t program_gyro_scale_factor[] = {
 };
 
 const struct mip_codec mip_filter_data_gyro_scale_factor_codec = {
-    0x82, 0x16, MIP_DATA, sizeof(struct mip_filter_data_gyro_scale_factor),
+    0x82,
+    0x16,
+    MIP_DATA,
+    14,
+    sizeof(struct mip_filter_data_gyro_scale_factor),
     program_gyro_scale_factor};
 
 static const uint8_t program_accel_scale_factor[] = {
@@ -217,7 +271,11 @@ static const uint8_t program_accel_scale_factor[] = {
 };
 
 const struct mip_codec mip_filter_data_accel_scale_factor_codec = {
-    0x82, 0x17, MIP_DATA, sizeof(struct mip_filter_data_accel_scale_factor),
+    0x82,
+    0x17,
+    MIP_DATA,
+    14,
+    sizeof(struct mip_filter_data_accel_scale_factor),
     program_accel_scale_factor};
 
 static const uint8_t program_gyro_scale_factor_uncertainty[] = {
@@ -228,7 +286,11 @@ static const uint8_t program_gyro_scale_factor_uncertainty[] = {
 };
 
 const struct mip_codec mip_filter_data_gyro_scale_factor_uncertainty_codec = {
-    0x82, 0x18, MIP_DATA, sizeof(struct mip_filter_data_gyro_scale_factor_uncertainty),
+    0x82,
+    0x18,
+    MIP_DATA,
+    14,
+    sizeof(struct mip_filter_data_gyro_scale_factor_uncertainty),
     program_gyro_scale_factor_uncertainty};
 
 static const uint8_t program_accel_scale_factor_uncertainty[] = {
@@ -239,7 +301,11 @@ static const uint8_t program_accel_scale_factor_uncertainty[] = {
 };
 
 const struct mip_codec mip_filter_data_accel_scale_factor_uncertainty_codec = {
-    0x82, 0x19, MIP_DATA, sizeof(struct mip_filter_data_accel_scale_factor_uncertainty),
+    0x82,
+    0x19,
+    MIP_DATA,
+    14,
+    sizeof(struct mip_filter_data_accel_scale_factor_uncertainty),
     program_accel_scale_factor_uncertainty};
 
 static const uint8_t program_mag_bias[] = {
@@ -249,7 +315,7 @@ static const uint8_t program_mag_bias[] = {
 };
 
 const struct mip_codec mip_filter_data_mag_bias_codec = {
-    0x82, 0x1A, MIP_DATA, sizeof(struct mip_filter_data_mag_bias), program_mag_bias};
+    0x82, 0x1A, MIP_DATA, 14, sizeof(struct mip_filter_data_mag_bias), program_mag_bias};
 
 static const uint8_t program_mag_bias_uncertainty[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_data_mag_bias_uncertainty, bias_uncertainty)),
@@ -258,7 +324,11 @@ static const uint8_t program_mag_bias_uncertainty[] = {
 };
 
 const struct mip_codec mip_filter_data_mag_bias_uncertainty_codec = {
-    0x82, 0x1B, MIP_DATA, sizeof(struct mip_filter_data_mag_bias_uncertainty),
+    0x82,
+    0x1B,
+    MIP_DATA,
+    14,
+    sizeof(struct mip_filter_data_mag_bias_uncertainty),
     program_mag_bias_uncertainty};
 
 static const uint8_t program_comp_accel[] = {
@@ -268,7 +338,7 @@ static const uint8_t program_comp_accel[] = {
 };
 
 const struct mip_codec mip_filter_data_comp_accel_codec = {
-    0x82, 0x1C, MIP_DATA, sizeof(struct mip_filter_data_comp_accel), program_comp_accel};
+    0x82, 0x1C, MIP_DATA, 14, sizeof(struct mip_filter_data_comp_accel), program_comp_accel};
 
 static const uint8_t program_standard_atmosphere[] = {
     MIP_32_BITS(5, MIP_AT(struct mip_filter_data_standard_atmosphere, geometric_altitude)),
@@ -277,7 +347,11 @@ static const uint8_t program_standard_atmosphere[] = {
 };
 
 const struct mip_codec mip_filter_data_standard_atmosphere_codec = {
-    0x82, 0x20, MIP_DATA, sizeof(struct mip_filter_data_standard_atmosphere),
+    0x82,
+    0x20,
+    MIP_DATA,
+    22,
+    sizeof(struct mip_filter_data_standard_atmosphere),
     program_standard_atmosphere};
 
 static const uint8_t program_pressure_altitude[] = {
@@ -287,7 +361,11 @@ static const uint8_t program_pressure_altitude[] = {
 };
 
 const struct mip_codec mip_filter_data_pressure_altitude_codec = {
-    0x82, 0x21, MIP_DATA, sizeof(struct mip_filter_data_pressure_altitude),
+    0x82,
+    0x21,
+    MIP_DATA,
+    6,
+    sizeof(struct mip_filter_data_pressure_altitude),
     program_pressure_altitude};
 
 static const uint8_t program_density_altitude[] = {
@@ -297,7 +375,11 @@ static const uint8_t program_density_altitude[] = {
 };
 
 const struct mip_codec mip_filter_data_density_altitude_codec = {
-    0x82, 0x22, MIP_DATA, sizeof(struct mip_filter_data_density_altitude),
+    0x82,
+    0x22,
+    MIP_DATA,
+    6,
+    sizeof(struct mip_filter_data_density_altitude),
     program_density_altitude};
 
 static const uint8_t program_mag_offset[] = {
@@ -307,7 +389,7 @@ static const uint8_t program_mag_offset[] = {
 };
 
 const struct mip_codec mip_filter_data_mag_offset_codec = {
-    0x82, 0x25, MIP_DATA, sizeof(struct mip_filter_data_mag_offset), program_mag_offset};
+    0x82, 0x25, MIP_DATA, 14, sizeof(struct mip_filter_data_mag_offset), program_mag_offset};
 
 static const uint8_t program_mag_matrix[] = {
     MIP_32_BITS(9, MIP_AT(struct mip_filter_data_mag_matrix, soft_iron)),
@@ -316,7 +398,7 @@ static const uint8_t program_mag_matrix[] = {
 };
 
 const struct mip_codec mip_filter_data_mag_matrix_codec = {
-    0x82, 0x26, MIP_DATA, sizeof(struct mip_filter_data_mag_matrix), program_mag_matrix};
+    0x82, 0x26, MIP_DATA, 38, sizeof(struct mip_filter_data_mag_matrix), program_mag_matrix};
 
 static const uint8_t program_mag_offset_uncertainty[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_data_mag_offset_uncertainty, hard_iron_uncertainty)),
@@ -325,7 +407,11 @@ static const uint8_t program_mag_offset_uncertainty[] = {
 };
 
 const struct mip_codec mip_filter_data_mag_offset_uncertainty_codec = {
-    0x82, 0x28, MIP_DATA, sizeof(struct mip_filter_data_mag_offset_uncertainty),
+    0x82,
+    0x28,
+    MIP_DATA,
+    14,
+    sizeof(struct mip_filter_data_mag_offset_uncertainty),
     program_mag_offset_uncertainty};
 
 static const uint8_t program_mag_matrix_uncertainty[] = {
@@ -335,7 +421,11 @@ static const uint8_t program_mag_matrix_uncertainty[] = {
 };
 
 const struct mip_codec mip_filter_data_mag_matrix_uncertainty_codec = {
-    0x82, 0x29, MIP_DATA, sizeof(struct mip_filter_data_mag_matrix_uncertainty),
+    0x82,
+    0x29,
+    MIP_DATA,
+    38,
+    sizeof(struct mip_filter_data_mag_matrix_uncertainty),
     program_mag_matrix_uncertainty};
 
 static const uint8_t program_mag_covariance_matrix[] = {
@@ -345,7 +435,11 @@ static const uint8_t program_mag_covariance_matrix[] = {
 };
 
 const struct mip_codec mip_filter_data_mag_covariance_matrix_codec = {
-    0x82, 0x2A, MIP_DATA, sizeof(struct mip_filter_data_mag_covariance_matrix),
+    0x82,
+    0x2A,
+    MIP_DATA,
+    38,
+    sizeof(struct mip_filter_data_mag_covariance_matrix),
     program_mag_covariance_matrix};
 
 static const uint8_t program_mag_residual_vector[] = {
@@ -355,7 +449,11 @@ static const uint8_t program_mag_residual_vector[] = {
 };
 
 const struct mip_codec mip_filter_data_mag_residual_vector_codec = {
-    0x82, 0x2C, MIP_DATA, sizeof(struct mip_filter_data_mag_residual_vector),
+    0x82,
+    0x2C,
+    MIP_DATA,
+    14,
+    sizeof(struct mip_filter_data_mag_residual_vector),
     program_mag_residual_vector};
 
 static const uint8_t program_antenna_offset_correction[] = {
@@ -365,7 +463,11 @@ static const uint8_t program_antenna_offset_correction[] = {
 };
 
 const struct mip_codec mip_filter_data_antenna_offset_correction_codec = {
-    0x82, 0x30, MIP_DATA, sizeof(struct mip_filter_data_antenna_offset_correction),
+    0x82,
+    0x30,
+    MIP_DATA,
+    14,
+    sizeof(struct mip_filter_data_antenna_offset_correction),
     program_antenna_offset_correction};
 
 static const uint8_t program_antenna_offset_uncertainty[] = {
@@ -375,7 +477,11 @@ static const uint8_t program_antenna_offset_uncertainty[] = {
 };
 
 const struct mip_codec mip_filter_data_antenna_offset_uncertainty_codec = {
-    0x82, 0x31, MIP_DATA, sizeof(struct mip_filter_data_antenna_offset_uncertainty),
+    0x82,
+    0x31,
+    MIP_DATA,
+    14,
+    sizeof(struct mip_filter_data_antenna_offset_uncertainty),
     program_antenna_offset_uncertainty};
 
 static const uint8_t program_clock_correction[] = {
@@ -386,7 +492,11 @@ static const uint8_t program_clock_correction[] = {
 };
 
 const struct mip_codec mip_filter_data_clock_correction_codec = {
-    0x82, 0x32, MIP_DATA, sizeof(struct mip_filter_data_clock_correction),
+    0x82,
+    0x32,
+    MIP_DATA,
+    11,
+    sizeof(struct mip_filter_data_clock_correction),
     program_clock_correction};
 
 static const uint8_t program_clock_correction_uncertainty[] = {
@@ -397,7 +507,11 @@ static const uint8_t program_clock_correction_uncertainty[] = {
 };
 
 const struct mip_codec mip_filter_data_clock_correction_uncertainty_codec = {
-    0x82, 0x33, MIP_DATA, sizeof(struct mip_filter_data_clock_correction_uncertainty),
+    0x82,
+    0x33,
+    MIP_DATA,
+    11,
+    sizeof(struct mip_filter_data_clock_correction_uncertainty),
     program_clock_correction_uncertainty};
 
 static const uint8_t program_multi_antenna_offset_correction[] = {
@@ -408,7 +522,11 @@ static const uint8_t program_multi_antenna_offset_correction[] = {
 };
 
 const struct mip_codec mip_filter_data_multi_antenna_offset_correction_codec = {
-    0x82, 0x34, MIP_DATA, sizeof(struct mip_filter_data_multi_antenna_offset_correction),
+    0x82,
+    0x34,
+    MIP_DATA,
+    15,
+    sizeof(struct mip_filter_data_multi_antenna_offset_correction),
     program_multi_antenna_offset_correction};
 
 static const uint8_t program_multi_antenna_offset_uncertainty[] = {
@@ -420,7 +538,11 @@ static const uint8_t program_multi_antenna_offset_uncertainty[] = {
 };
 
 const struct mip_codec mip_filter_data_multi_antenna_offset_uncertainty_codec = {
-    0x82, 0x35, MIP_DATA, sizeof(struct mip_filter_data_multi_antenna_offset_uncertainty),
+    0x82,
+    0x35,
+    MIP_DATA,
+    15,
+    sizeof(struct mip_filter_data_multi_antenna_offset_uncertainty),
     program_multi_antenna_offset_uncertainty};
 
 static const uint8_t program_ecef_position_uncertainty[] = {
@@ -430,7 +552,11 @@ static const uint8_t program_ecef_position_uncertainty[] = {
 };
 
 const struct mip_codec mip_filter_data_ecef_position_uncertainty_codec = {
-    0x82, 0x36, MIP_DATA, sizeof(struct mip_filter_data_ecef_position_uncertainty),
+    0x82,
+    0x36,
+    MIP_DATA,
+    14,
+    sizeof(struct mip_filter_data_ecef_position_uncertainty),
     program_ecef_position_uncertainty};
 
 static const uint8_t program_ecef_velocity_uncertainty[] = {
@@ -440,7 +566,11 @@ static const uint8_t program_ecef_velocity_uncertainty[] = {
 };
 
 const struct mip_codec mip_filter_data_ecef_velocity_uncertainty_codec = {
-    0x82, 0x37, MIP_DATA, sizeof(struct mip_filter_data_ecef_velocity_uncertainty),
+    0x82,
+    0x37,
+    MIP_DATA,
+    14,
+    sizeof(struct mip_filter_data_ecef_velocity_uncertainty),
     program_ecef_velocity_uncertainty};
 
 static const uint8_t program_ecef_position[] = {
@@ -450,7 +580,7 @@ static const uint8_t program_ecef_position[] = {
 };
 
 const struct mip_codec mip_filter_data_ecef_position_codec = {
-    0x82, 0x40, MIP_DATA, sizeof(struct mip_filter_data_ecef_position), program_ecef_position};
+    0x82, 0x40, MIP_DATA, 26, sizeof(struct mip_filter_data_ecef_position), program_ecef_position};
 
 static const uint8_t program_ecef_velocity[] = {
     MIP_32_BITS(3, MIP_AT(struct mip_filter_data_ecef_velocity, velocity)),
@@ -459,7 +589,7 @@ static const uint8_t program_ecef_velocity[] = {
 };
 
 const struct mip_codec mip_filter_data_ecef_velocity_codec = {
-    0x82, 0x41, MIP_DATA, sizeof(struct mip_filter_data_ecef_velocity), program_ecef_velocity};
+    0x82, 0x41, MIP_DATA, 14, sizeof(struct mip_filter_data_ecef_velocity), program_ecef_velocity};
 
 static const uint8_t program_ned_relative_position[] = {
     MIP_DOUBLES(3, MIP_AT(struct mip_filter_data_ned_relative_position, relative_position)),
@@ -468,7 +598,11 @@ static const uint8_t program_ned_relative_position[] = {
 };
 
 const struct mip_codec mip_filter_data_ned_relative_position_codec = {
-    0x82, 0x42, MIP_DATA, sizeof(struct mip_filter_data_ned_relative_position),
+    0x82,
+    0x42,
+    MIP_DATA,
+    26,
+    sizeof(struct mip_filter_data_ned_relative_position),
     program_ned_relative_position};
 
 static const uint8_t program_gnss_position_aiding_status[] = {
@@ -480,7 +614,11 @@ static const uint8_t program_gnss_position_aiding_status[] = {
 };
 
 const struct mip_codec mip_filter_data_gnss_position_aiding_status_codec = {
-    0x82, 0x43, MIP_DATA, sizeof(struct mip_filter_data_gnss_position_aiding_status),
+    0x82,
+    0x43,
+    MIP_DATA,
+    15,
+    sizeof(struct mip_filter_data_gnss_position_aiding_status),
     program_gnss_position_aiding_status};
 
 static const uint8_t program_gnss_attitude_aiding_status[] = {
@@ -491,7 +629,11 @@ static const uint8_t program_gnss_attitude_aiding_status[] = {
 };
 
 const struct mip_codec mip_filter_data_gnss_attitude_aiding_status_codec = {
-    0x82, 0x44, MIP_DATA, sizeof(struct mip_filter_data_gnss_attitude_aiding_status),
+    0x82,
+    0x44,
+    MIP_DATA,
+    14,
+    sizeof(struct mip_filter_data_gnss_attitude_aiding_status),
     program_gnss_attitude_aiding_status};
 
 static const uint8_t program_heading_aiding_status[] = {
@@ -502,7 +644,11 @@ static const uint8_t program_heading_aiding_status[] = {
 };
 
 const struct mip_codec mip_filter_data_heading_aiding_status_codec = {
-    0x82, 0x45, MIP_DATA, sizeof(struct mip_filter_data_heading_aiding_status),
+    0x82,
+    0x45,
+    MIP_DATA,
+    13,
+    sizeof(struct mip_filter_data_heading_aiding_status),
     program_heading_aiding_status};
 
 static const uint8_t program_aiding_measurement_summary[] = {
@@ -512,7 +658,11 @@ static const uint8_t program_aiding_measurement_summary[] = {
 };
 
 const struct mip_codec mip_filter_data_aiding_measurement_summary_codec = {
-    0x82, 0x46, MIP_DATA, sizeof(struct mip_filter_data_aiding_measurement_summary),
+    0x82,
+    0x46,
+    MIP_DATA,
+    7,
+    sizeof(struct mip_filter_data_aiding_measurement_summary),
     program_aiding_measurement_summary};
 
 static const uint8_t program_odometer_scale_factor_error[] = {
@@ -522,7 +672,11 @@ static const uint8_t program_odometer_scale_factor_error[] = {
 };
 
 const struct mip_codec mip_filter_data_odometer_scale_factor_error_codec = {
-    0x82, 0x47, MIP_DATA, sizeof(struct mip_filter_data_odometer_scale_factor_error),
+    0x82,
+    0x47,
+    MIP_DATA,
+    6,
+    sizeof(struct mip_filter_data_odometer_scale_factor_error),
     program_odometer_scale_factor_error};
 
 static const uint8_t program_odometer_scale_factor_uncertainty[] = {
@@ -533,7 +687,11 @@ static const uint8_t program_odometer_scale_factor_uncertainty[] = {
 };
 
 const struct mip_codec mip_filter_data_odometer_scale_factor_uncertainty_codec = {
-    0x82, 0x48, MIP_DATA, sizeof(struct mip_filter_data_odometer_scale_factor_uncertainty),
+    0x82,
+    0x48,
+    MIP_DATA,
+    6,
+    sizeof(struct mip_filter_data_odometer_scale_factor_uncertainty),
     program_odometer_scale_factor_uncertainty};
 
 static const uint8_t program_gnss_dual_antenna_status[] = {
@@ -544,7 +702,11 @@ static const uint8_t program_gnss_dual_antenna_status[] = {
 };
 
 const struct mip_codec mip_filter_data_gnss_dual_antenna_status_codec = {
-    0x82, 0x49, MIP_DATA, sizeof(struct mip_filter_data_gnss_dual_antenna_status),
+    0x82,
+    0x49,
+    MIP_DATA,
+    17,
+    sizeof(struct mip_filter_data_gnss_dual_antenna_status),
     program_gnss_dual_antenna_status};
 
 static const uint8_t program_aiding_frame_config_error[] = {
@@ -554,7 +716,11 @@ static const uint8_t program_aiding_frame_config_error[] = {
 };
 
 const struct mip_codec mip_filter_data_aiding_frame_config_error_codec = {
-    0x82, 0x50, MIP_DATA, sizeof(struct mip_filter_data_aiding_frame_config_error),
+    0x82,
+    0x50,
+    MIP_DATA,
+    29,
+    sizeof(struct mip_filter_data_aiding_frame_config_error),
     program_aiding_frame_config_error};
 
 static const uint8_t program_aiding_frame_error_uncertainty[] = {
@@ -565,5 +731,9 @@ static const uint8_t program_aiding_frame_error_uncertainty[] = {
 };
 
 const struct mip_codec mip_filter_data_aiding_frame_error_uncertainty_codec = {
-    0x82, 0x51, MIP_DATA, sizeof(struct mip_filter_data_aiding_frame_error_uncertainty),
+    0x82,
+    0x51,
+    MIP_DATA,
+    25,
+    sizeof(struct mip_filter_data_aiding_frame_error_uncertainty),
     program_aiding_frame_error_uncertainty};

@@ -8,7 +8,7 @@ static const uint8_t program_receiver_info[] = {
 };
 
 const struct mip_codec mip_gnss_receiver_info_codec = {
-    0x0E, 0x01, MIP_COMMAND, sizeof(struct mip_gnss_receiver_info), program_receiver_info};
+    0x0E, 0x01, MIP_COMMAND, 0, sizeof(struct mip_gnss_receiver_info), program_receiver_info};
 
 static const struct mip_response responses_receiver_info[] = {
     {&mip_gnss_receiver_info_response_codec, NULL},
@@ -30,7 +30,11 @@ static const uint8_t program_receiver_info_response[] = {
 };
 
 const struct mip_codec mip_gnss_receiver_info_response_codec = {
-    0x0E, 0x81, MIP_RESPONSE, sizeof(struct mip_gnss_receiver_info_response),
+    0x0E,
+    0x81,
+    MIP_RESPONSE,
+    0,
+    sizeof(struct mip_gnss_receiver_info_response),
     program_receiver_info_response};
 
 static const uint8_t program_signal_config[] = {
@@ -49,7 +53,7 @@ static const uint8_t program_signal_config[] = {
 };
 
 const struct mip_codec mip_gnss_signal_config_codec = {
-    0x0E, 0x02, MIP_COMMAND, sizeof(struct mip_gnss_signal_config), program_signal_config};
+    0x0E, 0x02, MIP_COMMAND, 0, sizeof(struct mip_gnss_signal_config), program_signal_config};
 
 static bool asked_signal_config_1(const void *value) {
     const struct mip_gnss_signal_config *v = (const struct mip_gnss_signal_config *)value;
@@ -70,7 +74,11 @@ static const uint8_t program_signal_config_response[] = {
 };
 
 const struct mip_codec mip_gnss_signal_config_response_codec = {
-    0x0E, 0x82, MIP_RESPONSE, sizeof(struct mip_gnss_signal_config_response),
+    0x0E,
+    0x82,
+    MIP_RESPONSE,
+    8,
+    sizeof(struct mip_gnss_signal_config_response),
     program_signal_config_response};
 
 static const uint8_t program_rtk_dongle_config[] = {
@@ -83,7 +91,12 @@ static const uint8_t program_rtk_dongle_config[] = {
 };
 
 const struct mip_codec mip_gnss_rtk_dongle_config_codec = {
-    0x0E, 0x10, MIP_COMMAND, sizeof(struct mip_gnss_rtk_dongle_config), program_rtk_dongle_config};
+    0x0E,
+    0x10,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_gnss_rtk_dongle_config),
+    program_rtk_dongle_config};
 
 static bool asked_rtk_dongle_config_1(const void *value) {
     const struct mip_gnss_rtk_dongle_config *v = (const struct mip_gnss_rtk_dongle_config *)value;
@@ -104,7 +117,11 @@ static const uint8_t program_rtk_dongle_config_response[] = {
 };
 
 const struct mip_codec mip_gnss_rtk_dongle_config_response_codec = {
-    0x0E, 0x90, MIP_RESPONSE, sizeof(struct mip_gnss_rtk_dongle_config_response),
+    0x0E,
+    0x90,
+    MIP_RESPONSE,
+    4,
+    sizeof(struct mip_gnss_rtk_dongle_config_response),
     program_rtk_dongle_config_response};
 
 static const uint8_t program_spartn_config[] = {
@@ -130,7 +147,7 @@ static const uint8_t program_spartn_config[] = {
 };
 
 const struct mip_codec mip_gnss_spartn_config_codec = {
-    0x0E, 0x20, MIP_COMMAND, sizeof(struct mip_gnss_spartn_config), program_spartn_config};
+    0x0E, 0x20, MIP_COMMAND, 0, sizeof(struct mip_gnss_spartn_config), program_spartn_config};
 
 static bool asked_spartn_config_1(const void *value) {
     const struct mip_gnss_spartn_config *v = (const struct mip_gnss_spartn_config *)value;
@@ -158,5 +175,9 @@ static const uint8_t program_spartn_config_response[] = {
 };
 
 const struct mip_codec mip_gnss_spartn_config_response_codec = {
-    0x0E, 0xA0, MIP_RESPONSE, sizeof(struct mip_gnss_spartn_config_response),
+    0x0E,
+    0xA0,
+    MIP_RESPONSE,
+    0,
+    sizeof(struct mip_gnss_spartn_config_response),
     program_spartn_config_response};

@@ -10,7 +10,7 @@ static const uint8_t program_llh_position[] = {
 };
 
 const struct mip_codec mip_gnss_1_llh_position_codec = {
-    0x91, 0x03, MIP_DATA, sizeof(struct mip_gnss_1_llh_position), program_llh_position};
+    0x91, 0x03, MIP_DATA, 42, sizeof(struct mip_gnss_1_llh_position), program_llh_position};
 
 static const uint8_t program_ecef_position[] = {
     MIP_DOUBLES(3, MIP_AT(struct mip_gnss_1_ecef_position, position)),
@@ -20,7 +20,7 @@ static const uint8_t program_ecef_position[] = {
 };
 
 const struct mip_codec mip_gnss_1_ecef_position_codec = {
-    0x91, 0x04, MIP_DATA, sizeof(struct mip_gnss_1_ecef_position), program_ecef_position};
+    0x91, 0x04, MIP_DATA, 30, sizeof(struct mip_gnss_1_ecef_position), program_ecef_position};
 
 static const uint8_t program_ned_velocity[] = {
     MIP_32_BITS(8, MIP_AT(struct mip_gnss_1_ned_velocity, velocity)),
@@ -29,7 +29,7 @@ static const uint8_t program_ned_velocity[] = {
 };
 
 const struct mip_codec mip_gnss_1_ned_velocity_codec = {
-    0x91, 0x05, MIP_DATA, sizeof(struct mip_gnss_1_ned_velocity), program_ned_velocity};
+    0x91, 0x05, MIP_DATA, 34, sizeof(struct mip_gnss_1_ned_velocity), program_ned_velocity};
 
 static const uint8_t program_ecef_velocity[] = {
     MIP_32_BITS(4, MIP_AT(struct mip_gnss_1_ecef_velocity, velocity)),
@@ -38,7 +38,7 @@ static const uint8_t program_ecef_velocity[] = {
 };
 
 const struct mip_codec mip_gnss_1_ecef_velocity_codec = {
-    0x91, 0x06, MIP_DATA, sizeof(struct mip_gnss_1_ecef_velocity), program_ecef_velocity};
+    0x91, 0x06, MIP_DATA, 18, sizeof(struct mip_gnss_1_ecef_velocity), program_ecef_velocity};
 
 static const uint8_t program_dop[] = {
     MIP_32_BITS(7, MIP_AT(struct mip_gnss_1_dop, gdop)),
@@ -46,8 +46,8 @@ static const uint8_t program_dop[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_1_dop_codec = {0x91, 0x07, MIP_DATA, sizeof(struct mip_gnss_1_dop),
-                                               program_dop};
+const struct mip_codec mip_gnss_1_dop_codec = {
+    0x91, 0x07, MIP_DATA, 30, sizeof(struct mip_gnss_1_dop), program_dop};
 
 static const uint8_t program_utc_time[] = {
     MIP_16_BITS(1, MIP_AT(struct mip_gnss_1_utc_time, year)),
@@ -58,7 +58,7 @@ static const uint8_t program_utc_time[] = {
 };
 
 const struct mip_codec mip_gnss_1_utc_time_codec = {
-    0x91, 0x08, MIP_DATA, sizeof(struct mip_gnss_1_utc_time), program_utc_time};
+    0x91, 0x08, MIP_DATA, 13, sizeof(struct mip_gnss_1_utc_time), program_utc_time};
 
 static const uint8_t program_gps_time[] = {
     MIP_DOUBLES(1, MIP_AT(struct mip_gnss_1_gps_time, tow)),
@@ -67,7 +67,7 @@ static const uint8_t program_gps_time[] = {
 };
 
 const struct mip_codec mip_gnss_1_gps_time_codec = {
-    0x91, 0x09, MIP_DATA, sizeof(struct mip_gnss_1_gps_time), program_gps_time};
+    0x91, 0x09, MIP_DATA, 12, sizeof(struct mip_gnss_1_gps_time), program_gps_time};
 
 static const uint8_t program_clock_info[] = {
     MIP_DOUBLES(3, MIP_AT(struct mip_gnss_1_clock_info, bias)),
@@ -76,7 +76,7 @@ static const uint8_t program_clock_info[] = {
 };
 
 const struct mip_codec mip_gnss_1_clock_info_codec = {
-    0x91, 0x0A, MIP_DATA, sizeof(struct mip_gnss_1_clock_info), program_clock_info};
+    0x91, 0x0A, MIP_DATA, 26, sizeof(struct mip_gnss_1_clock_info), program_clock_info};
 
 static const uint8_t program_fix_info[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_gnss_1_fix_info, fix_type)),
@@ -85,7 +85,7 @@ static const uint8_t program_fix_info[] = {
 };
 
 const struct mip_codec mip_gnss_1_fix_info_codec = {
-    0x91, 0x0B, MIP_DATA, sizeof(struct mip_gnss_1_fix_info), program_fix_info};
+    0x91, 0x0B, MIP_DATA, 6, sizeof(struct mip_gnss_1_fix_info), program_fix_info};
 
 static const uint8_t program_sv_info[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_gnss_1_sv_info, channel)),
@@ -94,7 +94,7 @@ static const uint8_t program_sv_info[] = {
 };
 
 const struct mip_codec mip_gnss_1_sv_info_codec = {
-    0x91, 0x0C, MIP_DATA, sizeof(struct mip_gnss_1_sv_info), program_sv_info};
+    0x91, 0x0C, MIP_DATA, 12, sizeof(struct mip_gnss_1_sv_info), program_sv_info};
 
 static const uint8_t program_hardware_status[] = {
     MIP_8_BITS(3, MIP_AT(struct mip_gnss_1_hardware_status, receiver_state)),
@@ -103,7 +103,7 @@ static const uint8_t program_hardware_status[] = {
 };
 
 const struct mip_codec mip_gnss_1_hardware_status_codec = {
-    0x91, 0x0D, MIP_DATA, sizeof(struct mip_gnss_1_hardware_status), program_hardware_status};
+    0x91, 0x0D, MIP_DATA, 5, sizeof(struct mip_gnss_1_hardware_status), program_hardware_status};
 
 static const uint8_t program_dgps_info[] = {
     MIP_32_BITS(1, MIP_AT(struct mip_gnss_1_dgps_info, age)),
@@ -112,7 +112,7 @@ static const uint8_t program_dgps_info[] = {
 };
 
 const struct mip_codec mip_gnss_1_dgps_info_codec = {
-    0x91, 0x0E, MIP_DATA, sizeof(struct mip_gnss_1_dgps_info), program_dgps_info};
+    0x91, 0x0E, MIP_DATA, 12, sizeof(struct mip_gnss_1_dgps_info), program_dgps_info};
 
 static const uint8_t program_dgps_channel[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_gnss_1_dgps_channel, satellite_id)),
@@ -122,7 +122,7 @@ static const uint8_t program_dgps_channel[] = {
 };
 
 const struct mip_codec mip_gnss_1_dgps_channel_codec = {
-    0x91, 0x0F, MIP_DATA, sizeof(struct mip_gnss_1_dgps_channel), program_dgps_channel};
+    0x91, 0x0F, MIP_DATA, 15, sizeof(struct mip_gnss_1_dgps_channel), program_dgps_channel};
 
 static const uint8_t program_clock_info_2[] = {
     MIP_DOUBLES(4, MIP_AT(struct mip_gnss_1_clock_info_2, bias)),
@@ -131,7 +131,7 @@ static const uint8_t program_clock_info_2[] = {
 };
 
 const struct mip_codec mip_gnss_1_clock_info_2_codec = {
-    0x91, 0x10, MIP_DATA, sizeof(struct mip_gnss_1_clock_info_2), program_clock_info_2};
+    0x91, 0x10, MIP_DATA, 34, sizeof(struct mip_gnss_1_clock_info_2), program_clock_info_2};
 
 static const uint8_t program_gps_leap_seconds[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_gnss_1_gps_leap_seconds, leap_seconds)),
@@ -140,7 +140,7 @@ static const uint8_t program_gps_leap_seconds[] = {
 };
 
 const struct mip_codec mip_gnss_1_gps_leap_seconds_codec = {
-    0x91, 0x11, MIP_DATA, sizeof(struct mip_gnss_1_gps_leap_seconds), program_gps_leap_seconds};
+    0x91, 0x11, MIP_DATA, 3, sizeof(struct mip_gnss_1_gps_leap_seconds), program_gps_leap_seconds};
 
 static const uint8_t program_sbas_info[] = {
     MIP_DOUBLES(1, MIP_AT(struct mip_gnss_1_sbas_info, tow)),
@@ -151,7 +151,7 @@ static const uint8_t program_sbas_info[] = {
 };
 
 const struct mip_codec mip_gnss_1_sbas_info_codec = {
-    0x91, 0x12, MIP_DATA, sizeof(struct mip_gnss_1_sbas_info), program_sbas_info};
+    0x91, 0x12, MIP_DATA, 16, sizeof(struct mip_gnss_1_sbas_info), program_sbas_info};
 
 static const uint8_t program_sbas_correction[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_gnss_1_sbas_correction, index)),
@@ -164,7 +164,7 @@ static const uint8_t program_sbas_correction[] = {
 };
 
 const struct mip_codec mip_gnss_1_sbas_correction_codec = {
-    0x91, 0x13, MIP_DATA, sizeof(struct mip_gnss_1_sbas_correction), program_sbas_correction};
+    0x91, 0x13, MIP_DATA, 25, sizeof(struct mip_gnss_1_sbas_correction), program_sbas_correction};
 
 static const uint8_t program_rf_error_detection[] = {
     MIP_8_BITS(7, MIP_AT(struct mip_gnss_1_rf_error_detection, rf_band)),
@@ -173,7 +173,12 @@ static const uint8_t program_rf_error_detection[] = {
 };
 
 const struct mip_codec mip_gnss_1_rf_error_detection_codec = {
-    0x91, 0x14, MIP_DATA, sizeof(struct mip_gnss_1_rf_error_detection), program_rf_error_detection};
+    0x91,
+    0x14,
+    MIP_DATA,
+    9,
+    sizeof(struct mip_gnss_1_rf_error_detection),
+    program_rf_error_detection};
 
 static const uint8_t program_satellite_status[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_gnss_1_satellite_status, index)),
@@ -187,7 +192,7 @@ static const uint8_t program_satellite_status[] = {
 };
 
 const struct mip_codec mip_gnss_1_satellite_status_codec = {
-    0x91, 0x20, MIP_DATA, sizeof(struct mip_gnss_1_satellite_status), program_satellite_status};
+    0x91, 0x20, MIP_DATA, 25, sizeof(struct mip_gnss_1_satellite_status), program_satellite_status};
 
 static const uint8_t program_raw[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_gnss_1_raw, index)),
@@ -202,8 +207,8 @@ static const uint8_t program_raw[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_gnss_1_raw_codec = {0x91, 0x22, MIP_DATA, sizeof(struct mip_gnss_1_raw),
-                                               program_raw};
+const struct mip_codec mip_gnss_1_raw_codec = {
+    0x91, 0x22, MIP_DATA, 61, sizeof(struct mip_gnss_1_raw), program_raw};
 
 static const uint8_t program_base_station_info[] = {
     MIP_DOUBLES(1, MIP_AT(struct mip_gnss_1_base_station_info, tow)),
@@ -215,7 +220,12 @@ static const uint8_t program_base_station_info[] = {
 };
 
 const struct mip_codec mip_gnss_1_base_station_info_codec = {
-    0x91, 0x30, MIP_DATA, sizeof(struct mip_gnss_1_base_station_info), program_base_station_info};
+    0x91,
+    0x30,
+    MIP_DATA,
+    44,
+    sizeof(struct mip_gnss_1_base_station_info),
+    program_base_station_info};
 
 static const uint8_t program_rtk_corrections_status[] = {
     MIP_DOUBLES(1, MIP_AT(struct mip_gnss_1_rtk_corrections_status, tow)),
@@ -226,7 +236,11 @@ static const uint8_t program_rtk_corrections_status[] = {
 };
 
 const struct mip_codec mip_gnss_1_rtk_corrections_status_codec = {
-    0x91, 0x31, MIP_DATA, sizeof(struct mip_gnss_1_rtk_corrections_status),
+    0x91,
+    0x31,
+    MIP_DATA,
+    50,
+    sizeof(struct mip_gnss_1_rtk_corrections_status),
     program_rtk_corrections_status};
 
 static const uint8_t program_gps_ephemeris[] = {
@@ -241,7 +255,7 @@ static const uint8_t program_gps_ephemeris[] = {
 };
 
 const struct mip_codec mip_gnss_1_gps_ephemeris_codec = {
-    0x91, 0x61, MIP_DATA, sizeof(struct mip_gnss_1_gps_ephemeris), program_gps_ephemeris};
+    0x91, 0x61, MIP_DATA, 0, sizeof(struct mip_gnss_1_gps_ephemeris), program_gps_ephemeris};
 
 static const uint8_t program_glonass_ephemeris[] = {
     MIP_FAR,
@@ -261,7 +275,12 @@ static const uint8_t program_glonass_ephemeris[] = {
 };
 
 const struct mip_codec mip_gnss_1_glonass_ephemeris_codec = {
-    0x91, 0x62, MIP_DATA, sizeof(struct mip_gnss_1_glonass_ephemeris), program_glonass_ephemeris};
+    0x91,
+    0x62,
+    MIP_DATA,
+    0,
+    sizeof(struct mip_gnss_1_glonass_ephemeris),
+    program_glonass_ephemeris};
 
 static const uint8_t program_galileo_ephemeris[] = {
     MIP_FAR,
@@ -275,7 +294,12 @@ static const uint8_t program_galileo_ephemeris[] = {
 };
 
 const struct mip_codec mip_gnss_1_galileo_ephemeris_codec = {
-    0x91, 0x63, MIP_DATA, sizeof(struct mip_gnss_1_galileo_ephemeris), program_galileo_ephemeris};
+    0x91,
+    0x63,
+    MIP_DATA,
+    0,
+    sizeof(struct mip_gnss_1_galileo_ephemeris),
+    program_galileo_ephemeris};
 
 static const uint8_t program_beidou_ephemeris[] = {
     MIP_FAR,
@@ -289,7 +313,7 @@ static const uint8_t program_beidou_ephemeris[] = {
 };
 
 const struct mip_codec mip_gnss_1_beidou_ephemeris_codec = {
-    0x91, 0x64, MIP_DATA, sizeof(struct mip_gnss_1_beidou_ephemeris), program_beidou_ephemeris};
+    0x91, 0x64, MIP_DATA, 0, sizeof(struct mip_gnss_1_beidou_ephemeris), program_beidou_ephemeris};
 
 static const uint8_t program_gps_iono_correction[] = {
     MIP_DOUBLES(1, MIP_AT(struct mip_gnss_1_gps_iono_correction, tow)),
@@ -300,7 +324,11 @@ static const uint8_t program_gps_iono_correction[] = {
 };
 
 const struct mip_codec mip_gnss_1_gps_iono_correction_codec = {
-    0x91, 0x71, MIP_DATA, sizeof(struct mip_gnss_1_gps_iono_correction),
+    0x91,
+    0x71,
+    MIP_DATA,
+    76,
+    sizeof(struct mip_gnss_1_gps_iono_correction),
     program_gps_iono_correction};
 
 static const uint8_t program_galileo_iono_correction[] = {
@@ -313,7 +341,11 @@ static const uint8_t program_galileo_iono_correction[] = {
 };
 
 const struct mip_codec mip_gnss_1_galileo_iono_correction_codec = {
-    0x91, 0x73, MIP_DATA, sizeof(struct mip_gnss_1_galileo_iono_correction),
+    0x91,
+    0x73,
+    MIP_DATA,
+    37,
+    sizeof(struct mip_gnss_1_galileo_iono_correction),
     program_galileo_iono_correction};
 
 static const uint8_t program_beidou_iono_correction[] = {
@@ -326,5 +358,9 @@ static const uint8_t program_beidou_iono_correction[] = {
 };
 
 const struct mip_codec mip_gnss_1_beidou_iono_correction_codec = {
-    0x91, 0x74, MIP_DATA, sizeof(struct mip_gnss_1_beidou_iono_correction),
+    0x91,
+    0x74,
+    MIP_DATA,
+    0,
+    sizeof(struct mip_gnss_1_beidou_iono_correction),
     program_beidou_iono_correction};

@@ -10,7 +10,7 @@ static const uint8_t program_llh_position[] = {
 };
 
 const struct mip_codec mip_gnss_external_llh_position_codec = {
-    0x94, 0x03, MIP_DATA, sizeof(struct mip_gnss_external_llh_position), program_llh_position};
+    0x94, 0x03, MIP_DATA, 42, sizeof(struct mip_gnss_external_llh_position), program_llh_position};
 
 static const uint8_t program_ecef_position[] = {
     MIP_DOUBLES(3, MIP_AT(struct mip_gnss_external_ecef_position, position)),
@@ -20,7 +20,12 @@ static const uint8_t program_ecef_position[] = {
 };
 
 const struct mip_codec mip_gnss_external_ecef_position_codec = {
-    0x94, 0x04, MIP_DATA, sizeof(struct mip_gnss_external_ecef_position), program_ecef_position};
+    0x94,
+    0x04,
+    MIP_DATA,
+    30,
+    sizeof(struct mip_gnss_external_ecef_position),
+    program_ecef_position};
 
 static const uint8_t program_ned_velocity[] = {
     MIP_32_BITS(8, MIP_AT(struct mip_gnss_external_ned_velocity, velocity)),
@@ -29,7 +34,7 @@ static const uint8_t program_ned_velocity[] = {
 };
 
 const struct mip_codec mip_gnss_external_ned_velocity_codec = {
-    0x94, 0x05, MIP_DATA, sizeof(struct mip_gnss_external_ned_velocity), program_ned_velocity};
+    0x94, 0x05, MIP_DATA, 34, sizeof(struct mip_gnss_external_ned_velocity), program_ned_velocity};
 
 static const uint8_t program_ecef_velocity[] = {
     MIP_32_BITS(4, MIP_AT(struct mip_gnss_external_ecef_velocity, velocity)),
@@ -38,7 +43,12 @@ static const uint8_t program_ecef_velocity[] = {
 };
 
 const struct mip_codec mip_gnss_external_ecef_velocity_codec = {
-    0x94, 0x06, MIP_DATA, sizeof(struct mip_gnss_external_ecef_velocity), program_ecef_velocity};
+    0x94,
+    0x06,
+    MIP_DATA,
+    18,
+    sizeof(struct mip_gnss_external_ecef_velocity),
+    program_ecef_velocity};
 
 static const uint8_t program_dop[] = {
     MIP_32_BITS(7, MIP_AT(struct mip_gnss_external_dop, gdop)),
@@ -47,7 +57,7 @@ static const uint8_t program_dop[] = {
 };
 
 const struct mip_codec mip_gnss_external_dop_codec = {
-    0x94, 0x07, MIP_DATA, sizeof(struct mip_gnss_external_dop), program_dop};
+    0x94, 0x07, MIP_DATA, 30, sizeof(struct mip_gnss_external_dop), program_dop};
 
 static const uint8_t program_utc_time[] = {
     MIP_16_BITS(1, MIP_AT(struct mip_gnss_external_utc_time, year)),
@@ -58,7 +68,7 @@ static const uint8_t program_utc_time[] = {
 };
 
 const struct mip_codec mip_gnss_external_utc_time_codec = {
-    0x94, 0x08, MIP_DATA, sizeof(struct mip_gnss_external_utc_time), program_utc_time};
+    0x94, 0x08, MIP_DATA, 13, sizeof(struct mip_gnss_external_utc_time), program_utc_time};
 
 static const uint8_t program_gps_time[] = {
     MIP_DOUBLES(1, MIP_AT(struct mip_gnss_external_gps_time, tow)),
@@ -67,7 +77,7 @@ static const uint8_t program_gps_time[] = {
 };
 
 const struct mip_codec mip_gnss_external_gps_time_codec = {
-    0x94, 0x09, MIP_DATA, sizeof(struct mip_gnss_external_gps_time), program_gps_time};
+    0x94, 0x09, MIP_DATA, 12, sizeof(struct mip_gnss_external_gps_time), program_gps_time};
 
 static const uint8_t program_clock_info[] = {
     MIP_DOUBLES(3, MIP_AT(struct mip_gnss_external_clock_info, bias)),
@@ -76,7 +86,7 @@ static const uint8_t program_clock_info[] = {
 };
 
 const struct mip_codec mip_gnss_external_clock_info_codec = {
-    0x94, 0x0A, MIP_DATA, sizeof(struct mip_gnss_external_clock_info), program_clock_info};
+    0x94, 0x0A, MIP_DATA, 26, sizeof(struct mip_gnss_external_clock_info), program_clock_info};
 
 static const uint8_t program_fix_info[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_gnss_external_fix_info, fix_type)),
@@ -85,7 +95,7 @@ static const uint8_t program_fix_info[] = {
 };
 
 const struct mip_codec mip_gnss_external_fix_info_codec = {
-    0x94, 0x0B, MIP_DATA, sizeof(struct mip_gnss_external_fix_info), program_fix_info};
+    0x94, 0x0B, MIP_DATA, 6, sizeof(struct mip_gnss_external_fix_info), program_fix_info};
 
 static const uint8_t program_sv_info[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_gnss_external_sv_info, channel)),
@@ -94,7 +104,7 @@ static const uint8_t program_sv_info[] = {
 };
 
 const struct mip_codec mip_gnss_external_sv_info_codec = {
-    0x94, 0x0C, MIP_DATA, sizeof(struct mip_gnss_external_sv_info), program_sv_info};
+    0x94, 0x0C, MIP_DATA, 12, sizeof(struct mip_gnss_external_sv_info), program_sv_info};
 
 static const uint8_t program_hardware_status[] = {
     MIP_8_BITS(3, MIP_AT(struct mip_gnss_external_hardware_status, receiver_state)),
@@ -103,7 +113,11 @@ static const uint8_t program_hardware_status[] = {
 };
 
 const struct mip_codec mip_gnss_external_hardware_status_codec = {
-    0x94, 0x0D, MIP_DATA, sizeof(struct mip_gnss_external_hardware_status),
+    0x94,
+    0x0D,
+    MIP_DATA,
+    5,
+    sizeof(struct mip_gnss_external_hardware_status),
     program_hardware_status};
 
 static const uint8_t program_dgps_info[] = {
@@ -113,7 +127,7 @@ static const uint8_t program_dgps_info[] = {
 };
 
 const struct mip_codec mip_gnss_external_dgps_info_codec = {
-    0x94, 0x0E, MIP_DATA, sizeof(struct mip_gnss_external_dgps_info), program_dgps_info};
+    0x94, 0x0E, MIP_DATA, 12, sizeof(struct mip_gnss_external_dgps_info), program_dgps_info};
 
 static const uint8_t program_dgps_channel[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_gnss_external_dgps_channel, satellite_id)),
@@ -123,7 +137,7 @@ static const uint8_t program_dgps_channel[] = {
 };
 
 const struct mip_codec mip_gnss_external_dgps_channel_codec = {
-    0x94, 0x0F, MIP_DATA, sizeof(struct mip_gnss_external_dgps_channel), program_dgps_channel};
+    0x94, 0x0F, MIP_DATA, 15, sizeof(struct mip_gnss_external_dgps_channel), program_dgps_channel};
 
 static const uint8_t program_clock_info_2[] = {
     MIP_DOUBLES(4, MIP_AT(struct mip_gnss_external_clock_info_2, bias)),
@@ -132,7 +146,7 @@ static const uint8_t program_clock_info_2[] = {
 };
 
 const struct mip_codec mip_gnss_external_clock_info_2_codec = {
-    0x94, 0x10, MIP_DATA, sizeof(struct mip_gnss_external_clock_info_2), program_clock_info_2};
+    0x94, 0x10, MIP_DATA, 34, sizeof(struct mip_gnss_external_clock_info_2), program_clock_info_2};
 
 static const uint8_t program_gps_leap_seconds[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_gnss_external_gps_leap_seconds, leap_seconds)),
@@ -141,7 +155,11 @@ static const uint8_t program_gps_leap_seconds[] = {
 };
 
 const struct mip_codec mip_gnss_external_gps_leap_seconds_codec = {
-    0x94, 0x11, MIP_DATA, sizeof(struct mip_gnss_external_gps_leap_seconds),
+    0x94,
+    0x11,
+    MIP_DATA,
+    3,
+    sizeof(struct mip_gnss_external_gps_leap_seconds),
     program_gps_leap_seconds};
 
 static const uint8_t program_sbas_info[] = {
@@ -153,7 +171,7 @@ static const uint8_t program_sbas_info[] = {
 };
 
 const struct mip_codec mip_gnss_external_sbas_info_codec = {
-    0x94, 0x12, MIP_DATA, sizeof(struct mip_gnss_external_sbas_info), program_sbas_info};
+    0x94, 0x12, MIP_DATA, 16, sizeof(struct mip_gnss_external_sbas_info), program_sbas_info};
 
 static const uint8_t program_sbas_correction[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_gnss_external_sbas_correction, index)),
@@ -166,7 +184,11 @@ static const uint8_t program_sbas_correction[] = {
 };
 
 const struct mip_codec mip_gnss_external_sbas_correction_codec = {
-    0x94, 0x13, MIP_DATA, sizeof(struct mip_gnss_external_sbas_correction),
+    0x94,
+    0x13,
+    MIP_DATA,
+    25,
+    sizeof(struct mip_gnss_external_sbas_correction),
     program_sbas_correction};
 
 static const uint8_t program_rf_error_detection[] = {
@@ -176,7 +198,11 @@ static const uint8_t program_rf_error_detection[] = {
 };
 
 const struct mip_codec mip_gnss_external_rf_error_detection_codec = {
-    0x94, 0x14, MIP_DATA, sizeof(struct mip_gnss_external_rf_error_detection),
+    0x94,
+    0x14,
+    MIP_DATA,
+    9,
+    sizeof(struct mip_gnss_external_rf_error_detection),
     program_rf_error_detection};
 
 static const uint8_t program_satellite_status[] = {
@@ -191,7 +217,11 @@ static const uint8_t program_satellite_status[] = {
 };
 
 const struct mip_codec mip_gnss_external_satellite_status_codec = {
-    0x94, 0x20, MIP_DATA, sizeof(struct mip_gnss_external_satellite_status),
+    0x94,
+    0x20,
+    MIP_DATA,
+    25,
+    sizeof(struct mip_gnss_external_satellite_status),
     program_satellite_status};
 
 static const uint8_t program_raw[] = {
@@ -208,7 +238,7 @@ static const uint8_t program_raw[] = {
 };
 
 const struct mip_codec mip_gnss_external_raw_codec = {
-    0x94, 0x22, MIP_DATA, sizeof(struct mip_gnss_external_raw), program_raw};
+    0x94, 0x22, MIP_DATA, 61, sizeof(struct mip_gnss_external_raw), program_raw};
 
 static const uint8_t program_base_station_info[] = {
     MIP_DOUBLES(1, MIP_AT(struct mip_gnss_external_base_station_info, tow)),
@@ -220,7 +250,11 @@ static const uint8_t program_base_station_info[] = {
 };
 
 const struct mip_codec mip_gnss_external_base_station_info_codec = {
-    0x94, 0x30, MIP_DATA, sizeof(struct mip_gnss_external_base_station_info),
+    0x94,
+    0x30,
+    MIP_DATA,
+    44,
+    sizeof(struct mip_gnss_external_base_station_info),
     program_base_station_info};
 
 static const uint8_t program_rtk_corrections_status[] = {
@@ -232,7 +266,11 @@ static const uint8_t program_rtk_corrections_status[] = {
 };
 
 const struct mip_codec mip_gnss_external_rtk_corrections_status_codec = {
-    0x94, 0x31, MIP_DATA, sizeof(struct mip_gnss_external_rtk_corrections_status),
+    0x94,
+    0x31,
+    MIP_DATA,
+    50,
+    sizeof(struct mip_gnss_external_rtk_corrections_status),
     program_rtk_corrections_status};
 
 static const uint8_t program_gps_ephemeris[] = {
@@ -247,7 +285,7 @@ static const uint8_t program_gps_ephemeris[] = {
 };
 
 const struct mip_codec mip_gnss_external_gps_ephemeris_codec = {
-    0x94, 0x61, MIP_DATA, sizeof(struct mip_gnss_external_gps_ephemeris), program_gps_ephemeris};
+    0x94, 0x61, MIP_DATA, 0, sizeof(struct mip_gnss_external_gps_ephemeris), program_gps_ephemeris};
 
 static const uint8_t program_glonass_ephemeris[] = {
     MIP_FAR,
@@ -267,7 +305,11 @@ static const uint8_t program_glonass_ephemeris[] = {
 };
 
 const struct mip_codec mip_gnss_external_glonass_ephemeris_codec = {
-    0x94, 0x62, MIP_DATA, sizeof(struct mip_gnss_external_glonass_ephemeris),
+    0x94,
+    0x62,
+    MIP_DATA,
+    0,
+    sizeof(struct mip_gnss_external_glonass_ephemeris),
     program_glonass_ephemeris};
 
 static const uint8_t program_galileo_ephemeris[] = {
@@ -282,7 +324,11 @@ static const uint8_t program_galileo_ephemeris[] = {
 };
 
 const struct mip_codec mip_gnss_external_galileo_ephemeris_codec = {
-    0x94, 0x63, MIP_DATA, sizeof(struct mip_gnss_external_galileo_ephemeris),
+    0x94,
+    0x63,
+    MIP_DATA,
+    0,
+    sizeof(struct mip_gnss_external_galileo_ephemeris),
     program_galileo_ephemeris};
 
 static const uint8_t program_beidou_ephemeris[] = {
@@ -297,7 +343,11 @@ static const uint8_t program_beidou_ephemeris[] = {
 };
 
 const struct mip_codec mip_gnss_external_beidou_ephemeris_codec = {
-    0x94, 0x64, MIP_DATA, sizeof(struct mip_gnss_external_beidou_ephemeris),
+    0x94,
+    0x64,
+    MIP_DATA,
+    0,
+    sizeof(struct mip_gnss_external_beidou_ephemeris),
     program_beidou_ephemeris};
 
 static const uint8_t program_gps_iono_correction[] = {
@@ -309,7 +359,11 @@ static const uint8_t program_gps_iono_correction[] = {
 };
 
 const struct mip_codec mip_gnss_external_gps_iono_correction_codec = {
-    0x94, 0x71, MIP_DATA, sizeof(struct mip_gnss_external_gps_iono_correction),
+    0x94,
+    0x71,
+    MIP_DATA,
+    76,
+    sizeof(struct mip_gnss_external_gps_iono_correction),
     program_gps_iono_correction};
 
 static const uint8_t program_galileo_iono_correction[] = {
@@ -322,7 +376,11 @@ static const uint8_t program_galileo_iono_correction[] = {
 };
 
 const struct mip_codec mip_gnss_external_galileo_iono_correction_codec = {
-    0x94, 0x73, MIP_DATA, sizeof(struct mip_gnss_external_galileo_iono_correction),
+    0x94,
+    0x73,
+    MIP_DATA,
+    37,
+    sizeof(struct mip_gnss_external_galileo_iono_correction),
     program_galileo_iono_correction};
 
 static const uint8_t program_beidou_iono_correction[] = {
@@ -335,5 +393,9 @@ static const uint8_t program_beidou_iono_correction[] = {
 };
 
 const struct mip_codec mip_gnss_external_beidou_iono_correction_codec = {
-    0x94, 0x74, MIP_DATA, sizeof(struct mip_gnss_external_beidou_iono_correction),
+    0x94,
+    0x74,
+    MIP_DATA,
+    0,
+    sizeof(struct mip_gnss_external_beidou_iono_correction),
     program_beidou_iono_correction};

@@ -8,7 +8,7 @@ static const uint8_t program_get_status_flags[] = {
 };
 
 const struct mip_codec mip_rtk_get_status_flags_codec = {
-    0x0F, 0x01, MIP_COMMAND, sizeof(struct mip_rtk_get_status_flags), program_get_status_flags};
+    0x0F, 0x01, MIP_COMMAND, 0, sizeof(struct mip_rtk_get_status_flags), program_get_status_flags};
 
 static const struct mip_response responses_get_status_flags[] = {
     {&mip_rtk_get_status_flags_response_codec, NULL},
@@ -24,15 +24,19 @@ static const uint8_t program_get_status_flags_response[] = {
 };
 
 const struct mip_codec mip_rtk_get_status_flags_response_codec = {
-    0x0F, 0x81, MIP_RESPONSE, sizeof(struct mip_rtk_get_status_flags_response),
+    0x0F,
+    0x81,
+    MIP_RESPONSE,
+    4,
+    sizeof(struct mip_rtk_get_status_flags_response),
     program_get_status_flags_response};
 
 static const uint8_t program_get_imei[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_rtk_get_imei_codec = {0x0F, 0x02, MIP_COMMAND,
-                                                 sizeof(struct mip_rtk_get_imei), program_get_imei};
+const struct mip_codec mip_rtk_get_imei_codec = {
+    0x0F, 0x02, MIP_COMMAND, 0, sizeof(struct mip_rtk_get_imei), program_get_imei};
 
 static const struct mip_response responses_get_imei[] = {
     {&mip_rtk_get_imei_response_codec, NULL},
@@ -47,15 +51,19 @@ static const uint8_t program_get_imei_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_rtk_get_imei_response_codec = {
-    0x0F, 0x82, MIP_RESPONSE, sizeof(struct mip_rtk_get_imei_response), program_get_imei_response};
+const struct mip_codec mip_rtk_get_imei_response_codec = {0x0F,
+                                                          0x82,
+                                                          MIP_RESPONSE,
+                                                          0,
+                                                          sizeof(struct mip_rtk_get_imei_response),
+                                                          program_get_imei_response};
 
 static const uint8_t program_get_imsi[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_rtk_get_imsi_codec = {0x0F, 0x03, MIP_COMMAND,
-                                                 sizeof(struct mip_rtk_get_imsi), program_get_imsi};
+const struct mip_codec mip_rtk_get_imsi_codec = {
+    0x0F, 0x03, MIP_COMMAND, 0, sizeof(struct mip_rtk_get_imsi), program_get_imsi};
 
 static const struct mip_response responses_get_imsi[] = {
     {&mip_rtk_get_imsi_response_codec, NULL},
@@ -70,15 +78,19 @@ static const uint8_t program_get_imsi_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_rtk_get_imsi_response_codec = {
-    0x0F, 0x83, MIP_RESPONSE, sizeof(struct mip_rtk_get_imsi_response), program_get_imsi_response};
+const struct mip_codec mip_rtk_get_imsi_response_codec = {0x0F,
+                                                          0x83,
+                                                          MIP_RESPONSE,
+                                                          0,
+                                                          sizeof(struct mip_rtk_get_imsi_response),
+                                                          program_get_imsi_response};
 
 static const uint8_t program_get_iccid[] = {
     MIP_END,
 };
 
 const struct mip_codec mip_rtk_get_iccid_codec = {
-    0x0F, 0x04, MIP_COMMAND, sizeof(struct mip_rtk_get_iccid), program_get_iccid};
+    0x0F, 0x04, MIP_COMMAND, 0, sizeof(struct mip_rtk_get_iccid), program_get_iccid};
 
 static const struct mip_response responses_get_iccid[] = {
     {&mip_rtk_get_iccid_response_codec, NULL},
@@ -94,15 +106,19 @@ static const uint8_t program_get_iccid_response[] = {
 };
 
 const struct mip_codec mip_rtk_get_iccid_response_codec = {
-    0x0F, 0x84, MIP_RESPONSE, sizeof(struct mip_rtk_get_iccid_response),
+    0x0F,
+    0x84,
+    MIP_RESPONSE,
+    0,
+    sizeof(struct mip_rtk_get_iccid_response),
     program_get_iccid_response};
 
 static const uint8_t program_get_rssi[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_rtk_get_rssi_codec = {0x0F, 0x05, MIP_COMMAND,
-                                                 sizeof(struct mip_rtk_get_rssi), program_get_rssi};
+const struct mip_codec mip_rtk_get_rssi_codec = {
+    0x0F, 0x05, MIP_COMMAND, 0, sizeof(struct mip_rtk_get_rssi), program_get_rssi};
 
 static const struct mip_response responses_get_rssi[] = {
     {&mip_rtk_get_rssi_response_codec, NULL},
@@ -118,8 +134,12 @@ static const uint8_t program_get_rssi_response[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_rtk_get_rssi_response_codec = {
-    0x0F, 0x85, MIP_RESPONSE, sizeof(struct mip_rtk_get_rssi_response), program_get_rssi_response};
+const struct mip_codec mip_rtk_get_rssi_response_codec = {0x0F,
+                                                          0x85,
+                                                          MIP_RESPONSE,
+                                                          9,
+                                                          sizeof(struct mip_rtk_get_rssi_response),
+                                                          program_get_rssi_response};
 
 static const uint8_t program_connected_device_type[] = {
     MIP_REQUIRED(2, 0, 1),
@@ -129,7 +149,11 @@ static const uint8_t program_connected_device_type[] = {
 };
 
 const struct mip_codec mip_rtk_connected_device_type_codec = {
-    0x0F, 0x06, MIP_COMMAND, sizeof(struct mip_rtk_connected_device_type),
+    0x0F,
+    0x06,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_rtk_connected_device_type),
     program_connected_device_type};
 
 static bool asked_connected_device_type_1(const void *value) {
@@ -152,7 +176,11 @@ static const uint8_t program_connected_device_type_response[] = {
 };
 
 const struct mip_codec mip_rtk_connected_device_type_response_codec = {
-    0x0F, 0x86, MIP_RESPONSE, sizeof(struct mip_rtk_connected_device_type_response),
+    0x0F,
+    0x86,
+    MIP_RESPONSE,
+    1,
+    sizeof(struct mip_rtk_connected_device_type_response),
     program_connected_device_type_response};
 
 static const uint8_t program_get_activation_code[] = {
@@ -160,7 +188,11 @@ static const uint8_t program_get_activation_code[] = {
 };
 
 const struct mip_codec mip_rtk_get_activation_code_codec = {
-    0x0F, 0x07, MIP_COMMAND, sizeof(struct mip_rtk_get_activation_code),
+    0x0F,
+    0x07,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_rtk_get_activation_code),
     program_get_activation_code};
 
 static const struct mip_response responses_get_activation_code[] = {
@@ -178,7 +210,11 @@ static const uint8_t program_get_activation_code_response[] = {
 };
 
 const struct mip_codec mip_rtk_get_activation_code_response_codec = {
-    0x0F, 0x87, MIP_RESPONSE, sizeof(struct mip_rtk_get_activation_code_response),
+    0x0F,
+    0x87,
+    MIP_RESPONSE,
+    0,
+    sizeof(struct mip_rtk_get_activation_code_response),
     program_get_activation_code_response};
 
 static const uint8_t program_get_modem_firmware_version[] = {
@@ -186,7 +222,11 @@ static const uint8_t program_get_modem_firmware_version[] = {
 };
 
 const struct mip_codec mip_rtk_get_modem_firmware_version_codec = {
-    0x0F, 0x08, MIP_COMMAND, sizeof(struct mip_rtk_get_modem_firmware_version),
+    0x0F,
+    0x08,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_rtk_get_modem_firmware_version),
     program_get_modem_firmware_version};
 
 static const struct mip_response responses_get_modem_firmware_version[] = {
@@ -204,7 +244,11 @@ static const uint8_t program_get_modem_firmware_version_response[] = {
 };
 
 const struct mip_codec mip_rtk_get_modem_firmware_version_response_codec = {
-    0x0F, 0x88, MIP_RESPONSE, sizeof(struct mip_rtk_get_modem_firmware_version_response),
+    0x0F,
+    0x88,
+    MIP_RESPONSE,
+    0,
+    sizeof(struct mip_rtk_get_modem_firmware_version_response),
     program_get_modem_firmware_version_response};
 
 static const uint8_t program_service_status[] = {
@@ -213,7 +257,7 @@ static const uint8_t program_service_status[] = {
 };
 
 const struct mip_codec mip_rtk_service_status_codec = {
-    0x0F, 0x0A, MIP_COMMAND, sizeof(struct mip_rtk_service_status), program_service_status};
+    0x0F, 0x0A, MIP_COMMAND, 8, sizeof(struct mip_rtk_service_status), program_service_status};
 
 static const struct mip_response responses_service_status[] = {
     {&mip_rtk_service_status_response_codec, NULL},
@@ -231,7 +275,11 @@ static const uint8_t program_service_status_response[] = {
 };
 
 const struct mip_codec mip_rtk_service_status_response_codec = {
-    0x0F, 0x8A, MIP_RESPONSE, sizeof(struct mip_rtk_service_status_response),
+    0x0F,
+    0x8A,
+    MIP_RESPONSE,
+    17,
+    sizeof(struct mip_rtk_service_status_response),
     program_service_status_response};
 
 static const uint8_t program_erase_storage[] = {
@@ -240,7 +288,7 @@ static const uint8_t program_erase_storage[] = {
 };
 
 const struct mip_codec mip_rtk_erase_storage_codec = {
-    0x0F, 0x20, MIP_COMMAND, sizeof(struct mip_rtk_erase_storage), program_erase_storage};
+    0x0F, 0x20, MIP_COMMAND, 1, sizeof(struct mip_rtk_erase_storage), program_erase_storage};
 
 const struct mip_command mip_rtk_erase_storage_command = {&mip_rtk_erase_storage_codec, NULL, NULL,
                                                           0};
@@ -252,7 +300,7 @@ static const uint8_t program_led_control[] = {
 };
 
 const struct mip_codec mip_rtk_led_control_codec = {
-    0x0F, 0x21, MIP_COMMAND, sizeof(struct mip_rtk_led_control), program_led_control};
+    0x0F, 0x21, MIP_COMMAND, 11, sizeof(struct mip_rtk_led_control), program_led_control};
 
 const struct mip_command mip_rtk_led_control_command = {&mip_rtk_led_control_codec, NULL, NULL, 0};
 
@@ -261,7 +309,7 @@ static const uint8_t program_modem_hard_reset[] = {
 };
 
 const struct mip_codec mip_rtk_modem_hard_reset_codec = {
-    0x0F, 0x22, MIP_COMMAND, sizeof(struct mip_rtk_modem_hard_reset), program_modem_hard_reset};
+    0x0F, 0x22, MIP_COMMAND, 0, sizeof(struct mip_rtk_modem_hard_reset), program_modem_hard_reset};
 
 const struct mip_command mip_rtk_modem_hard_reset_command = {&mip_rtk_modem_hard_reset_codec, NULL,
                                                              NULL, 0};

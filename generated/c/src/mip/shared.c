@@ -8,15 +8,15 @@ static const uint8_t program_event_source[] = {
 };
 
 const struct mip_codec mip_shared_event_source_codec = {
-    0xFF, 0xD0, MIP_DATA, sizeof(struct mip_shared_event_source), program_event_source};
+    0xFF, 0xD0, MIP_DATA, 1, sizeof(struct mip_shared_event_source), program_event_source};
 
 static const uint8_t program_ticks[] = {
     MIP_32_BITS(1, MIP_AT(struct mip_shared_ticks, ticks)),
     MIP_END,
 };
 
-const struct mip_codec mip_shared_ticks_codec = {0xFF, 0xD1, MIP_DATA,
-                                                 sizeof(struct mip_shared_ticks), program_ticks};
+const struct mip_codec mip_shared_ticks_codec = {
+    0xFF, 0xD1, MIP_DATA, 4, sizeof(struct mip_shared_ticks), program_ticks};
 
 static const uint8_t program_delta_ticks[] = {
     MIP_32_BITS(1, MIP_AT(struct mip_shared_delta_ticks, ticks)),
@@ -24,7 +24,7 @@ static const uint8_t program_delta_ticks[] = {
 };
 
 const struct mip_codec mip_shared_delta_ticks_codec = {
-    0xFF, 0xD2, MIP_DATA, sizeof(struct mip_shared_delta_ticks), program_delta_ticks};
+    0xFF, 0xD2, MIP_DATA, 4, sizeof(struct mip_shared_delta_ticks), program_delta_ticks};
 
 static const uint8_t program_gps_timestamp[] = {
     MIP_DOUBLES(1, MIP_AT(struct mip_shared_gps_timestamp, tow)),
@@ -33,7 +33,7 @@ static const uint8_t program_gps_timestamp[] = {
 };
 
 const struct mip_codec mip_shared_gps_timestamp_codec = {
-    0xFF, 0xD3, MIP_DATA, sizeof(struct mip_shared_gps_timestamp), program_gps_timestamp};
+    0xFF, 0xD3, MIP_DATA, 12, sizeof(struct mip_shared_gps_timestamp), program_gps_timestamp};
 
 static const uint8_t program_delta_time[] = {
     MIP_DOUBLES(1, MIP_AT(struct mip_shared_delta_time, seconds)),
@@ -41,7 +41,7 @@ static const uint8_t program_delta_time[] = {
 };
 
 const struct mip_codec mip_shared_delta_time_codec = {
-    0xFF, 0xD4, MIP_DATA, sizeof(struct mip_shared_delta_time), program_delta_time};
+    0xFF, 0xD4, MIP_DATA, 8, sizeof(struct mip_shared_delta_time), program_delta_time};
 
 static const uint8_t program_reference_timestamp[] = {
     MIP_64_BITS(1, MIP_AT(struct mip_shared_reference_timestamp, nanoseconds)),
@@ -49,7 +49,11 @@ static const uint8_t program_reference_timestamp[] = {
 };
 
 const struct mip_codec mip_shared_reference_timestamp_codec = {
-    0xFF, 0xD5, MIP_DATA, sizeof(struct mip_shared_reference_timestamp),
+    0xFF,
+    0xD5,
+    MIP_DATA,
+    8,
+    sizeof(struct mip_shared_reference_timestamp),
     program_reference_timestamp};
 
 static const uint8_t program_reference_time_delta[] = {
@@ -58,7 +62,11 @@ static const uint8_t program_reference_time_delta[] = {
 };
 
 const struct mip_codec mip_shared_reference_time_delta_codec = {
-    0xFF, 0xD6, MIP_DATA, sizeof(struct mip_shared_reference_time_delta),
+    0xFF,
+    0xD6,
+    MIP_DATA,
+    8,
+    sizeof(struct mip_shared_reference_time_delta),
     program_reference_time_delta};
 
 static const uint8_t program_external_timestamp[] = {
@@ -68,7 +76,12 @@ static const uint8_t program_external_timestamp[] = {
 };
 
 const struct mip_codec mip_shared_external_timestamp_codec = {
-    0xFF, 0xD7, MIP_DATA, sizeof(struct mip_shared_external_timestamp), program_external_timestamp};
+    0xFF,
+    0xD7,
+    MIP_DATA,
+    10,
+    sizeof(struct mip_shared_external_timestamp),
+    program_external_timestamp};
 
 static const uint8_t program_external_time_delta[] = {
     MIP_64_BITS(1, MIP_AT(struct mip_shared_external_time_delta, dt_nanos)),
@@ -77,5 +90,9 @@ static const uint8_t program_external_time_delta[] = {
 };
 
 const struct mip_codec mip_shared_external_time_delta_codec = {
-    0xFF, 0xD8, MIP_DATA, sizeof(struct mip_shared_external_time_delta),
+    0xFF,
+    0xD8,
+    MIP_DATA,
+    10,
+    sizeof(struct mip_shared_external_time_delta),
     program_external_time_delta};

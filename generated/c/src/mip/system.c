@@ -15,7 +15,11 @@ static const uint8_t program_interface_control[] = {
 };
 
 const struct mip_codec mip_system_interface_control_codec = {
-    0x7F, 0x02, MIP_COMMAND, sizeof(struct mip_system_interface_control),
+    0x7F,
+    0x02,
+    MIP_COMMAND,
+    0,
+    sizeof(struct mip_system_interface_control),
     program_interface_control};
 
 static bool asked_interface_control_1(const void *value) {
@@ -39,7 +43,11 @@ static const uint8_t program_interface_control_response[] = {
 };
 
 const struct mip_codec mip_system_interface_control_response_codec = {
-    0x7F, 0x82, MIP_RESPONSE, sizeof(struct mip_system_interface_control_response),
+    0x7F,
+    0x82,
+    MIP_RESPONSE,
+    9,
+    sizeof(struct mip_system_interface_control_response),
     program_interface_control_response};
 
 static const uint8_t program_comm_mode[] = {
@@ -50,7 +58,7 @@ static const uint8_t program_comm_mode[] = {
 };
 
 const struct mip_codec mip_system_comm_mode_codec = {
-    0x7F, 0x10, MIP_COMMAND, sizeof(struct mip_system_comm_mode), program_comm_mode};
+    0x7F, 0x10, MIP_COMMAND, 0, sizeof(struct mip_system_comm_mode), program_comm_mode};
 
 static bool asked_comm_mode_1(const void *value) {
     const struct mip_system_comm_mode *v = (const struct mip_system_comm_mode *)value;
@@ -71,5 +79,9 @@ static const uint8_t program_comm_mode_response[] = {
 };
 
 const struct mip_codec mip_system_comm_mode_response_codec = {
-    0x7F, 0x90, MIP_RESPONSE, sizeof(struct mip_system_comm_mode_response),
+    0x7F,
+    0x90,
+    MIP_RESPONSE,
+    1,
+    sizeof(struct mip_system_comm_mode_response),
     program_comm_mode_response};

@@ -8,7 +8,7 @@ static const uint8_t program_built_in_test[] = {
 };
 
 const struct mip_codec mip_system_data_built_in_test_codec = {
-    0xA0, 0x01, MIP_DATA, sizeof(struct mip_system_data_built_in_test), program_built_in_test};
+    0xA0, 0x01, MIP_DATA, 16, sizeof(struct mip_system_data_built_in_test), program_built_in_test};
 
 static const uint8_t program_time_sync_status[] = {
     MIP_8_BITS(2, MIP_AT(struct mip_system_data_time_sync_status, time_sync)),
@@ -16,7 +16,11 @@ static const uint8_t program_time_sync_status[] = {
 };
 
 const struct mip_codec mip_system_data_time_sync_status_codec = {
-    0xA0, 0x02, MIP_DATA, sizeof(struct mip_system_data_time_sync_status),
+    0xA0,
+    0x02,
+    MIP_DATA,
+    2,
+    sizeof(struct mip_system_data_time_sync_status),
     program_time_sync_status};
 
 static const uint8_t program_gpio_state[] = {
@@ -25,7 +29,7 @@ static const uint8_t program_gpio_state[] = {
 };
 
 const struct mip_codec mip_system_data_gpio_state_codec = {
-    0xA0, 0x03, MIP_DATA, sizeof(struct mip_system_data_gpio_state), program_gpio_state};
+    0xA0, 0x03, MIP_DATA, 1, sizeof(struct mip_system_data_gpio_state), program_gpio_state};
 
 static const uint8_t program_gpio_analog_value[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_system_data_gpio_analog_value, gpio_id)),
@@ -34,5 +38,9 @@ static const uint8_t program_gpio_analog_value[] = {
 };
 
 const struct mip_codec mip_system_data_gpio_analog_value_codec = {
-    0xA0, 0x04, MIP_DATA, sizeof(struct mip_system_data_gpio_analog_value),
+    0xA0,
+    0x04,
+    MIP_DATA,
+    5,
+    sizeof(struct mip_system_data_gpio_analog_value),
     program_gpio_analog_value};

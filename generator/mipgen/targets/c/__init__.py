@@ -132,6 +132,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "has_accessor": members.has_accessor,
         # layouts
         "program": lambda f: programs.program(f, model.layouts(f), model.sizes(f)),
+        "numbers_only": lambda f: programs.numbers(f, model.layouts(f)),
         "direct": direct.direct,
         # tables
         "required": tables.required,

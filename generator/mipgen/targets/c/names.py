@@ -70,8 +70,8 @@ def spec_name(t: m.Enum | m.Bitfield) -> str:
 
 
 def is_enum(e: m.Scalar | m.Type | None) -> bool:
-    """Is it an enumeration in C too? There, all values are of type int."""
-    return isinstance(e, m.Enum) and all(v.value <= 0x7FFFFFFF for v in e.values)
+    """Is it an enumeration in C too? There, all values are of type int, which has 16 bits on some machines."""
+    return isinstance(e, m.Enum) and all(v.value <= 0x7FFF for v in e.values)
 
 
 def c_type(e: m.Scalar | m.Type) -> str:

@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 
 from ... import model as m
 from ... import operations
+from .direct import direct
 from .literals import hexadecimal
 from .members import home
 from .names import member, record_name, type_name
@@ -75,7 +76,7 @@ class Part:
 def program(f: m.Field, layouts: Sequence[m.Field], sizes: range) -> list[str]:
     """The lines of the program of a field: `layouts` are those of its descriptor, `sizes` those of this one."""
     steps: list[Step | Numbers | Part] = [_layout(f, sizes)] if len(layouts) > 1 else []
-    far = _extent(f.operations)[1] + 1 > 0xFF
+    far = _is_far(f)
     if far:
         steps.append(Step("MIP_FAR", (), 1))
     operations = f.operations
@@ -84,6 +85,19 @@ def program(f: m.Field, layouts: Sequence[m.Field], sizes: range) -> list[str]:
         operations = operations[len(f.functions) and 1 :]  # the function selector is part of this step
     steps += _steps(operations, f"struct {record_name(f)}", "")
     return _source(steps, far)[0]
+
+
+def numbers(f: m.Field, layouts: Sequence[m.Field]) -> int:
+    """The bytes of a layout that is nothing but a few numbers, without texts, which end with a NUL; 0 for another."""
+    steps = _joined([*_steps(f.operations, "", "")])
+    plain = all(isinstance(s, Numbers) and s.count <= _FEW for s in steps)
+    plain = plain and not _is_far(f) and len(layouts) == 1
+    return f.max_size if plain and not any(a.text for a in direct(f)) else 0
+
+
+def _is_far(f: m.Field) -> bool:
+    """Do places need two bytes?"""
+    return _extent(f.operations)[1] + 1 > 0xFF  # one for the number of present parameters
 
 
 def _layout(f: m.Field, sizes: range) -> Step:

@@ -1,4 +1,4 @@
-/* Decodes and encodes fields: runs their programs, which mip/program.h describes. */
+/* Decodes and encodes fields. */
 #include "mip/program.h"
 
 #include <string.h>
@@ -9,267 +9,83 @@ ASSERT(bytes_have_eight_bits, (unsigned char)-1 == 255);
 ASSERT(floats_have_four_bytes, sizeof(float) == 4);
 ASSERT(doubles_have_eight_bytes_or_four, sizeof(double) == 8 || sizeof(double) == 4);
 
-/** A field that is being read or written, and the state of its optional parameters. */
-struct stream {
-    uint8_t *at;
-    uint8_t *end;
-    /** Where the last group of parameters began. */
-    uint8_t *mark;
-    /** A mip_error. */
-    uint8_t error;
-    /** The number of parameters that the function requires, and of present ones: those that have
-     * been read, or those to be written. */
-    uint8_t required;
-    uint8_t present;
-    /** The last parameter of the group. */
-    uint8_t last;
-    bool writing;
-    /** Do places have two bytes? Has the structure the number of present parameters? */
-    bool far;
-    bool counts;
-    /** May the group be absent? Is only a part of it there? Is this the end before MIP_END? */
-    bool optional;
-    bool cut;
-    bool stopped;
-};
-
-/** Ends the run; false, so that callers can return it. */
-static bool fail(struct stream *s, mip_error error) {
-    if (error == MIP_ERROR_TRUNCATED && s->optional) {
-        s->cut = true;
-    } else {
-        s->error = (uint8_t)error;
-    }
-    s->stopped = true;
-    return false;
-}
-
-/** The next bytes of the field, or NULL if there are too few. */
-static uint8_t *take(struct stream *s, size_t size) {
-    uint8_t *bytes = s->at;
-    if (size > (size_t)(s->end - bytes)) {
-        fail(s, s->writing ? MIP_ERROR_LENGTH : MIP_ERROR_TRUNCATED);
-        return NULL;
-    }
-    s->at = bytes + size;
-    return bytes;
-}
-
-/** Reads or writes numbers of `size` bytes. Those of a little-endian host are the other way round:
- * the last bits of a byte's index are then flipped. */
-static void move(uint8_t *wire, uint8_t *memory, size_t size, size_t bytes, bool writing) {
-    const uint16_t one = 1;
-    const size_t flip = *(const uint8_t *)&one == 1 ? size - 1 : 0;
-    if (writing) {
-        for (size_t i = 0; i < bytes; i++) {
-            wire[i] = memory[i ^ flip];
-        }
-        return;
-    }
-#ifndef __OPTIMIZE_SIZE__
-    if (size == 4) { /* most numbers are */
-        for (size_t i = 0; i < bytes; i += 4) {
-            const uint32_t value = mip_get_32(wire + i);
-            memcpy(memory + i, &value, 4);
-        }
-        return;
-    }
+/* Layouts that are only numbers, as most are, need no interpreter: unless space is dearer than
+ * time, or doubles are not as on the wire. */
+#ifdef __OPTIMIZE_SIZE__
+#define QUICK false
+#else
+#define QUICK (sizeof(double) == 8)
 #endif
-    for (size_t i = 0; i < bytes; i++) {
-        memory[i ^ flip] = wire[i];
-    }
-}
 
-/** Doubles where the compiler has none of eight bytes. */
-static void move_narrow(uint8_t *wire, uint8_t *memory, size_t count, bool writing) {
-    for (size_t i = 0; i < count; i++) {
-        uint32_t bits;
-        if (writing) {
-            memcpy(&bits, memory + 4 * i, 4);
-            mip_put_64(wire + 8 * i, mip_widen(bits));
+/** Reads numbers up to the end of the program. */
+static void read_all(const uint8_t *wire, const uint8_t *program, uint8_t *value) {
+    for (unsigned step = *program; step != MIP_END; step = *program) {
+        uint8_t *memory = value + program[1];
+        size_t count = step & 31;
+        program += 2;
+        if (step < MIP_NUMBERS(2, 0)) {
+            do {
+                *memory++ = *wire++;
+            } while (--count > 0);
+        } else if (step < MIP_NUMBERS(3, 0)) {
+            do {
+                const uint16_t number = mip_get_16(wire);
+                memcpy(memory, &number, sizeof(number));
+                wire += sizeof(number);
+                memory += sizeof(number);
+            } while (--count > 0);
+        } else if (step < MIP_NUMBERS(4, 0)) {
+            do {
+                const uint32_t number = mip_get_32(wire);
+                memcpy(memory, &number, sizeof(number));
+                wire += sizeof(number);
+                memory += sizeof(number);
+            } while (--count > 0);
         } else {
-            bits = mip_narrow(mip_get_64(wire + 8 * i));
-            memcpy(memory + 4 * i, &bits, 4);
+            do {
+                const uint64_t number = mip_get_64(wire);
+                memcpy(memory, &number, sizeof(number));
+                wire += sizeof(number);
+                memory += sizeof(number);
+            } while (--count > 0);
         }
     }
 }
 
-/** The place that the program names next. */
-static size_t place(const struct stream *s, const uint8_t **program) {
-    size_t offset = *(*program)++;
-    if (s->far) {
-        offset = offset << 8 | *(*program)++;
-    }
-    return offset;
-}
-
-/** The number of elements of an array, from or for its counter; more than `capacity` on an error.
- */
-static size_t count(struct stream *s, uint8_t *counter, size_t size, size_t capacity, size_t wire,
-                    bool rest) {
-    const size_t left = (size_t)(s->end - s->at) / wire;
-    uint8_t bytes[8];
-    size_t number = 0;
-    if (rest && !s->writing) {
-        number = left < capacity ? left : capacity;
-        *counter = (uint8_t)number;
-        return number;
-    }
-    move(bytes, counter, size, size, true);
-    for (size_t i = 0; i < size; i++) {
-        number = number > capacity ? number : number << 8 | bytes[i];
-    }
-    if (number > capacity || (number > left && !s->writing)) {
-        fail(s, MIP_ERROR_COUNT);
-        return capacity + 1;
-    }
-    return number;
-}
-
-/** Begins parameters that are present together or not at all. False if they are not. */
-static bool group(struct stream *s, uint8_t first, uint8_t last) {
-    if (s->writing) {
-        s->last = last;
-        if (s->present >= first && s->present < last) {
-            return fail(s, MIP_ERROR_MISSING);
-        }
-        s->stopped = s->present < last;
-    } else {
-        s->present = (uint8_t)(first - 1);
-        s->last = last;
-        s->mark = s->at;
-        s->optional = last > s->required;
-        s->stopped = s->optional && s->at == s->end;
-    }
-    return !s->stopped;
-}
-
-/** Reads or checks, or writes, bytes that are always the same. */
-static bool constant(struct stream *s, const uint8_t *bytes, size_t size) {
-    uint8_t *wire = take(s, size);
-    for (size_t i = 0; wire != NULL && i < size; i++) {
-        if (s->writing) {
-            wire[i] = bytes[i];
-        } else if (wire[i] != bytes[i]) {
-            return fail(s, MIP_ERROR_CONSTANT);
-        }
-    }
-    return wire != NULL;
-}
-
-/** The program of the case that a tag selects; NULL if it has none. */
-static const uint8_t *selected(const uint8_t *program, uint8_t *tag, size_t size, size_t cases) {
-    uint8_t bytes[8];
-    move(bytes, tag, size, size, true);
-    for (; cases > 0; cases--) {
-        bool same = true;
-        for (size_t i = 0; i < size; i++) {
-            same = same && *program++ == bytes[i];
-        }
-        const size_t length = *program++;
-        if (same) {
-            return program;
-        }
-        program += length;
-    }
-    return NULL;
-}
-
-/** Runs a program for the structure at `base`. False if it ended early: everything ends then. */
-static bool run(struct stream *s, const uint8_t *p, uint8_t *base) {
-    size_t times = 1;
-    for (;;) {
-        const unsigned step = *p++;
-        if (step >= MIP_NUMBERS(1, 0)) { /* numbers */
-            const unsigned kind = step >> 5;
-            size_t n = step & 31;
-            n = (n > 0 ? n : *p++) * times;
-            times = 1;
-            uint8_t *memory = base + place(s, &p);
-            const size_t size = kind < 5 ? (size_t)1 << (kind - 1) : 8;
-            uint8_t *wire = take(s, n * size);
-            if (wire == NULL) {
-                return false;
-            }
-            if (kind == 5 && sizeof(double) < 8) {
-                move_narrow(wire, memory, n, s->writing);
-            } else {
-                move(wire, memory, size, n * size, s->writing);
-            }
-            continue;
-        }
-        switch (step) {
-        case MIP_STEP_FAR:
-            s->far = true;
-            break;
-        case MIP_STEP_LAYOUT:
-            p += 3 + 2 * p[2];
-            break;
-        case MIP_STEP_OPTIONAL: {
-            const uint8_t functions = *p++;
-            s->counts = true;
-            if (functions > 0) {
-                uint8_t *wire = take(s, 1);
-                if (wire == NULL) {
-                    return false;
-                }
-                move(wire, base + 1, 1, 1, s->writing);
-                s->required = base[1] < functions ? p[base[1]] : 0;
-                p += functions;
-            }
-            if (s->writing) {
-                s->present = base[0] > s->required ? base[0] : s->required;
-            }
-            break;
-        }
-        case MIP_STEP_GROUP:
-            if (!group(s, p[0], p[1])) {
-                return false;
-            }
-            p += 2;
-            break;
-        case MIP_STEP_CONSTANT:
-            if (!constant(s, p + 1, p[0])) {
-                return false;
-            }
-            p += 1 + p[0];
-            break;
-        case MIP_STEP_COUNTED:
-        case MIP_STEP_REST: {
-            const uint8_t *of = p;
-            p += 3;
-            times = count(s, base + place(s, &p), of[0], of[1], of[2], step == MIP_STEP_REST);
-            if (times > of[1]) {
-                return false;
-            }
-            break;
-        }
-        case MIP_STEP_EACH: {
-            const uint8_t *of = p;
-            p += 4;
-            uint8_t *item = base + place(s, &p);
-            for (size_t n = of[0] * times; n > 0; n--) {
-                if (!run(s, p, item)) {
-                    return false;
-                }
-                item += (size_t)of[1] << 8 | of[2];
-            }
-            p += of[3];
-            times = 1;
-            break;
-        }
-        case MIP_STEP_SWITCH: { /* always the last step: nothing follows the cases */
-            const size_t size = *p++;
-            const size_t cases = *p++;
-            uint8_t *tag = base + place(s, &p);
-            p = selected(p, tag, size, cases);
-            if (p == NULL) {
-                return true;
-            }
-            break;
-        }
-        default: /* MIP_STEP_END */
-            return true;
+/** Writes numbers up to the end of the program. */
+static void write_all(uint8_t *wire, const uint8_t *program, const uint8_t *value) {
+    for (unsigned step = *program; step != MIP_END; step = *program) {
+        const uint8_t *memory = value + program[1];
+        size_t count = step & 31;
+        program += 2;
+        if (step < MIP_NUMBERS(2, 0)) {
+            do {
+                *wire++ = *memory++;
+            } while (--count > 0);
+        } else if (step < MIP_NUMBERS(3, 0)) {
+            do {
+                uint16_t number;
+                memcpy(&number, memory, sizeof(number));
+                mip_put_16(wire, number);
+                wire += sizeof(number);
+                memory += sizeof(number);
+            } while (--count > 0);
+        } else if (step < MIP_NUMBERS(4, 0)) {
+            do {
+                uint32_t number;
+                memcpy(&number, memory, sizeof(number));
+                mip_put_32(wire, number);
+                wire += sizeof(number);
+                memory += sizeof(number);
+            } while (--count > 0);
+        } else {
+            do {
+                uint64_t number;
+                memcpy(&number, memory, sizeof(number));
+                mip_put_64(wire, number);
+                wire += sizeof(number);
+                memory += sizeof(number);
+            } while (--count > 0);
         }
     }
 }
@@ -289,57 +105,48 @@ bool mip_codec_matches(const struct mip_codec *codec, const struct mip_field *fi
 
 mip_error mip_decode(const struct mip_codec *codec, void *value, const struct mip_field *field,
                      size_t *trailing) {
-    struct stream s;
-    /* Nothing is written to the field while reading. */
-    uint8_t *data = (uint8_t *)(uintptr_t)field->data;
-    uint8_t *end = data + field->size;
-    mip_error error = mip_field_check(field, codec->descriptor_set, codec->descriptor, 0);
-    s.at = data;
-    do {
-        memset(value, 0, codec->size);
-        if (error != MIP_OK) {
-            break;
+    const mip_error error = mip_field_check(field, codec->descriptor_set, codec->descriptor,
+                                            QUICK ? codec->numbers : 0);
+    if (QUICK && codec->numbers > 0 && error == MIP_OK) {
+        read_all(field->data, codec->program, (uint8_t *)value);
+        if (trailing != NULL) {
+            *trailing = (size_t)field->size - codec->numbers;
         }
-        memset(&s, 0, sizeof(s));
-        s.at = data;
-        s.end = end;
-        run(&s, codec->program, (uint8_t *)value);
-        error = (mip_error)s.error;
-        end = s.mark; /* if a group is incomplete, again without it */
-    } while (s.cut || error != MIP_OK);
-    if (error == MIP_OK && s.counts) {
-        const bool empty = s.optional && s.at == s.mark; /* an empty union: same as absent */
-        *(uint8_t *)value = s.stopped || empty ? s.present : s.last;
+        return MIP_OK;
     }
+    if (error == MIP_OK || error == MIP_ERROR_TRUNCATED) {
+        return mip_program_read(codec, value, field, trailing);
+    }
+    memset(value, 0, codec->size);
     if (trailing != NULL) {
-        *trailing = (size_t)(data + field->size - s.at);
+        *trailing = field->size;
     }
     return error;
 }
 
 mip_error mip_encode(const struct mip_codec *codec, const void *value,
                      struct mip_builder *builder) {
-    struct stream s;
     const size_t start = builder->length + 2;
+    size_t size = codec->numbers;
+    uint8_t *data;
     if (start + MIP_CHECKSUM_SIZE > builder->capacity) {
         return MIP_ERROR_LENGTH;
     }
     if (!mip_set_has(builder->buffer[2], codec->descriptor_set)) {
         return MIP_ERROR_SET;
     }
-    memset(&s, 0, sizeof(s));
-    s.at = builder->buffer + start;
-    s.end = builder->buffer + builder->capacity - MIP_CHECKSUM_SIZE;
-    s.writing = true;
-    /* Nothing is written to the structure. */
-    run(&s, codec->program, (uint8_t *)(uintptr_t)value);
-    if (!s.stopped && s.present > s.last) {
-        s.error = MIP_ERROR_MISSING;
+    if (!QUICK || size == 0) {
+        const size_t room = builder->capacity - MIP_CHECKSUM_SIZE - start;
+        const mip_error error =
+            mip_program_write(codec, value, builder->buffer + start, room, &size);
+        if (error != MIP_OK) {
+            return error;
+        }
     }
-    if (s.error != MIP_OK) {
-        return (mip_error)s.error;
+    const mip_error error =
+        mip_builder_reserve(builder, codec->descriptor_set, codec->descriptor, size, &data);
+    if (QUICK && error == MIP_OK && codec->numbers > 0) {
+        write_all(data, codec->program, (const uint8_t *)value);
     }
-    const size_t size =
-        (size_t)(s.at - builder->buffer) - start; /* the data are in place already */
-    return mip_builder_reserve(builder, codec->descriptor_set, codec->descriptor, size, &s.at);
+    return error;
 }

@@ -22,7 +22,7 @@ uint64_t mip_get_bits(const uint8_t *bytes, unsigned first, unsigned width) {
     uint64_t value = 0;
     for (unsigned i = width; i-- > 0;) {
         const unsigned bit = first + i;
-        value = value << 1 | (bytes[bit / 8] >> bit % 8 & 1U);
+        value = value << 1 | ((unsigned)bytes[bit / 8] >> bit % 8 & 1U);
     }
     return value;
 }

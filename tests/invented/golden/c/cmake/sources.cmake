@@ -20,6 +20,7 @@ set(MIP_SOURCES
   ${MIP_FOLDER}/src/mip/parser.c
   ${MIP_FOLDER}/src/mip/profile.c
   ${MIP_FOLDER}/src/mip/profiles.c
+  ${MIP_FOLDER}/src/mip/program.c
   ${MIP_FOLDER}/src/mip/protocol.c
   ${MIP_FOLDER}/src/mip/reflect.c
   ${MIP_FOLDER}/src/mip/reflection.c

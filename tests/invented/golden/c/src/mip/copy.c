@@ -8,8 +8,8 @@ static const uint8_t program_acc[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_copy_acc_codec = {0x92, 0x01, MIP_DATA, sizeof(struct mip_copy_acc),
-                                             program_acc};
+const struct mip_codec mip_copy_acc_codec = {
+    0x92, 0x01, MIP_DATA, 14, sizeof(struct mip_copy_acc), program_acc};
 
 static const uint8_t program_numbers[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_copy_numbers, u8)),
@@ -26,8 +26,8 @@ static const uint8_t program_numbers[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_copy_numbers_codec = {0x92, 0x02, MIP_DATA,
-                                                 sizeof(struct mip_copy_numbers), program_numbers};
+const struct mip_codec mip_copy_numbers_codec = {
+    0x92, 0x02, MIP_DATA, 44, sizeof(struct mip_copy_numbers), program_numbers};
 
 static const uint8_t program_strings[] = {
     MIP_FAR,
@@ -41,8 +41,8 @@ static const uint8_t program_strings[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_copy_strings_codec = {0x92, 0x03, MIP_DATA,
-                                                 sizeof(struct mip_copy_strings), program_strings};
+const struct mip_codec mip_copy_strings_codec = {
+    0x92, 0x03, MIP_DATA, 0, sizeof(struct mip_copy_strings), program_strings};
 
 static const uint8_t program_health[] = {
     MIP_8_BITS(16, MIP_AT(struct mip_copy_health, result)),
@@ -50,8 +50,8 @@ static const uint8_t program_health[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_copy_health_codec = {0x92, 0x04, MIP_DATA,
-                                                sizeof(struct mip_copy_health), program_health};
+const struct mip_codec mip_copy_health_codec = {
+    0x92, 0x04, MIP_DATA, 20, sizeof(struct mip_copy_health), program_health};
 
 static const uint8_t program_arrays[] = {
     MIP_FAR,
@@ -68,8 +68,8 @@ static const uint8_t program_arrays[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_copy_arrays_codec = {0x92, 0x05, MIP_DATA,
-                                                sizeof(struct mip_copy_arrays), program_arrays};
+const struct mip_codec mip_copy_arrays_codec = {
+    0x92, 0x05, MIP_DATA, 0, sizeof(struct mip_copy_arrays), program_arrays};
 
 static const uint8_t program_growing[] = {
     MIP_OPTIONAL,    MIP_16_BITS(1, MIP_AT(struct mip_copy_growing, first)),
@@ -78,8 +78,8 @@ static const uint8_t program_growing[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_copy_growing_codec = {0x92, 0x06, MIP_DATA,
-                                                 sizeof(struct mip_copy_growing), program_growing};
+const struct mip_codec mip_copy_growing_codec = {
+    0x92, 0x06, MIP_DATA, 0, sizeof(struct mip_copy_growing), program_growing};
 
 static const uint8_t program_radio[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_copy_radio, connected)),
@@ -88,8 +88,8 @@ static const uint8_t program_radio[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_copy_radio_codec = {0x92, 0x07, MIP_DATA, sizeof(struct mip_copy_radio),
-                                               program_radio};
+const struct mip_codec mip_copy_radio_codec = {
+    0x92, 0x07, MIP_DATA, 29, sizeof(struct mip_copy_radio), program_radio};
 
 static const uint8_t program_cloud[] = {
     MIP_FAR,
@@ -103,8 +103,8 @@ static const uint8_t program_cloud[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_copy_cloud_codec = {0x92, 0x08, MIP_DATA, sizeof(struct mip_copy_cloud),
-                                               program_cloud};
+const struct mip_codec mip_copy_cloud_codec = {
+    0x92, 0x08, MIP_DATA, 0, sizeof(struct mip_copy_cloud), program_cloud};
 
 static const uint8_t program_gust[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_copy_gust, station)),
@@ -115,8 +115,8 @@ static const uint8_t program_gust[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_copy_gust_codec = {0x92, 0x09, MIP_DATA, sizeof(struct mip_copy_gust),
-                                              program_gust};
+const struct mip_codec mip_copy_gust_codec = {
+    0x92, 0x09, MIP_DATA, 0, sizeof(struct mip_copy_gust), program_gust};
 
 static const uint8_t program_breeze[] = {
     MIP_16_BITS(2, MIP_AT(struct mip_copy_breeze, place.x)),
@@ -124,5 +124,5 @@ static const uint8_t program_breeze[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_copy_breeze_codec = {0x92, 0x0A, MIP_DATA,
-                                                sizeof(struct mip_copy_breeze), program_breeze};
+const struct mip_codec mip_copy_breeze_codec = {
+    0x92, 0x0A, MIP_DATA, 24, sizeof(struct mip_copy_breeze), program_breeze};

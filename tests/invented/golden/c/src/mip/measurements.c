@@ -9,7 +9,7 @@ static const uint8_t program_accel[] = {
 };
 
 const struct mip_codec mip_measurements_accel_codec = {
-    0x80, 0x01, MIP_DATA, sizeof(struct mip_measurements_accel), program_accel};
+    0x80, 0x01, MIP_DATA, 14, sizeof(struct mip_measurements_accel), program_accel};
 
 static const uint8_t program_numbers[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_measurements_numbers, u8)),
@@ -27,7 +27,7 @@ static const uint8_t program_numbers[] = {
 };
 
 const struct mip_codec mip_measurements_numbers_codec = {
-    0x80, 0x02, MIP_DATA, sizeof(struct mip_measurements_numbers), program_numbers};
+    0x80, 0x02, MIP_DATA, 44, sizeof(struct mip_measurements_numbers), program_numbers};
 
 static const uint8_t program_strings[] = {
     MIP_FAR,
@@ -42,7 +42,7 @@ static const uint8_t program_strings[] = {
 };
 
 const struct mip_codec mip_measurements_strings_codec = {
-    0x80, 0x03, MIP_DATA, sizeof(struct mip_measurements_strings), program_strings};
+    0x80, 0x03, MIP_DATA, 0, sizeof(struct mip_measurements_strings), program_strings};
 
 static const uint8_t program_health[] = {
     MIP_8_BITS(16, MIP_AT(struct mip_measurements_health, result)),
@@ -51,7 +51,7 @@ static const uint8_t program_health[] = {
 };
 
 const struct mip_codec mip_measurements_health_codec = {
-    0x80, 0x04, MIP_DATA, sizeof(struct mip_measurements_health), program_health};
+    0x80, 0x04, MIP_DATA, 20, sizeof(struct mip_measurements_health), program_health};
 
 static const uint8_t program_arrays[] = {
     MIP_FAR,
@@ -69,7 +69,7 @@ static const uint8_t program_arrays[] = {
 };
 
 const struct mip_codec mip_measurements_arrays_codec = {
-    0x80, 0x05, MIP_DATA, sizeof(struct mip_measurements_arrays), program_arrays};
+    0x80, 0x05, MIP_DATA, 0, sizeof(struct mip_measurements_arrays), program_arrays};
 
 static const uint8_t program_growing[] = {
     MIP_OPTIONAL,    MIP_16_BITS(1, MIP_AT(struct mip_measurements_growing, first)),
@@ -79,7 +79,7 @@ static const uint8_t program_growing[] = {
 };
 
 const struct mip_codec mip_measurements_growing_codec = {
-    0x80, 0x06, MIP_DATA, sizeof(struct mip_measurements_growing), program_growing};
+    0x80, 0x06, MIP_DATA, 0, sizeof(struct mip_measurements_growing), program_growing};
 
 static const uint8_t program_radio[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_measurements_radio, connected)),
@@ -89,7 +89,7 @@ static const uint8_t program_radio[] = {
 };
 
 const struct mip_codec mip_measurements_radio_codec = {
-    0x80, 0x07, MIP_DATA, sizeof(struct mip_measurements_radio), program_radio};
+    0x80, 0x07, MIP_DATA, 29, sizeof(struct mip_measurements_radio), program_radio};
 
 static const uint8_t program_cloud[] = {
     MIP_FAR,
@@ -104,7 +104,7 @@ static const uint8_t program_cloud[] = {
 };
 
 const struct mip_codec mip_measurements_cloud_codec = {
-    0x80, 0x08, MIP_DATA, sizeof(struct mip_measurements_cloud), program_cloud};
+    0x80, 0x08, MIP_DATA, 0, sizeof(struct mip_measurements_cloud), program_cloud};
 
 static const uint8_t program_gust[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_measurements_gust, station)),
@@ -116,7 +116,7 @@ static const uint8_t program_gust[] = {
 };
 
 const struct mip_codec mip_measurements_gust_codec = {
-    0x80, 0x09, MIP_DATA, sizeof(struct mip_measurements_gust), program_gust};
+    0x80, 0x09, MIP_DATA, 0, sizeof(struct mip_measurements_gust), program_gust};
 
 static const uint8_t program_breeze[] = {
     MIP_16_BITS(2, MIP_AT(struct mip_measurements_breeze, place.x)),
@@ -125,4 +125,4 @@ static const uint8_t program_breeze[] = {
 };
 
 const struct mip_codec mip_measurements_breeze_codec = {
-    0x80, 0x0A, MIP_DATA, sizeof(struct mip_measurements_breeze), program_breeze};
+    0x80, 0x0A, MIP_DATA, 24, sizeof(struct mip_measurements_breeze), program_breeze};

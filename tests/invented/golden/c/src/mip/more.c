@@ -8,8 +8,8 @@ static const uint8_t program_accel[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_more_accel_codec = {0x81, 0x01, MIP_DATA, sizeof(struct mip_more_accel),
-                                               program_accel};
+const struct mip_codec mip_more_accel_codec = {
+    0x81, 0x01, MIP_DATA, 14, sizeof(struct mip_more_accel), program_accel};
 
 static const uint8_t program_strings[] = {
     MIP_FAR,
@@ -23,13 +23,13 @@ static const uint8_t program_strings[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_more_strings_codec = {0x81, 0x03, MIP_DATA,
-                                                 sizeof(struct mip_more_strings), program_strings};
+const struct mip_codec mip_more_strings_codec = {
+    0x81, 0x03, MIP_DATA, 0, sizeof(struct mip_more_strings), program_strings};
 
 static const uint8_t program_own[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_more_own, mode)),
     MIP_END,
 };
 
-const struct mip_codec mip_more_own_codec = {0x81, 0x07, MIP_DATA, sizeof(struct mip_more_own),
-                                             program_own};
+const struct mip_codec mip_more_own_codec = {
+    0x81, 0x07, MIP_DATA, 1, sizeof(struct mip_more_own), program_own};

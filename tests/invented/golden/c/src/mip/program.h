@@ -10,6 +10,10 @@
 
 #include "mip/core.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /** The bytes of a member. */
 #define MIP_SIZE(type, member) sizeof(((type *)0)->member)
 
@@ -72,5 +76,19 @@ enum {
 #define MIP_SWITCH(size, cases, place) MIP_STEP_SWITCH, size, cases, place
 /** The bytes of the value that selects a case. Its program follows, which has `length` bytes. */
 #define MIP_CASE(length, ...) __VA_ARGS__, length
+
+/** Runs the program of a codec to decode a field, and counts the bytes behind its last parameter.
+ */
+mip_error mip_program_read(const struct mip_codec *codec, void *value,
+                           const struct mip_field *field, size_t *trailing);
+
+/** Runs the program of a codec to encode a field into `room` bytes, and counts those it has used.
+ */
+mip_error mip_program_write(const struct mip_codec *codec, const void *value, uint8_t *data,
+                            size_t room, size_t *size);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -7,8 +7,8 @@ static const uint8_t program_ping[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_tools_ping_codec = {0x01, 0x01, MIP_COMMAND,
-                                               sizeof(struct mip_tools_ping), program_ping};
+const struct mip_codec mip_tools_ping_codec = {
+    0x01, 0x01, MIP_COMMAND, 0, sizeof(struct mip_tools_ping), program_ping};
 
 const struct mip_command mip_tools_ping_command = {&mip_tools_ping_codec, NULL, NULL, 0};
 
@@ -28,7 +28,7 @@ static const uint8_t program_settings[] = {
 };
 
 const struct mip_codec mip_tools_settings_codec = {
-    0x01, 0x02, MIP_COMMAND, sizeof(struct mip_tools_settings), program_settings};
+    0x01, 0x02, MIP_COMMAND, 0, sizeof(struct mip_tools_settings), program_settings};
 
 static bool silent_settings(const void *value) {
     const struct mip_tools_settings *v = (const struct mip_tools_settings *)value;
@@ -57,7 +57,11 @@ static const uint8_t program_settings_response[] = {
 };
 
 const struct mip_codec mip_tools_settings_response_codec = {
-    0x01, 0x82, MIP_RESPONSE, sizeof(struct mip_tools_settings_response),
+    0x01,
+    0x82,
+    MIP_RESPONSE,
+    9,
+    sizeof(struct mip_tools_settings_response),
     program_settings_response};
 
 static const uint8_t program_set_time[] = {
@@ -70,7 +74,7 @@ static const uint8_t program_set_time[] = {
 };
 
 const struct mip_codec mip_tools_set_time_codec = {
-    0x01, 0x03, MIP_COMMAND, sizeof(struct mip_tools_set_time), program_set_time};
+    0x01, 0x03, MIP_COMMAND, 0, sizeof(struct mip_tools_set_time), program_set_time};
 
 static bool silent_set_time(const void *value) {
     const struct mip_tools_set_time *v = (const struct mip_tools_set_time *)value;
@@ -102,7 +106,11 @@ static const uint8_t program_set_time_fast_response[] = {
 };
 
 const struct mip_codec mip_tools_set_time_fast_response_codec = {
-    0x01, 0x83, MIP_RESPONSE, sizeof(struct mip_tools_set_time_fast_response),
+    0x01,
+    0x83,
+    MIP_RESPONSE,
+    4,
+    sizeof(struct mip_tools_set_time_fast_response),
     program_set_time_fast_response};
 
 static const uint8_t program_set_time_slow_response[] = {
@@ -111,7 +119,11 @@ static const uint8_t program_set_time_slow_response[] = {
 };
 
 const struct mip_codec mip_tools_set_time_slow_response_codec = {
-    0x01, 0x84, MIP_RESPONSE, sizeof(struct mip_tools_set_time_slow_response),
+    0x01,
+    0x84,
+    MIP_RESPONSE,
+    4,
+    sizeof(struct mip_tools_set_time_slow_response),
     program_set_time_slow_response};
 
 static const uint8_t program_status[] = {
@@ -120,8 +132,8 @@ static const uint8_t program_status[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_tools_status_codec = {0x01, 0x04, MIP_COMMAND,
-                                                 sizeof(struct mip_tools_status), program_status};
+const struct mip_codec mip_tools_status_codec = {
+    0x01, 0x04, MIP_COMMAND, 0, sizeof(struct mip_tools_status), program_status};
 
 static bool asked_status_1(const void *value) {
     const struct mip_tools_status *v = (const struct mip_tools_status *)value;
@@ -153,7 +165,7 @@ static const uint8_t program_status_short[] = {
 };
 
 const struct mip_codec mip_tools_status_short_codec = {
-    0x01, 0x90, MIP_RESPONSE, sizeof(struct mip_tools_status_short), program_status_short};
+    0x01, 0x90, MIP_RESPONSE, 0, sizeof(struct mip_tools_status_short), program_status_short};
 
 static const uint8_t program_status_long[] = {
     MIP_LAYOUT(15, 15, 3, 0, 0x12, 1, 0x67, 2, 0x02),
@@ -165,7 +177,7 @@ static const uint8_t program_status_long[] = {
 };
 
 const struct mip_codec mip_tools_status_long_codec = {
-    0x01, 0x90, MIP_RESPONSE, sizeof(struct mip_tools_status_long), program_status_long};
+    0x01, 0x90, MIP_RESPONSE, 0, sizeof(struct mip_tools_status_long), program_status_long};
 
 static const uint8_t program_status_old[] = {
     MIP_LAYOUT(0, 14, 3, 0, 0x12, 1, 0x67, 2, 0x02),
@@ -176,7 +188,7 @@ static const uint8_t program_status_old[] = {
 };
 
 const struct mip_codec mip_tools_status_old_codec = {
-    0x01, 0x90, MIP_RESPONSE, sizeof(struct mip_tools_status_old), program_status_old};
+    0x01, 0x90, MIP_RESPONSE, 0, sizeof(struct mip_tools_status_old), program_status_old};
 
 static const uint8_t program_full[] = {
     MIP_LAYOUT(16, 253, 3, 0, 0x12, 1, 0x67, 2, 0x02),
@@ -188,8 +200,8 @@ static const uint8_t program_full[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_tools_full_codec = {0x01, 0x90, MIP_RESPONSE,
-                                               sizeof(struct mip_tools_full), program_full};
+const struct mip_codec mip_tools_full_codec = {
+    0x01, 0x90, MIP_RESPONSE, 0, sizeof(struct mip_tools_full), program_full};
 
 static const uint8_t program_bias[] = {
     MIP_REQUIRED(2, 0, 1),
@@ -198,8 +210,8 @@ static const uint8_t program_bias[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_tools_bias_codec = {0x01, 0x05, MIP_COMMAND,
-                                               sizeof(struct mip_tools_bias), program_bias};
+const struct mip_codec mip_tools_bias_codec = {
+    0x01, 0x05, MIP_COMMAND, 0, sizeof(struct mip_tools_bias), program_bias};
 
 static bool asked_bias_1(const void *value) {
     const struct mip_tools_bias *v = (const struct mip_tools_bias *)value;
@@ -219,7 +231,7 @@ static const uint8_t program_bias_vector[] = {
 };
 
 const struct mip_codec mip_tools_bias_vector_codec = {
-    0x01, 0x9B, MIP_RESPONSE, sizeof(struct mip_tools_bias_vector), program_bias_vector};
+    0x01, 0x9B, MIP_RESPONSE, 12, sizeof(struct mip_tools_bias_vector), program_bias_vector};
 
 static const uint8_t program_capture_bias[] = {
     MIP_16_BITS(1, MIP_AT(struct mip_tools_capture_bias, time)),
@@ -227,7 +239,7 @@ static const uint8_t program_capture_bias[] = {
 };
 
 const struct mip_codec mip_tools_capture_bias_codec = {
-    0x01, 0x06, MIP_COMMAND, sizeof(struct mip_tools_capture_bias), program_capture_bias};
+    0x01, 0x06, MIP_COMMAND, 2, sizeof(struct mip_tools_capture_bias), program_capture_bias};
 
 static const struct mip_response responses_capture_bias[] = {
     {&mip_tools_bias_vector_codec, NULL},
@@ -250,7 +262,7 @@ static const uint8_t program_formats[] = {
 };
 
 const struct mip_codec mip_tools_formats_codec = {
-    0x01, 0x07, MIP_COMMAND, sizeof(struct mip_tools_formats), program_formats};
+    0x01, 0x07, MIP_COMMAND, 0, sizeof(struct mip_tools_formats), program_formats};
 
 static bool silent_formats(const void *value) {
     const struct mip_tools_formats *v = (const struct mip_tools_formats *)value;
@@ -297,8 +309,8 @@ static const uint8_t program_choice[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_tools_choice_codec = {0x01, 0x08, MIP_COMMAND,
-                                                 sizeof(struct mip_tools_choice), program_choice};
+const struct mip_codec mip_tools_choice_codec = {
+    0x01, 0x08, MIP_COMMAND, 0, sizeof(struct mip_tools_choice), program_choice};
 
 static bool asked_choice_1(const void *value) {
     const struct mip_tools_choice *v = (const struct mip_tools_choice *)value;
@@ -349,7 +361,7 @@ static const uint8_t program_choice_response[] = {
 };
 
 const struct mip_codec mip_tools_choice_response_codec = {
-    0x01, 0x88, MIP_RESPONSE, sizeof(struct mip_tools_choice_response), program_choice_response};
+    0x01, 0x88, MIP_RESPONSE, 0, sizeof(struct mip_tools_choice_response), program_choice_response};
 
 static const uint8_t program_list[] = {
     MIP_REQUIRED(2, 0, 2),
@@ -361,8 +373,8 @@ static const uint8_t program_list[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_tools_list_codec = {0x01, 0x09, MIP_COMMAND,
-                                               sizeof(struct mip_tools_list), program_list};
+const struct mip_codec mip_tools_list_codec = {
+    0x01, 0x09, MIP_COMMAND, 0, sizeof(struct mip_tools_list), program_list};
 
 static bool asked_list_1(const void *value) {
     const struct mip_tools_list *v = (const struct mip_tools_list *)value;
@@ -385,14 +397,14 @@ static const uint8_t program_list_response[] = {
 };
 
 const struct mip_codec mip_tools_list_response_codec = {
-    0x01, 0x89, MIP_RESPONSE, sizeof(struct mip_tools_list_response), program_list_response};
+    0x01, 0x89, MIP_RESPONSE, 0, sizeof(struct mip_tools_list_response), program_list_response};
 
 static const uint8_t program_stock[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_tools_stock_codec = {0x01, 0x0A, MIP_COMMAND,
-                                                sizeof(struct mip_tools_stock), program_stock};
+const struct mip_codec mip_tools_stock_codec = {
+    0x01, 0x0A, MIP_COMMAND, 0, sizeof(struct mip_tools_stock), program_stock};
 
 static const struct mip_response responses_stock[] = {
     {&mip_tools_stock_response_codec, NULL},
@@ -409,7 +421,7 @@ static const uint8_t program_stock_response[] = {
 };
 
 const struct mip_codec mip_tools_stock_response_codec = {
-    0x01, 0x8A, MIP_RESPONSE, sizeof(struct mip_tools_stock_response), program_stock_response};
+    0x01, 0x8A, MIP_RESPONSE, 0, sizeof(struct mip_tools_stock_response), program_stock_response};
 
 static const uint8_t program_pin[] = {
     MIP_REQUIRED(3, 0, 2, 1),
@@ -420,8 +432,8 @@ static const uint8_t program_pin[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_tools_pin_codec = {0x01, 0x0B, MIP_COMMAND, sizeof(struct mip_tools_pin),
-                                              program_pin};
+const struct mip_codec mip_tools_pin_codec = {
+    0x01, 0x0B, MIP_COMMAND, 0, sizeof(struct mip_tools_pin), program_pin};
 
 static bool asked_pin_1(const void *value) {
     const struct mip_tools_pin *v = (const struct mip_tools_pin *)value;
@@ -441,7 +453,7 @@ static const uint8_t program_pin_response[] = {
 };
 
 const struct mip_codec mip_tools_pin_response_codec = {
-    0x01, 0x8B, MIP_RESPONSE, sizeof(struct mip_tools_pin_response), program_pin_response};
+    0x01, 0x8B, MIP_RESPONSE, 2, sizeof(struct mip_tools_pin_response), program_pin_response};
 
 static const uint8_t program_hello[] = {
     MIP_OPTIONAL,    MIP_32_BITS(1, MIP_AT(struct mip_tools_hello, reserved)),
@@ -449,8 +461,8 @@ static const uint8_t program_hello[] = {
     MIP_END,
 };
 
-const struct mip_codec mip_tools_hello_codec = {0x01, 0x0C, MIP_COMMAND,
-                                                sizeof(struct mip_tools_hello), program_hello};
+const struct mip_codec mip_tools_hello_codec = {
+    0x01, 0x0C, MIP_COMMAND, 0, sizeof(struct mip_tools_hello), program_hello};
 
 static const struct mip_response responses_hello[] = {
     {&mip_tools_hello_response_codec, NULL},
@@ -466,7 +478,7 @@ static const uint8_t program_hello_response[] = {
 };
 
 const struct mip_codec mip_tools_hello_response_codec = {
-    0x01, 0x8C, MIP_RESPONSE, sizeof(struct mip_tools_hello_response), program_hello_response};
+    0x01, 0x8C, MIP_RESPONSE, 4, sizeof(struct mip_tools_hello_response), program_hello_response};
 
 static const uint8_t program_readings[] = {
     MIP_8_BITS(1, MIP_AT(struct mip_tools_readings, drive)),
@@ -474,7 +486,7 @@ static const uint8_t program_readings[] = {
 };
 
 const struct mip_codec mip_tools_readings_codec = {
-    0x01, 0x0D, MIP_COMMAND, sizeof(struct mip_tools_readings), program_readings};
+    0x01, 0x0D, MIP_COMMAND, 1, sizeof(struct mip_tools_readings), program_readings};
 
 static const struct mip_response responses_readings[] = {
     {&mip_tools_readings_response_codec, NULL},
@@ -500,5 +512,9 @@ static const uint8_t program_readings_response[] = {
 };
 
 const struct mip_codec mip_tools_readings_response_codec = {
-    0x01, 0x8D, MIP_RESPONSE, sizeof(struct mip_tools_readings_response),
+    0x01,
+    0x8D,
+    MIP_RESPONSE,
+    0,
+    sizeof(struct mip_tools_readings_response),
     program_readings_response};

@@ -1,0 +1,190 @@
+/*
+ * Runs a fuzz target without libFuzzer: the inputs of a file, then as many more that are made from them by chance.
+ *
+ *     replay FILE COUNT [SEED]
+ *
+ * The file has one input per line, in hexadecimal; empty lines and those that begin with # are comments.
+ */
+#define _POSIX_C_SOURCE 200809L
+
+#include "fuzz.h"
+
+#include <signal.h>
+#include <unistd.h>
+
+#ifndef REPLAY_PATIENCE
+#define REPLAY_PATIENCE 60 /* seconds for one input */
+#endif
+
+enum { LARGEST = 4096 };
+
+struct bytes {
+    uint8_t *data;
+    size_t size;
+};
+
+static struct bytes *inputs;
+static size_t input_count;
+
+static struct bytes current;
+
+/* Which input it was, before the process ends; only what a signal handler may do. */
+static void show(int signal_number) {
+    static const char digits[] = "0123456789abcdef";
+    static char text[2 * LARGEST + 64];
+    size_t length = 0;
+    const char *words = signal_number == SIGALRM ? "the target does not come back from:\n" : "the target failed with:\n";
+    for (; *words != '\0'; words++) {
+        text[length++] = *words;
+    }
+    for (size_t i = 0; i < current.size; i++) {
+        text[length++] = digits[current.data[i] >> 4];
+        text[length++] = digits[current.data[i] & 15];
+    }
+    text[length++] = '\n';
+    if (write(2, text, length) < 0) {
+        _exit(4);
+    }
+    _exit(3);
+}
+
+static void run(const uint8_t *data, size_t size) {
+    current.data = (uint8_t *)exactly(size);
+    current.size = size;
+    if (size > 0) {
+        memcpy(current.data, data, size);
+    }
+    alarm(REPLAY_PATIENCE);
+    LLVMFuzzerTestOneInput(current.data, size);
+    alarm(0);
+    free(current.data);
+}
+
+static int digit(int c) {
+    return c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10
+                                                                 : -1;
+}
+
+/* One line; false at the end of the file. */
+static bool read_line(FILE *file, struct bytes *line, bool *comment) {
+    static uint8_t buffer[LARGEST];
+    int c = getc(file);
+    line->size = 0;
+    line->data = buffer;
+    *comment = c == '#' || c == '\n';
+    if (c == EOF) {
+        return false;
+    }
+    while (c != '\n' && c != EOF) {
+        if (!*comment) {
+            const int high = digit(c);
+            const int low = digit(getc(file));
+            CHECK(high >= 0 && low >= 0 && line->size < LARGEST);
+            buffer[line->size++] = (uint8_t)(high * 16 + low);
+        }
+        c = getc(file);
+    }
+    return true;
+}
+
+static void read_inputs(const char *path) {
+    FILE *file = fopen(path, "r");
+    struct bytes line;
+    bool comment;
+    CHECK(file != NULL);
+    while (read_line(file, &line, &comment)) {
+        if (comment) {
+            continue;
+        }
+        struct bytes *more = (struct bytes *)realloc(inputs, (input_count + 1) * sizeof(*inputs));
+        CHECK(more != NULL);
+        inputs = more;
+        inputs[input_count].size = line.size;
+        inputs[input_count].data = (uint8_t *)exactly(line.size);
+        memcpy(inputs[input_count].data, line.data, line.size);
+        input_count++;
+    }
+    fclose(file);
+}
+
+static uint32_t state;
+
+static uint32_t chance(uint32_t below) {
+    state ^= state << 13;
+    state ^= state >> 17;
+    state ^= state << 5;
+    return state % below;
+}
+
+static size_t insert(uint8_t *to, size_t size, const uint8_t *from, size_t count) {
+    count = count < LARGEST - size ? count : LARGEST - size;
+    const size_t at = chance((uint32_t)size + 1);
+    memmove(to + at + count, to + at, size - at);
+    memcpy(to + at, from, count);
+    return size + count;
+}
+
+/* An input with a few changes: bytes, bits, small numbers, a part less, a part of another one more. */
+static size_t change(uint8_t *bytes, size_t size) {
+    for (uint32_t changes = chance(4) + 1; changes > 0; changes--) {
+        const size_t at = size > 0 ? chance((uint32_t)size) : 0;
+        uint8_t fresh[8];
+        for (size_t i = 0; i < sizeof(fresh); i++) {
+            fresh[i] = (uint8_t)chance(256);
+        }
+        switch (chance(6)) {
+        case 0:
+            size = insert(bytes, size, fresh, chance(8) + 1);
+            break;
+        case 1: {
+            const struct bytes *other = &inputs[chance((uint32_t)input_count)];
+            const size_t from = chance((uint32_t)other->size + 1);
+            size = insert(bytes, size, other->data + from, other->size - from);
+            break;
+        }
+        case 2: {
+            const size_t less = size > 0 ? chance((uint32_t)(size - at)) + 1 : 0;
+            memmove(bytes + at, bytes + at + less, size - at - less);
+            size -= less;
+            break;
+        }
+        case 3:
+            bytes[at] = (uint8_t)chance(8);
+            break;
+        case 4:
+            bytes[at] = (uint8_t)(bytes[at] ^ 1U << chance(8));
+            break;
+        default:
+            bytes[at] = fresh[0];
+            break;
+        }
+    }
+    return size;
+}
+
+int main(int argc, char **argv) {
+    CHECK(argc == 3 || argc == 4);
+    const unsigned long count = strtoul(argv[2], NULL, 10);
+    state = argc == 4 ? (uint32_t)strtoul(argv[3], NULL, 10) : 1;
+    CHECK(state != 0);
+    signal(SIGABRT, show);
+    signal(SIGALRM, show);
+    read_inputs(argv[1]);
+    CHECK(input_count > 0);
+    run(NULL, 0);
+    for (size_t i = 0; i < input_count; i++) {
+        run(inputs[i].data, inputs[i].size);
+    }
+    for (unsigned long i = 0; i < count; i++) {
+        static uint8_t bytes[LARGEST];
+        const struct bytes *from = &inputs[chance((uint32_t)input_count)];
+        memcpy(bytes, from->data, from->size);
+        run(bytes, change(bytes, from->size));
+    }
+    printf("%zu inputs and %lu that were made from them\n", input_count, count);
+    for (size_t i = 0; i < input_count; i++) {
+        free(inputs[i].data);
+    }
+    free(inputs);
+    return 0;
+}

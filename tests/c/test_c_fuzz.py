@@ -1,0 +1,75 @@
+"""The fuzz targets without libFuzzer: the seeds, the kept corpus, and inputs that are made from them by chance."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import c_build
+import pytest
+from c_build import SANITIZE
+from support import heavy, need
+
+HERE = Path(__file__).parent
+sys.path.append(str(HERE / "fuzz"))
+import fuzz  # noqa: E402
+
+FLAGS = ["-std=c99", "-O1", *SANITIZE]
+LIMITS = {"ASAN_OPTIONS": "abort_on_error=1", "UBSAN_OPTIONS": "abort_on_error=1:print_stacktrace=1"}
+
+
+def replay(program: Path, inputs: list[bytes], count: int) -> subprocess.CompletedProcess[str]:
+    file = program.with_suffix(".hex")
+    file.write_text("".join(f"{data.hex()}\n" for data in inputs if data))
+    return subprocess.run(
+        [str(program), str(file), str(count)], capture_output=True, text=True, env={**os.environ, **LIMITS}
+    )
+
+
+@pytest.mark.parametrize("name", fuzz.TARGETS)
+def test_replay(name: str, tmp_path: Path) -> None:
+    program, inputs = tmp_path / "replay", [*fuzz.begin(name), *fuzz.kept(name)]
+    source, spec = fuzz.TARGETS[name]
+    c_build.compiled(program, spec, "cc", HERE / f"fuzz/{source}.c", *FLAGS, also=[HERE / "fuzz/replay.c"])
+    done = replay(program, inputs, 50_000)
+    assert done.returncode == 0, done.stderr[-6000:]
+    assert done.stdout == f"{len(inputs)} inputs and 50000 that were made from them\n"
+
+
+FAILURES = {
+    "a wrong answer": "CHECK(size < 3 || data[2] != 0x42);",
+    "a read beyond the input": "if (size == 3) { CHECK(data[3] != 1 || data[0] != 1); }",
+    "an endless loop": "while (size > 2 && data[2] == 0x42) { }",
+}
+
+
+@pytest.mark.parametrize("failure", FAILURES)
+def test_replay_shows_what_fails(failure: str, tmp_path: Path) -> None:
+    program, target = tmp_path / "replay", tmp_path / "target.c"
+    target.write_text(
+        f'#include "fuzz.h"\nint LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {{ {FAILURES[failure]} '
+        "return 0; }\n"
+    )
+    flags = [*FLAGS, "-DREPLAY_PATIENCE=1", f"-I{HERE}/fuzz"]
+    c_build.run(need("cc"), *flags, HERE / "fuzz/replay.c", target, "-o", program)
+    done = replay(program, [b"\x01\x02", b"\x01\x02\x42"], 0)
+    assert done.returncode == 3 and done.stderr.endswith(":\n010242\n"), done.stderr
+
+
+@heavy("clang")
+@pytest.mark.parametrize("name", fuzz.TARGETS)
+def test_libfuzzer(name: str, tmp_path: Path) -> None:
+    """What `make fuzz` builds, for a moment; the kept corpus is well-formed and small."""
+    program = fuzz.build(name, tmp_path / "program")
+    kept = fuzz.write(tmp_path / "kept", fuzz.kept(name))
+    done = subprocess.run([str(program), "-runs=2000", str(kept)], capture_output=True, text=True)
+    assert done.returncode == 0 and "Done 2000 runs" in done.stderr, done.stderr[-6000:]
+
+
+def test_the_corpus_is_text_and_small() -> None:
+    files = sorted((HERE / "fuzz/corpus").iterdir())
+    assert [p.name for p in files] == sorted(f"{name}.hex" for name in fuzz.TARGETS)
+    assert sum(p.stat().st_size for p in files) < 200_000
+    assert sum(len(fuzz.kept(name)) for name in fuzz.TARGETS) > 10

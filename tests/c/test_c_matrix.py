@@ -1,0 +1,147 @@
+"""The library and its unit programs, built and run under many compilers, languages, levels and flags.
+
+`make test` runs a few, `make test-all` the rest; other machines are in tests/cross.
+"""
+
+from __future__ import annotations
+
+import platform
+import subprocess
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from c_build import HERE, PEDANTIC, SANITIZE, UNITS, WARNINGS, archive, compiled, folder, include, run, sources
+from support import SPECS, heavy, need
+
+both = pytest.mark.parametrize("spec", sorted(SPECS))
+compilers = pytest.mark.parametrize("compiler", ["cc", pytest.param("clang", marks=heavy("clang"))])
+
+C = ("c99", "c11", "c17", "newest C")
+CPP = ("c++11", "c++14", "c++17", "c++20")
+LEVELS = ("-Os", "-O2", "-O3")
+CHARS = ("-fsigned-char", "-funsigned-char")
+NEWEST = ("c23", "c2x")
+
+
+def standard(compiler: str, name: str) -> str:
+    """The option for a language; the newest C has another name in older compilers."""
+    for candidate in NEWEST if name == "newest C" else (name,):
+        known = subprocess.run(
+            [need(compiler), f"-std={candidate}", "-x", "c++" if "+" in name else "c", "-fsyntax-only", "-"],
+            input="int unused;\n", capture_output=True, text=True,
+        )  # fmt: skip
+        if known.returncode == 0:
+            return f"-std={candidate}"
+    raise AssertionError(f"{compiler} does not know {name}: {known.stderr}")
+
+
+def units(tmp: Path, spec: str, compiler: str, *flags: str, library: Path | None = None) -> None:
+    for name in UNITS if spec == "invented" else ("garbage", "checksum"):
+        run(compiled(tmp / name, spec, compiler, HERE / f"unit/{name}.c", *flags, library=library))
+
+
+# --------------------------------------------------------------------------- languages and levels
+
+
+@compilers
+@pytest.mark.parametrize("unit", UNITS)
+def test_unit(unit: str, compiler: str, tmp_path: Path) -> None:
+    """Under the sanitizers, that of alignment too."""
+    run(compiled(tmp_path / unit, "invented", compiler, HERE / f"unit/{unit}.c", "-std=c99", "-O1", *SANITIZE))
+
+
+@compilers
+def test_garbage_in_all_real_fields(compiler: str, tmp_path: Path) -> None:
+    run(compiled(tmp_path / "garbage", "real", compiler, HERE / "unit/garbage.c", "-std=c99", "-O1", *SANITIZE))
+
+
+def rows() -> Iterator[object]:
+    """Every language with every level; the flags change from row to row, so that pairs of all are met."""
+    light = {("cc", "c99", "-Os"), ("cc", "c11", "-O2"), ("cc", "newest C", "-O3")}
+    for compiler in ("cc", "clang"):
+        for i, language in enumerate(C):
+            for k, level in enumerate(LEVELS):
+                flags = [CHARS[(i + k) % 2], *(["-fshort-enums"] if k != i % 3 else [])]
+                row = (compiler, language, level)
+                marks = () if row in light else heavy("clang" if compiler == "clang" else "many builds of C")
+                yield pytest.param(*row, flags, marks=marks, id="-".join((*row, *flags)).replace(" ", "_"))
+
+
+@pytest.mark.parametrize("compiler,language,level,flags", list(rows()))
+def test_c(compiler: str, language: str, level: str, flags: list[str], tmp_path: Path) -> None:
+    units(tmp_path, "invented", compiler, standard(compiler, language), level, *flags)
+
+
+@pytest.mark.parametrize("level", LEVELS)
+@pytest.mark.parametrize("compiler", [pytest.param(c, marks=heavy("many builds of C")) for c in ("cc", "clang")])
+def test_the_real_library(compiler: str, level: str, tmp_path: Path) -> None:
+    chars = CHARS[LEVELS.index(level) % 2]
+    units(tmp_path, "real", compiler, standard(compiler, "newest C"), level, chars, "-fshort-enums")
+
+
+@both
+@pytest.mark.parametrize("language", CPP)
+@pytest.mark.parametrize("pair", [pytest.param("cc g++", marks=heavy("g++")),
+                                  pytest.param("clang clang++", marks=heavy("clang"))])  # fmt: skip
+def test_the_sources_are_cpp_too(pair: str, language: str, spec: str, tmp_path: Path) -> None:
+    """The programs stay C, and so does what they link with."""
+    c, cpp = pair.split()
+    flags = [LEVELS[CPP.index(language) % 3], CHARS[CPP.index(language) % 2]]
+    library = archive(spec, cpp, "-x", "c++", standard(cpp, language), *flags)
+    units(tmp_path, spec, c, "-std=c99", *flags, library=library)
+
+
+# --------------------------------------------------------------------------- warnings
+
+
+@both
+@compilers
+@pytest.mark.parametrize("level", ["-O0", "-O2"])  # some warnings come with optimization only
+def test_c99_without_a_warning(level: str, compiler: str, spec: str) -> None:
+    archive(spec, compiler, "-std=c99", level)
+
+
+@both
+def test_further_warnings_of_gcc(spec: str, tmp_path: Path) -> None:
+    """Casts that raise the alignment and the like: nothing that a project with its own flags would see."""
+    for source in sources(spec):
+        run(need("gcc"), "-std=c99", "-O2", *WARNINGS, *PEDANTIC, include(spec), "-c", source, "-o", tmp_path / "o")
+
+
+# --------------------------------------------------------------------------- checksum
+
+FORMS = ["PLAIN", "WORDS", *{"x86_64": ["SSE2"], "aarch64": ["NEON"]}.get(platform.machine(), [])]
+
+
+@pytest.mark.parametrize("form", FORMS)
+@compilers
+def test_every_form_of_the_checksum(compiler: str, form: str, tmp_path: Path) -> None:
+    flags = ["-std=c99", "-O2", f"-DMIP_CHECKSUM=MIP_CHECKSUM_{form}", *SANITIZE]
+    source = folder("invented") / "src/mip/checksum.c"
+    run(need(compiler), *WARNINGS, *flags, include("invented"), f"-I{HERE}/unit", HERE / "unit/checksum.c", source,
+        "-o", tmp_path / "checksum")  # fmt: skip
+    run(tmp_path / "checksum")
+
+
+# --------------------------------------------------------------------------- bare machines, as far as clang goes
+
+
+@both
+@heavy("bare-metal machines with clang")
+@pytest.mark.parametrize("machine", ["thumbv7m-none-eabi", "powerpc-none-eabi", "msp430-none-elf", "avr"])
+def test_freestanding_on_small_machines(machine: str, spec: str, tmp_path: Path) -> None:
+    """32 and 16 bits, both byte orders, no C library but five functions of <string.h>."""
+    flags = ["-std=c99", "-Os", "-ffreestanding", "-nostdlibinc", *WARNINGS, "-Wno-avr-rtlib-linking-quirks"]
+    for source in sources(spec):
+        run(need("clang"), f"--target={machine}", *flags, "-isystem", HERE / "freestanding", include(spec),
+            "-fsyntax-only", source)  # fmt: skip
+
+
+@heavy("clang")
+@pytest.mark.parametrize("machine", ["aarch64-none-elf", "armv7a-none-eabi"])
+def test_the_vectors_of_arm_compile(machine: str) -> None:
+    run(need("clang"), f"--target={machine}", "-std=c99", "-O2", "-ffreestanding", "-nostdlibinc", *WARNINGS,
+        "-mfloat-abi=softfp" if machine.startswith("armv7") else "-ffreestanding", "-DMIP_CHECKSUM=MIP_CHECKSUM_NEON",
+        *(["-mfpu=neon"] if machine.startswith("armv7") else []), "-isystem", HERE / "freestanding", include("real"),
+        "-fsyntax-only", folder("real") / "src/mip/checksum.c")  # fmt: skip

@@ -1,0 +1,300 @@
+/* Runs the programs that describe layouts; mip/program.h has their steps. */
+#include "mip/program.h"
+
+#include <string.h>
+
+/** A field that is being read or written, and the state of its optional parameters. */
+struct stream {
+    uint8_t *at;
+    uint8_t *end;
+    /** Where the last group of parameters began. */
+    uint8_t *mark;
+    /** A mip_error. */
+    uint8_t error;
+    /** The number of parameters that the function requires, and of present ones: those that have
+     * been read, or those to be written. */
+    uint8_t required;
+    uint8_t present;
+    /** The last parameter of the group. */
+    uint8_t last;
+    bool writing;
+    /** Do places have two bytes? Has the structure the number of present parameters? */
+    bool far;
+    bool counts;
+    /** May the group be absent? Is only a part of it there? Is this the end before MIP_END? */
+    bool optional;
+    bool cut;
+    bool stopped;
+};
+
+/** Ends the run; false, so that callers can return it. */
+static bool fail(struct stream *s, mip_error error) {
+    if (error == MIP_ERROR_TRUNCATED && s->optional) {
+        s->cut = true;
+    } else {
+        s->error = (uint8_t)error;
+    }
+    s->stopped = true;
+    return false;
+}
+
+/** The next bytes of the field, or NULL if there are too few. */
+static uint8_t *take(struct stream *s, size_t size) {
+    uint8_t *bytes = s->at;
+    if (size > (size_t)(s->end - bytes)) {
+        fail(s, s->writing ? MIP_ERROR_LENGTH : MIP_ERROR_TRUNCATED);
+        return NULL;
+    }
+    s->at = bytes + size;
+    return bytes;
+}
+
+/** Reads or writes numbers of `size` bytes. On a little-endian host those in memory are the other
+ * way round, which flips the last bits of the index of a byte. */
+static void move(uint8_t *wire, uint8_t *memory, size_t size, size_t count, bool writing) {
+    const uint16_t one = 1;
+    const size_t flip = *(const uint8_t *)&one == 1 ? size - 1 : 0;
+    for (size_t i = 0; i < size * count; i++) {
+        if (writing) {
+            wire[i] = memory[i ^ flip];
+        } else {
+            memory[i ^ flip] = wire[i];
+        }
+    }
+}
+
+/** Doubles where the compiler has none of eight bytes. */
+static void move_narrow(uint8_t *wire, uint8_t *memory, size_t count, bool writing) {
+    for (size_t i = 0; i < count; i++) {
+        uint32_t bits;
+        if (writing) {
+            memcpy(&bits, memory + 4 * i, 4);
+            mip_put_64(wire + 8 * i, mip_widen(bits));
+        } else {
+            bits = mip_narrow(mip_get_64(wire + 8 * i));
+            memcpy(memory + 4 * i, &bits, 4);
+        }
+    }
+}
+
+/** The place that the program names next. */
+static size_t place(const struct stream *s, const uint8_t **program) {
+    size_t offset = *(*program)++;
+    if (s->far) {
+        offset = offset << 8 | *(*program)++;
+    }
+    return offset;
+}
+
+/** The number of elements of an array, from or for its counter; more than `capacity` on an error.
+ */
+static size_t count(struct stream *s, uint8_t *counter, size_t size, size_t capacity, size_t wire,
+                    bool rest) {
+    const size_t left = (size_t)(s->end - s->at) / wire;
+    uint8_t bytes[8];
+    size_t number = 0;
+    if (rest && !s->writing) {
+        number = left < capacity ? left : capacity;
+        *counter = (uint8_t)number;
+        return number;
+    }
+    move(bytes, counter, size, 1, true);
+    for (size_t i = 0; i < size; i++) {
+        number = number > capacity ? number : number << 8 | bytes[i];
+    }
+    if (number > capacity || (number > left && !s->writing)) {
+        fail(s, MIP_ERROR_COUNT);
+        return capacity + 1;
+    }
+    return number;
+}
+
+/** Begins parameters that are present together or not at all. False if they are not. */
+static bool group(struct stream *s, uint8_t first, uint8_t last) {
+    if (s->writing) {
+        s->last = last;
+        if (s->present >= first && s->present < last) {
+            return fail(s, MIP_ERROR_MISSING);
+        }
+        s->stopped = s->present < last;
+    } else {
+        s->present = (uint8_t)(first - 1);
+        s->last = last;
+        s->mark = s->at;
+        s->optional = last > s->required;
+        s->stopped = s->optional && s->at == s->end;
+    }
+    return !s->stopped;
+}
+
+/** Reads or checks, or writes, bytes that are always the same. */
+static bool constant(struct stream *s, const uint8_t *bytes, size_t size) {
+    uint8_t *wire = take(s, size);
+    for (size_t i = 0; wire != NULL && i < size; i++) {
+        if (s->writing) {
+            wire[i] = bytes[i];
+        } else if (wire[i] != bytes[i]) {
+            return fail(s, MIP_ERROR_CONSTANT);
+        }
+    }
+    return wire != NULL;
+}
+
+/** The program of the case that a tag selects; NULL if it has none. */
+static const uint8_t *selected(const uint8_t *program, uint8_t *tag, size_t size, size_t cases) {
+    uint8_t bytes[8];
+    move(bytes, tag, size, 1, true);
+    for (; cases > 0; cases--) {
+        bool same = true;
+        for (size_t i = 0; i < size; i++) {
+            same = same && *program++ == bytes[i];
+        }
+        const size_t length = *program++;
+        if (same) {
+            return program;
+        }
+        program += length;
+    }
+    return NULL;
+}
+
+/** Runs a program for the structure at `base`. False if it ended early: everything ends then. */
+static bool run(struct stream *s, const uint8_t *p, uint8_t *base) {
+    size_t times = 1;
+    for (;;) {
+        const unsigned step = *p++;
+        if (step >= MIP_NUMBERS(1, 0)) { /* numbers */
+            const unsigned kind = step >> 5;
+            size_t n = step & 31;
+            n = (n > 0 ? n : *p++) * times;
+            times = 1;
+            uint8_t *memory = base + place(s, &p);
+            const size_t size = kind < 5 ? (size_t)1 << (kind - 1) : 8;
+            uint8_t *wire = take(s, n * size);
+            if (wire == NULL) {
+                return false;
+            }
+            if (kind == 5 && sizeof(double) < 8) {
+                move_narrow(wire, memory, n, s->writing);
+            } else {
+                move(wire, memory, size, n, s->writing);
+            }
+            continue;
+        }
+        switch (step) {
+        case MIP_STEP_FAR:
+            s->far = true;
+            break;
+        case MIP_STEP_LAYOUT:
+            p += 3 + 2 * p[2];
+            break;
+        case MIP_STEP_OPTIONAL: {
+            const uint8_t functions = *p++;
+            s->counts = true;
+            if (functions > 0) {
+                uint8_t *wire = take(s, 1);
+                if (wire == NULL) {
+                    return false;
+                }
+                move(wire, base + 1, 1, 1, s->writing);
+                s->required = base[1] < functions ? p[base[1]] : 0;
+                p += functions;
+            }
+            if (s->writing) {
+                s->present = base[0] > s->required ? base[0] : s->required;
+            }
+            break;
+        }
+        case MIP_STEP_GROUP:
+            if (!group(s, p[0], p[1])) {
+                return false;
+            }
+            p += 2;
+            break;
+        case MIP_STEP_CONSTANT:
+            if (!constant(s, p + 1, p[0])) {
+                return false;
+            }
+            p += 1 + p[0];
+            break;
+        case MIP_STEP_COUNTED:
+        case MIP_STEP_REST: {
+            const uint8_t *of = p;
+            p += 3;
+            times = count(s, base + place(s, &p), of[0], of[1], of[2], step == MIP_STEP_REST);
+            if (times > of[1]) {
+                return false;
+            }
+            break;
+        }
+        case MIP_STEP_EACH: {
+            const uint8_t *of = p;
+            p += 4;
+            uint8_t *item = base + place(s, &p);
+            for (size_t n = of[0] * times; n > 0; n--) {
+                if (!run(s, p, item)) {
+                    return false;
+                }
+                item += (size_t)of[1] << 8 | of[2];
+            }
+            p += of[3];
+            times = 1;
+            break;
+        }
+        case MIP_STEP_SWITCH: { /* always the last step: nothing follows the cases */
+            const size_t size = *p++;
+            const size_t cases = *p++;
+            uint8_t *tag = base + place(s, &p);
+            p = selected(p, tag, size, cases);
+            if (p == NULL) {
+                return true;
+            }
+            break;
+        }
+        default: /* MIP_STEP_END */
+            return true;
+        }
+    }
+}
+
+mip_error mip_program_read(const struct mip_codec *codec, void *value,
+                           const struct mip_field *field, size_t *trailing) {
+    struct stream s;
+    /* Nothing is written to the field. */
+    uint8_t *data = (uint8_t *)(uintptr_t)field->data;
+    uint8_t *end = data + field->size;
+    do {
+        memset(value, 0, codec->size);
+        memset(&s, 0, sizeof(s));
+        s.at = data;
+        s.end = end;
+        run(&s, codec->program, (uint8_t *)value);
+        end = s.mark; /* if a group is incomplete, again without it */
+    } while (s.cut);
+    if (s.error != MIP_OK) {
+        memset(value, 0, codec->size);
+    } else if (s.counts) {
+        const bool empty = s.optional && s.at == s.mark; /* an empty union: same as absent */
+        *(uint8_t *)value = s.stopped || empty ? s.present : s.last;
+    }
+    if (trailing != NULL) {
+        *trailing = (size_t)(data + field->size - s.at);
+    }
+    return (mip_error)s.error;
+}
+
+mip_error mip_program_write(const struct mip_codec *codec, const void *value, uint8_t *data,
+                            size_t room, size_t *size) {
+    struct stream s;
+    memset(&s, 0, sizeof(s));
+    s.at = data;
+    s.end = data + room;
+    s.writing = true;
+    /* Nothing is written to the structure. */
+    run(&s, codec->program, (uint8_t *)(uintptr_t)value);
+    if (!s.stopped && s.present > s.last) {
+        s.error = MIP_ERROR_MISSING;
+    }
+    *size = (size_t)(s.at - data);
+    return (mip_error)s.error;
+}
