@@ -270,6 +270,7 @@ enum mip_3dm_legacy_data_stream {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_3dm_legacy_data_stream_name(uint8_t value);
+
 /**
  * Poll IMU Data: command (0x0C,0x01).
  *
@@ -330,6 +331,7 @@ mip_3dm_poll_imu_data_make(struct mip_3dm_poll_imu_data *command, mip_bool suppr
              num_descriptors * sizeof(descriptors[0]));
     return command;
 }
+
 /**
  * Poll GNSS Data: command (0x0C,0x02).
  *
@@ -393,6 +395,7 @@ static inline struct mip_3dm_poll_gnss_data *mip_3dm_poll_gnss_data_make(
              num_descriptors * sizeof(descriptors[0]));
     return command;
 }
+
 /**
  * Poll Estimation Filter Data: command (0x0C,0x03).
  *
@@ -452,6 +455,7 @@ static inline struct mip_3dm_poll_filter_data *mip_3dm_poll_filter_data_make(
              num_descriptors * sizeof(descriptors[0]));
     return command;
 }
+
 /**
  * Poll NMEA Data: command (0x0C,0x04).
  *
@@ -512,6 +516,7 @@ mip_3dm_poll_nmea_data_make(struct mip_3dm_poll_nmea_data *command, mip_bool sup
              count * sizeof(format_entries[0]));
     return command;
 }
+
 /**
  * Get IMU Data Base Rate: command (0x0C,0x06).
  *
@@ -547,6 +552,7 @@ static inline mip_error mip_3dm_get_imu_base_rate_encode(
     const struct mip_3dm_get_imu_base_rate *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_imu_base_rate_codec, value, builder);
 }
+
 /**
  * Get IMU Data Base Rate response: response (0x0C,0x83).
  *
@@ -604,6 +610,7 @@ static inline mip_error mip_3dm_get_imu_base_rate_response_encode_inline(
     mip_put_16(data, value->rate);
     return MIP_OK;
 }
+
 /**
  * Get GNSS Data Base Rate: command (0x0C,0x07).
  *
@@ -639,6 +646,7 @@ static inline mip_error mip_3dm_get_gnss_base_rate_encode(
     const struct mip_3dm_get_gnss_base_rate *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_gnss_base_rate_codec, value, builder);
 }
+
 /**
  * Get GNSS Data Base Rate response: response (0x0C,0x84).
  *
@@ -696,6 +704,7 @@ static inline mip_error mip_3dm_get_gnss_base_rate_response_encode_inline(
     mip_put_16(data, value->rate);
     return MIP_OK;
 }
+
 /**
  * IMU Message Format: command (0x0C,0x08).
  *
@@ -801,6 +810,7 @@ mip_3dm_imu_message_format_default(struct mip_3dm_imu_message_format *command) {
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * IMU Message Format response: response (0x0C,0x80).
  *
@@ -835,6 +845,7 @@ static inline mip_error mip_3dm_imu_message_format_response_encode(
     const struct mip_3dm_imu_message_format_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_imu_message_format_response_codec, value, builder);
 }
+
 /**
  * GNSS Message Format: command (0x0C,0x09).
  *
@@ -940,6 +951,7 @@ mip_3dm_gnss_message_format_default(struct mip_3dm_gnss_message_format *command)
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * GNSS Message Format response: response (0x0C,0x81).
  *
@@ -975,6 +987,7 @@ static inline mip_error mip_3dm_gnss_message_format_response_encode(
     const struct mip_3dm_gnss_message_format_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_message_format_response_codec, value, builder);
 }
+
 /**
  * Estimation Filter Message Format: command (0x0C,0x0A).
  *
@@ -1081,6 +1094,7 @@ mip_3dm_filter_message_format_default(struct mip_3dm_filter_message_format *comm
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Estimation Filter Message Format response: response (0x0C,0x82).
  *
@@ -1115,6 +1129,7 @@ static inline mip_error mip_3dm_filter_message_format_response_encode(
     const struct mip_3dm_filter_message_format_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_filter_message_format_response_codec, value, builder);
 }
+
 /**
  * Get Estimation Filter Data Base Rate: command (0x0C,0x0B).
  *
@@ -1149,6 +1164,7 @@ static inline mip_error mip_3dm_get_filter_base_rate_encode(
     const struct mip_3dm_get_filter_base_rate *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_filter_base_rate_codec, value, builder);
 }
+
 /**
  * Get Estimation Filter Data Base Rate response: response (0x0C,0x8A).
  *
@@ -1205,6 +1221,7 @@ static inline mip_error mip_3dm_get_filter_base_rate_response_encode_inline(
     mip_put_16(data, value->rate);
     return MIP_OK;
 }
+
 /**
  * NMEA Message Format: command (0x0C,0x0C).
  *
@@ -1308,6 +1325,7 @@ mip_3dm_nmea_message_format_default(struct mip_3dm_nmea_message_format *command)
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * NMEA Message Format response: response (0x0C,0x8C).
  *
@@ -1341,6 +1359,7 @@ static inline mip_error mip_3dm_nmea_message_format_response_encode(
     const struct mip_3dm_nmea_message_format_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_nmea_message_format_response_codec, value, builder);
 }
+
 /**
  * Poll Data: command (0x0C,0x0D).
  *
@@ -1406,6 +1425,7 @@ static inline struct mip_3dm_poll_data *mip_3dm_poll_data_make(struct mip_3dm_po
              num_descriptors * sizeof(descriptors[0]));
     return command;
 }
+
 /**
  * Get Data Base Rate: command (0x0C,0x0E).
  *
@@ -1474,6 +1494,7 @@ mip_3dm_get_base_rate_make(struct mip_3dm_get_base_rate *command, uint8_t descri
     command->descriptor_set = descriptor_set;
     return command;
 }
+
 /**
  * Get Data Base Rate response: response (0x0C,0x8E).
  *
@@ -1533,6 +1554,7 @@ static inline mip_error mip_3dm_get_base_rate_response_encode_inline(
     mip_put_16(data + 1, value->rate);
     return MIP_OK;
 }
+
 /**
  * Message Format: command (0x0C,0x0F).
  *
@@ -1645,6 +1667,7 @@ mip_3dm_message_format_default(struct mip_3dm_message_format *command, uint8_t d
     command->descriptor_set = descriptor_set;
     return command;
 }
+
 /**
  * Message Format response: response (0x0C,0x8F).
  *
@@ -1680,6 +1703,7 @@ static inline mip_error mip_3dm_message_format_response_encode(
     const struct mip_3dm_message_format_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_message_format_response_codec, value, builder);
 }
+
 /**
  * Factory Streaming: command (0x0C,0x10).
  *
@@ -1752,6 +1776,7 @@ static inline struct mip_3dm_factory_streaming *mip_3dm_factory_streaming_make(
     command->action = (uint8_t)action;
     return command;
 }
+
 /**
  * Data Stream Control: command (0x0C,0x11).
  *
@@ -1868,6 +1893,7 @@ static inline struct mip_3dm_data_stream_control *mip_3dm_data_stream_control_de
     command->descriptor_set = descriptor_set;
     return command;
 }
+
 /**
  * Data Stream Control response: response (0x0C,0x85).
  *
@@ -1939,6 +1965,7 @@ static inline mip_error mip_3dm_data_stream_control_response_encode_inline(
     mip_put_8(data + 1, value->enabled);
     return MIP_OK;
 }
+
 /**
  * Constellation Settings: command (0x0C,0x21).
  *
@@ -2062,6 +2089,7 @@ mip_3dm_constellation_settings_default(struct mip_3dm_constellation_settings *co
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Constellation Settings response: response (0x0C,0xA0).
  *
@@ -2103,6 +2131,7 @@ static inline mip_error mip_3dm_constellation_settings_response_encode(
     const struct mip_3dm_constellation_settings_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_constellation_settings_response_codec, value, builder);
 }
+
 /**
  * GNSS SBAS Settings: command (0x0C,0x22).
  *
@@ -2216,6 +2245,7 @@ mip_3dm_gnss_sbas_settings_default(struct mip_3dm_gnss_sbas_settings *command) {
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * GNSS SBAS Settings response: response (0x0C,0xA1).
  *
@@ -2254,6 +2284,7 @@ static inline mip_error mip_3dm_gnss_sbas_settings_response_encode(
     const struct mip_3dm_gnss_sbas_settings_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_gnss_sbas_settings_response_codec, value, builder);
 }
+
 /**
  * GNSS Assisted Fix: command (0x0C,0x23).
  *
@@ -2369,6 +2400,7 @@ mip_3dm_gnss_assisted_fix_default(struct mip_3dm_gnss_assisted_fix *command) {
     command->flags = 255;
     return command;
 }
+
 /**
  * GNSS Assisted Fix response: response (0x0C,0xA2).
  *
@@ -2432,6 +2464,7 @@ static inline mip_error mip_3dm_gnss_assisted_fix_response_encode_inline(
     mip_put_8(data + 1, value->flags);
     return MIP_OK;
 }
+
 /**
  * GNSS Time Assistance: command (0x0C,0x24).
  *
@@ -2502,6 +2535,7 @@ mip_3dm_gnss_time_assistance_read(struct mip_3dm_gnss_time_assistance *command) 
     command->function = MIP_FUNCTION_SELECTOR_READ;
     return command;
 }
+
 /**
  * GNSS Time Assistance response: response (0x0C,0xA3).
  *
@@ -2566,6 +2600,7 @@ static inline mip_error mip_3dm_gnss_time_assistance_response_encode_inline(
     mip_put_float(data + 10, &value->accuracy);
     return MIP_OK;
 }
+
 /**
  * PPS Source Control: command (0x0C,0x28).
  *
@@ -2669,6 +2704,7 @@ mip_3dm_pps_source_control_default(struct mip_3dm_pps_source_control *command) {
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * PPS Source Control response: response (0x0C,0xA8).
  *
@@ -2728,6 +2764,7 @@ static inline mip_error mip_3dm_pps_source_control_response_encode_inline(
     mip_put_8(data, value->source);
     return MIP_OK;
 }
+
 /**
  * Get Supported Events: command (0x0C,0x2A).
  *
@@ -2796,6 +2833,7 @@ static inline struct mip_3dm_get_event_support *mip_3dm_get_event_support_make(
     command->query = (uint8_t)query;
     return command;
 }
+
 /**
  * Get Supported Events response: response (0x0C,0xB4).
  *
@@ -2837,6 +2875,7 @@ static inline mip_error mip_3dm_get_event_support_response_encode(
     const struct mip_3dm_get_event_support_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_event_support_response_codec, value, builder);
 }
+
 /**
  * Event Control: command (0x0C,0x2B).
  *
@@ -2945,6 +2984,7 @@ mip_3dm_event_control_default(struct mip_3dm_event_control *command, uint8_t ins
     command->instance = instance;
     return command;
 }
+
 /**
  * Event Control response: response (0x0C,0xB5).
  *
@@ -3006,6 +3046,7 @@ static inline mip_error mip_3dm_event_control_response_encode_inline(
     mip_put_8(data + 1, value->mode);
     return MIP_OK;
 }
+
 /**
  * Get Event Trigger Status: command (0x0C,0x2C).
  *
@@ -3058,6 +3099,7 @@ static inline struct mip_3dm_get_event_trigger_status *mip_3dm_get_event_trigger
              requested_instances, requested_count * sizeof(requested_instances[0]));
     return command;
 }
+
 /**
  * Get Event Trigger Status response: response (0x0C,0xB6).
  *
@@ -3091,6 +3133,7 @@ static inline mip_error mip_3dm_get_event_trigger_status_response_encode(
     const struct mip_3dm_get_event_trigger_status_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_event_trigger_status_response_codec, value, builder);
 }
+
 /**
  * Get Event Action Status: command (0x0C,0x2D).
  *
@@ -3143,6 +3186,7 @@ mip_3dm_get_event_action_status_make(struct mip_3dm_get_event_action_status *com
              requested_instances, requested_count * sizeof(requested_instances[0]));
     return command;
 }
+
 /**
  * Get Event Action Status response: response (0x0C,0xB7).
  *
@@ -3176,6 +3220,7 @@ static inline mip_error mip_3dm_get_event_action_status_response_encode(
     const struct mip_3dm_get_event_action_status_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_event_action_status_response_codec, value, builder);
 }
+
 /** The member of mip_3dm_event_trigger_config that `type` selects. */
 union mip_3dm_event_trigger_config_parameters {
     /** If type is MIP_EVENT_TRIGGER_TYPE_GPIO. Watches a GPIO pin. */
@@ -3310,6 +3355,7 @@ static inline struct mip_3dm_event_trigger_config *mip_3dm_event_trigger_config_
     command->instance = instance;
     return command;
 }
+
 /** The member of mip_3dm_event_trigger_config_response that `type` selects. */
 union mip_3dm_event_trigger_config_response_parameters {
     /** If type is MIP_EVENT_TRIGGER_TYPE_GPIO. Watches a GPIO pin. */
@@ -3365,6 +3411,7 @@ static inline mip_error mip_3dm_event_trigger_config_response_encode(
     const struct mip_3dm_event_trigger_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_event_trigger_config_response_codec, value, builder);
 }
+
 /** The member of mip_3dm_event_action_config that `type` selects. */
 union mip_3dm_event_action_config_parameters {
     /** If type is MIP_EVENT_ACTION_TYPE_GPIO. Controls a GPIO pin. */
@@ -3494,6 +3541,7 @@ mip_3dm_event_action_config_default(struct mip_3dm_event_action_config *command,
     command->instance = instance;
     return command;
 }
+
 /** The member of mip_3dm_event_action_config_response that `type` selects. */
 union mip_3dm_event_action_config_response_parameters {
     /** If type is MIP_EVENT_ACTION_TYPE_GPIO. Controls a GPIO pin. */
@@ -3542,6 +3590,7 @@ static inline mip_error mip_3dm_event_action_config_response_encode(
     const struct mip_3dm_event_action_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_event_action_config_response_codec, value, builder);
 }
+
 /**
  * Device Start Up Settings: command (0x0C,0x30).
  *
@@ -3637,6 +3686,7 @@ mip_3dm_device_settings_default(struct mip_3dm_device_settings *command) {
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Sensor-to-Vehicle Frame Transformation Euler: command (0x0C,0x31).
  *
@@ -3755,6 +3805,7 @@ mip_3dm_sensor_to_vehicle_euler_default(struct mip_3dm_sensor_to_vehicle_euler *
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Sensor-to-Vehicle Frame Transformation Euler response: response (0x0C,0xB1).
  *
@@ -3822,6 +3873,7 @@ static inline mip_error mip_3dm_sensor_to_vehicle_euler_response_encode_inline(
     mip_put_float(data + 8, &value->yaw);
     return MIP_OK;
 }
+
 /**
  * Sensor-to-Vehicle Frame Transformation Quaternion: command (0x0C,0x32).
  *
@@ -3931,6 +3983,7 @@ mip_3dm_sensor_to_vehicle_quaternion_default(struct mip_3dm_sensor_to_vehicle_qu
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Sensor-to-Vehicle Frame Transformation Quaternion response: response (0x0C,0xB2).
  *
@@ -3999,6 +4052,7 @@ static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_response_encode_inl
     }
     return MIP_OK;
 }
+
 /**
  * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix: command (0x0C,0x33).
  *
@@ -4106,6 +4160,7 @@ mip_3dm_sensor_to_vehicle_dcm_default(struct mip_3dm_sensor_to_vehicle_dcm *comm
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix response: response (0x0C,0xB3).
  *
@@ -4171,6 +4226,7 @@ static inline mip_error mip_3dm_sensor_to_vehicle_dcm_response_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Accelerometer Bias Configuration: command (0x0C,0x37).
  *
@@ -4282,6 +4338,7 @@ mip_3dm_accel_bias_apply(struct mip_3dm_accel_bias *command, const float bias[3]
     memcpy(command->bias, bias, sizeof(command->bias));
     return command;
 }
+
 /**
  * Accelerometer Bias Configuration response: response (0x0C,0x9A).
  *
@@ -4343,6 +4400,7 @@ static inline mip_error mip_3dm_accel_bias_response_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Gyroscope Bias Configuration: command (0x0C,0x38).
  *
@@ -4452,6 +4510,7 @@ static inline struct mip_3dm_gyro_bias *mip_3dm_gyro_bias_apply(struct mip_3dm_g
     memcpy(command->bias, bias, sizeof(command->bias));
     return command;
 }
+
 /**
  * Gyroscope Bias Configuration response: response (0x0C,0x9B).
  *
@@ -4517,6 +4576,7 @@ static inline mip_error mip_3dm_gyro_bias_response_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Capture Gyroscope Bias: command (0x0C,0x39).
  *
@@ -4596,6 +4656,7 @@ static inline struct mip_3dm_capture_gyro_bias *mip_3dm_capture_gyro_bias_make(
     command->averaging_time_ms = averaging_time_ms;
     return command;
 }
+
 /**
  * Magnetometer Hard Iron Offset: command (0x0C,0x3A).
  *
@@ -4711,6 +4772,7 @@ static inline struct mip_3dm_mag_hard_iron_offset *mip_3dm_mag_hard_iron_offset_
     memcpy(command->offset, offset, sizeof(command->offset));
     return command;
 }
+
 /**
  * Magnetometer Hard Iron Offset response: response (0x0C,0x9C).
  *
@@ -4772,6 +4834,7 @@ static inline mip_error mip_3dm_mag_hard_iron_offset_response_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Magnetometer Soft Iron Matrix: command (0x0C,0x3B).
  *
@@ -4887,6 +4950,7 @@ static inline struct mip_3dm_mag_soft_iron_matrix *mip_3dm_mag_soft_iron_matrix_
     memcpy(command->matrix, matrix, sizeof(command->matrix));
     return command;
 }
+
 /**
  * Magnetometer Soft Iron Matrix response: response (0x0C,0x9D).
  *
@@ -4951,6 +5015,7 @@ static inline mip_error mip_3dm_mag_soft_iron_matrix_response_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Coning and Sculling Enable: command (0x0C,0x3E).
  *
@@ -5046,6 +5111,7 @@ mip_3dm_coning_sculling_enable_default(struct mip_3dm_coning_sculling_enable *co
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Coning and Sculling Enable response: response (0x0C,0x9E).
  *
@@ -5102,6 +5168,7 @@ static inline mip_error mip_3dm_coning_sculling_enable_response_encode_inline(
     mip_put_8(data, value->enable);
     return MIP_OK;
 }
+
 /**
  * UART Baud Rate: command (0x0C,0x40).
  *
@@ -5207,6 +5274,7 @@ mip_3dm_uart_baud_rate_default(struct mip_3dm_uart_baud_rate *command) {
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * UART Baud Rate response: response (0x0C,0x87).
  *
@@ -5265,6 +5333,7 @@ static inline mip_error mip_3dm_uart_baud_rate_response_encode_inline(
     mip_put_32(data, value->baud);
     return MIP_OK;
 }
+
 /**
  * GPIO Configuration: command (0x0C,0x41).
  *
@@ -5394,6 +5463,7 @@ mip_3dm_gpio_config_default(struct mip_3dm_gpio_config *command, uint8_t pin) {
     command->pin = pin;
     return command;
 }
+
 /**
  * GPIO Configuration response: response (0x0C,0xC1).
  *
@@ -5470,6 +5540,7 @@ static inline mip_error mip_3dm_gpio_config_response_encode_inline(
     mip_put_8(data + 3, value->pin_mode);
     return MIP_OK;
 }
+
 /**
  * GPIO State: command (0x0C,0x42).
  *
@@ -5545,6 +5616,7 @@ static inline struct mip_3dm_gpio_state *mip_3dm_gpio_state_read(struct mip_3dm_
     command->pin = pin;
     return command;
 }
+
 /**
  * GPIO State response: response (0x0C,0xC2).
  *
@@ -5604,6 +5676,7 @@ static inline mip_error mip_3dm_gpio_state_response_encode_inline(
     mip_put_8(data + 1, value->state);
     return MIP_OK;
 }
+
 /**
  * Odometer Configuration: command (0x0C,0x43).
  *
@@ -5710,6 +5783,7 @@ mip_3dm_odometer_config_default(struct mip_3dm_odometer_config *command) {
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Odometer Configuration response: response (0x0C,0xC3).
  *
@@ -5777,6 +5851,7 @@ static inline mip_error mip_3dm_odometer_config_response_encode_inline(
     mip_put_float(data + 5, &value->uncertainty);
     return MIP_OK;
 }
+
 /**
  * Advanced Low-Pass Filter Settings: command (0x0C,0x50).
  *
@@ -5907,6 +5982,7 @@ static inline struct mip_3dm_imu_low_pass_filter *mip_3dm_imu_low_pass_filter_de
     command->target_descriptor = target_descriptor;
     return command;
 }
+
 /**
  * Advanced Low-Pass Filter Settings response: response (0x0C,0x8B).
  *
@@ -5986,6 +6062,7 @@ static inline mip_error mip_3dm_imu_low_pass_filter_response_encode_inline(
     mip_put_8(data + 5, value->reserved);
     return MIP_OK;
 }
+
 /**
  * Complementary Filter Configuration: command (0x0C,0x51).
  *
@@ -6114,6 +6191,7 @@ mip_3dm_complementary_filter_default(struct mip_3dm_complementary_filter *comman
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Complementary Filter Configuration response: response (0x0C,0x97).
  *
@@ -6186,6 +6264,7 @@ static inline mip_error mip_3dm_complementary_filter_response_encode_inline(
     mip_put_float(data + 6, &value->heading_time_constant);
     return MIP_OK;
 }
+
 /**
  * Sensor Range: command (0x0C,0x52).
  *
@@ -6290,6 +6369,7 @@ static inline struct mip_3dm_sensor_range *mip_3dm_sensor_range_default(
     command->sensor = (uint8_t)sensor;
     return command;
 }
+
 /**
  * Sensor Range response: response (0x0C,0xD2).
  *
@@ -6349,6 +6429,7 @@ static inline mip_error mip_3dm_sensor_range_response_encode_inline(
     mip_put_8(data + 1, value->setting);
     return MIP_OK;
 }
+
 /**
  * Get Calibrated Sensor Ranges: command (0x0C,0x53).
  *
@@ -6419,6 +6500,7 @@ mip_3dm_get_calibrated_sensor_ranges_make(struct mip_3dm_get_calibrated_sensor_r
     command->sensor = (uint8_t)sensor;
     return command;
 }
+
 /**
  * Get Calibrated Sensor Ranges response: response (0x0C,0xD3).
  *
@@ -6462,6 +6544,7 @@ static inline mip_error mip_3dm_get_calibrated_sensor_ranges_response_encode(
     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_get_calibrated_sensor_ranges_response_codec, value, builder);
 }
+
 /**
  * Low-Pass Anti-Aliasing Filter: command (0x0C,0x54).
  *
@@ -6586,6 +6669,7 @@ static inline struct mip_3dm_low_pass_filter *mip_3dm_low_pass_filter_default(
     command->field_descriptor = field_descriptor;
     return command;
 }
+
 /**
  * Low-Pass Anti-Aliasing Filter response: response (0x0C,0xD4).
  *
@@ -6658,6 +6742,7 @@ static inline mip_error mip_3dm_low_pass_filter_response_encode_inline(
     mip_put_float(data + 4, &value->frequency);
     return MIP_OK;
 }
+
 /**
  * Device Status: command (0x0C,0x64).
  *
@@ -6749,6 +6834,7 @@ mip_3dm_device_status_make(struct mip_3dm_device_status *command, uint16_t model
     command->status_selector = (uint8_t)status_selector;
     return command;
 }
+
 /**
  * Basic Device Status: response (0x0C,0x90).
  *
@@ -6799,6 +6885,7 @@ static inline mip_error mip_3dm_device_status_basic_response_encode(
     const struct mip_3dm_device_status_basic_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_basic_response_codec, value, builder);
 }
+
 /**
  * Basic Device Status without a state: response (0x0C,0x90).
  *
@@ -6853,6 +6940,7 @@ static inline mip_error mip_3dm_device_status_basic_stateless_response_encode(
     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_basic_stateless_response_codec, value, builder);
 }
+
 /**
  * Diagnostic Device Status: response (0x0C,0x90).
  *
@@ -6927,6 +7015,7 @@ static inline mip_error mip_3dm_device_status_diagnostic_response_encode(
     const struct mip_3dm_device_status_diagnostic_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_diagnostic_response_codec, value, builder);
 }
+
 /**
  * Diagnostic Device Status with GNSS: response (0x0C,0x90).
  *
@@ -7022,6 +7111,7 @@ static inline mip_error mip_3dm_device_status_diagnostic_gnss_response_encode(
     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_diagnostic_gnss_response_codec, value, builder);
 }
+
 /**
  * Diagnostic Device Status of the 3DM-GQ4-45: response (0x0C,0x90).
  *
@@ -7121,6 +7211,7 @@ static inline mip_error mip_3dm_device_status_diagnostic_gq4_45_response_encode(
     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_diagnostic_gq4_45_response_codec, value, builder);
 }
+
 /**
  * Diagnostic Device Status of the 3DM-RQ1-45: response (0x0C,0x90).
  *
@@ -7220,6 +7311,7 @@ static inline mip_error mip_3dm_device_status_diagnostic_rq1_45_response_encode(
     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_diagnostic_rq1_45_response_codec, value, builder);
 }
+
 /**
  * Diagnostic Device Status of the 3DM-GX4-15 and 3DM-GX4-25: response (0x0C,0x90).
  *
@@ -7309,6 +7401,7 @@ static inline mip_error mip_3dm_device_status_diagnostic_gx4_response_encode(
     struct mip_builder *builder) {
     return mip_encode(&mip_3dm_device_status_diagnostic_gx4_response_codec, value, builder);
 }
+
 /**
  * Diagnostic Device Status of an IMU: response (0x0C,0x90).
  *

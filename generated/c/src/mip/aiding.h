@@ -88,6 +88,7 @@ typedef uint16_t mip_aiding_llh_axis_flags;
 #define MIP_AIDING_LLH_AXIS_FLAGS_LONGITUDE 0x0002U
 /** Bit 2. Height and its uncertainty. */
 #define MIP_AIDING_LLH_AXIS_FLAGS_HEIGHT 0x0004U
+
 /** The member of mip_aiding_frame_config that `format` selects. */
 union mip_aiding_frame_config_rotation {
     /**
@@ -233,6 +234,7 @@ mip_aiding_frame_config_default(struct mip_aiding_frame_config *command, uint8_t
     command->frame_id = frame_id;
     return command;
 }
+
 /** The member of mip_aiding_frame_config_response that `format` selects. */
 union mip_aiding_frame_config_response_rotation {
     /**
@@ -287,6 +289,7 @@ static inline mip_error mip_aiding_frame_config_response_encode(
     const struct mip_aiding_frame_config_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_aiding_frame_config_response_codec, value, builder);
 }
+
 /**
  * Echo control: command (0x13,0x1F).
  *
@@ -384,6 +387,7 @@ mip_aiding_echo_control_default(struct mip_aiding_echo_control *command) {
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Echo control response: response (0x13,0x9F).
  *
@@ -440,6 +444,7 @@ static inline mip_error mip_aiding_echo_control_response_encode_inline(
     mip_put_8(data, value->mode);
     return MIP_OK;
 }
+
 /**
  * ECEF position: command (0x13,0x21).
  *
@@ -557,6 +562,7 @@ static inline struct mip_aiding_ecef_position *mip_aiding_ecef_position_make(
     command->valid_flags = valid_flags;
     return command;
 }
+
 /**
  * LLH position: command (0x13,0x22).
  *
@@ -686,6 +692,7 @@ static inline struct mip_aiding_llh_position *mip_aiding_llh_position_make(
     command->valid_flags = valid_flags;
     return command;
 }
+
 /**
  * Height above ellipsoid: command (0x13,0x23).
  *
@@ -784,6 +791,7 @@ static inline struct mip_aiding_height_above_ellipsoid *mip_aiding_height_above_
     command->valid_flags = valid_flags;
     return command;
 }
+
 /**
  * ECEF velocity: command (0x13,0x28).
  *
@@ -903,6 +911,7 @@ static inline struct mip_aiding_ecef_velocity *mip_aiding_ecef_velocity_make(
     command->valid_flags = valid_flags;
     return command;
 }
+
 /**
  * NED velocity: command (0x13,0x29).
  *
@@ -1022,6 +1031,7 @@ static inline struct mip_aiding_ned_velocity *mip_aiding_ned_velocity_make(
     command->valid_flags = valid_flags;
     return command;
 }
+
 /**
  * Body frame velocity: command (0x13,0x2A).
  *
@@ -1149,6 +1159,7 @@ static inline struct mip_aiding_body_frame_velocity *mip_aiding_body_frame_veloc
     command->valid_flags = valid_flags;
     return command;
 }
+
 /**
  * True heading: command (0x13,0x31).
  *
@@ -1247,6 +1258,7 @@ static inline struct mip_aiding_true_heading *mip_aiding_true_heading_make(
     command->valid_flags = valid_flags;
     return command;
 }
+
 /**
  * Magnetic field: command (0x13,0x32).
  *
@@ -1365,6 +1377,7 @@ static inline struct mip_aiding_magnetic_field *mip_aiding_magnetic_field_make(
     command->valid_flags = valid_flags;
     return command;
 }
+
 /**
  * Pressure: command (0x13,0x33).
  *

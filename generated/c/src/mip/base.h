@@ -51,6 +51,7 @@ enum mip_base_gps_time_field {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_base_gps_time_field_name(uint8_t value);
+
 /**
  * Ping: command (0x01,0x01).
  *
@@ -92,6 +93,7 @@ static inline mip_error mip_base_ping_encode(const struct mip_base_ping *value,
                                              struct mip_builder *builder) {
     return mip_encode(&mip_base_ping_codec, value, builder);
 }
+
 /**
  * Set to idle: command (0x01,0x02).
  *
@@ -135,6 +137,7 @@ static inline mip_error mip_base_set_idle_encode(const struct mip_base_set_idle 
                                                  struct mip_builder *builder) {
     return mip_encode(&mip_base_set_idle_codec, value, builder);
 }
+
 /**
  * Get device information: command (0x01,0x03).
  *
@@ -174,6 +177,7 @@ static inline mip_error mip_base_get_device_info_encode(
     const struct mip_base_get_device_info *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_get_device_info_codec, value, builder);
 }
+
 /**
  * Get device information response: response (0x01,0x81).
  *
@@ -250,6 +254,7 @@ static inline mip_error mip_base_get_device_info_response_encode_inline(
     memcpy(data + 66, value->device_info.device_options, 16);
     return MIP_OK;
 }
+
 /**
  * Get device descriptors: command (0x01,0x04).
  *
@@ -293,6 +298,7 @@ static inline mip_error mip_base_get_device_descriptors_encode(
     const struct mip_base_get_device_descriptors *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_get_device_descriptors_codec, value, builder);
 }
+
 /**
  * Get device descriptors response: response (0x01,0x82).
  *
@@ -335,6 +341,7 @@ static inline mip_error mip_base_get_device_descriptors_response_encode(
     const struct mip_base_get_device_descriptors_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_get_device_descriptors_response_codec, value, builder);
 }
+
 /**
  * Built-in test: command (0x01,0x05).
  *
@@ -379,6 +386,7 @@ static inline mip_error mip_base_built_in_test_encode(const struct mip_base_buil
                                                       struct mip_builder *builder) {
     return mip_encode(&mip_base_built_in_test_codec, value, builder);
 }
+
 /**
  * Built-in test response: response (0x01,0x83).
  *
@@ -442,6 +450,7 @@ static inline mip_error mip_base_built_in_test_response_encode_inline(
     mip_put_32(data, value->result);
     return MIP_OK;
 }
+
 /**
  * Resume: command (0x01,0x06).
  *
@@ -483,6 +492,7 @@ static inline mip_error mip_base_resume_encode(const struct mip_base_resume *val
                                                struct mip_builder *builder) {
     return mip_encode(&mip_base_resume_codec, value, builder);
 }
+
 /**
  * Get device descriptors (extended): command (0x01,0x07).
  *
@@ -520,6 +530,7 @@ static inline mip_error mip_base_get_extended_descriptors_encode(
     const struct mip_base_get_extended_descriptors *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_get_extended_descriptors_codec, value, builder);
 }
+
 /**
  * Get device descriptors (extended) response: response (0x01,0x86).
  *
@@ -558,6 +569,7 @@ static inline mip_error mip_base_get_extended_descriptors_response_encode(
     const struct mip_base_get_extended_descriptors_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_get_extended_descriptors_response_codec, value, builder);
 }
+
 /**
  * Continuous built-in test: command (0x01,0x08).
  *
@@ -599,6 +611,7 @@ static inline mip_error mip_base_continuous_built_in_test_encode(
     const struct mip_base_continuous_built_in_test *value, struct mip_builder *builder) {
     return mip_encode(&mip_base_continuous_built_in_test_codec, value, builder);
 }
+
 /**
  * Continuous built-in test response: response (0x01,0x88).
  *
@@ -658,6 +671,7 @@ static inline mip_error mip_base_continuous_built_in_test_response_encode_inline
     memcpy(data, value->result, 16);
     return MIP_OK;
 }
+
 /**
  * Comm port speed: command (0x01,0x09).
  *
@@ -765,6 +779,7 @@ mip_base_comm_speed_default(struct mip_base_comm_speed *command, uint8_t port) {
     command->port = port;
     return command;
 }
+
 /**
  * Comm port speed response: response (0x01,0x89).
  *
@@ -824,6 +839,7 @@ static inline mip_error mip_base_comm_speed_response_encode_inline(
     mip_put_32(data + 1, value->baud);
     return MIP_OK;
 }
+
 /**
  * GPS time update: command (0x01,0x72).
  *
@@ -921,6 +937,7 @@ mip_base_gps_time_update_apply(struct mip_base_gps_time_update *command,
     command->value = value;
     return command;
 }
+
 /**
  * GPS time update, week number: response (0x01,0x84).
  *
@@ -983,6 +1000,7 @@ static inline mip_error mip_base_gps_time_update_week_number_response_encode_inl
     mip_put_32(data, value->week_number);
     return MIP_OK;
 }
+
 /**
  * GPS time update, time of week: response (0x01,0x85).
  *
@@ -1042,6 +1060,7 @@ static inline mip_error mip_base_gps_time_update_tow_response_encode_inline(
     mip_put_32(data, value->tow);
     return MIP_OK;
 }
+
 /**
  * Reset device: command (0x01,0x7E).
  *

@@ -314,6 +314,7 @@ enum mip_filter_reference_point {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_reference_point_name(uint8_t value);
+
 /**
  * Reset navigation filter: command (0x0D,0x01).
  *
@@ -354,6 +355,7 @@ static inline mip_error mip_filter_reset_encode(const struct mip_filter_reset *v
                                                 struct mip_builder *builder) {
     return mip_encode(&mip_filter_reset_codec, value, builder);
 }
+
 /**
  * Set initial attitude: command (0x0D,0x02).
  *
@@ -436,6 +438,7 @@ static inline struct mip_filter_set_initial_attitude *mip_filter_set_initial_att
     command->heading = heading;
     return command;
 }
+
 /**
  * Set initial heading: command (0x0D,0x03).
  *
@@ -511,6 +514,7 @@ mip_filter_set_initial_heading_make(struct mip_filter_set_initial_heading *comma
     command->heading = heading;
     return command;
 }
+
 /**
  * Run navigation filter: command (0x0D,0x05).
  *
@@ -547,6 +551,7 @@ static inline mip_error mip_filter_run_encode(const struct mip_filter_run *value
                                               struct mip_builder *builder) {
     return mip_encode(&mip_filter_run_codec, value, builder);
 }
+
 /**
  * Vehicle dynamics mode: command (0x0D,0x10).
  *
@@ -646,6 +651,7 @@ mip_filter_vehicle_dynamics_mode_default(struct mip_filter_vehicle_dynamics_mode
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Vehicle dynamics mode response: response (0x0D,0x80).
  *
@@ -702,6 +708,7 @@ static inline mip_error mip_filter_vehicle_dynamics_mode_response_encode_inline(
     mip_put_8(data, value->mode);
     return MIP_OK;
 }
+
 /**
  * Sensor to vehicle frame transformation: command (0x0D,0x11).
  *
@@ -810,6 +817,7 @@ mip_filter_sensor_to_vehicle_euler_default(struct mip_filter_sensor_to_vehicle_e
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Sensor to vehicle frame transformation response: response (0x0D,0x81).
  *
@@ -876,6 +884,7 @@ static inline mip_error mip_filter_sensor_to_vehicle_euler_response_encode_inlin
     mip_put_float(data + 8, &value->yaw);
     return MIP_OK;
 }
+
 /**
  * Sensor to vehicle offset: command (0x0D,0x12).
  *
@@ -979,6 +988,7 @@ mip_filter_sensor_to_vehicle_offset_default(struct mip_filter_sensor_to_vehicle_
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Sensor to vehicle offset response: response (0x0D,0x82).
  *
@@ -1042,6 +1052,7 @@ static inline mip_error mip_filter_sensor_to_vehicle_offset_response_encode_inli
     }
     return MIP_OK;
 }
+
 /**
  * GNSS antenna offset: command (0x0D,0x13).
  *
@@ -1144,6 +1155,7 @@ mip_filter_antenna_offset_default(struct mip_filter_antenna_offset *command) {
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * GNSS antenna offset response: response (0x0D,0x83).
  *
@@ -1206,6 +1218,7 @@ static inline mip_error mip_filter_antenna_offset_response_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Estimation control flags: command (0x0D,0x14).
  *
@@ -1311,6 +1324,7 @@ mip_filter_estimation_control_default(struct mip_filter_estimation_control *comm
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Estimation control flags response: response (0x0D,0x84).
  *
@@ -1368,6 +1382,7 @@ static inline mip_error mip_filter_estimation_control_response_encode_inline(
     mip_put_16(data, value->flags);
     return MIP_OK;
 }
+
 /**
  * GNSS aiding source: command (0x0D,0x15).
  *
@@ -1467,6 +1482,7 @@ mip_filter_gnss_source_default(struct mip_filter_gnss_source *command) {
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * GNSS aiding source response: response (0x0D,0x86).
  *
@@ -1522,6 +1538,7 @@ static inline mip_error mip_filter_gnss_source_response_encode_inline(
     mip_put_8(data, value->source);
     return MIP_OK;
 }
+
 /**
  * External GNSS update: command (0x0D,0x16).
  *
@@ -1645,6 +1662,7 @@ static inline struct mip_filter_external_gnss_update *mip_filter_external_gnss_u
            sizeof(command->velocity_uncertainty));
     return command;
 }
+
 /**
  * External heading update: command (0x0D,0x17).
  *
@@ -1739,6 +1757,7 @@ static inline struct mip_filter_external_heading_update *mip_filter_external_hea
     command->type = (uint8_t)type;
     return command;
 }
+
 /**
  * Heading update control: command (0x0D,0x18).
  *
@@ -1845,6 +1864,7 @@ mip_filter_heading_source_default(struct mip_filter_heading_source *command) {
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Heading update control response: response (0x0D,0x87).
  *
@@ -1902,6 +1922,7 @@ static inline mip_error mip_filter_heading_source_response_encode_inline(
     mip_put_8(data, value->source);
     return MIP_OK;
 }
+
 /**
  * Automatic initialization: command (0x0D,0x19).
  *
@@ -2003,6 +2024,7 @@ mip_filter_auto_initialization_control_default(
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Automatic initialization response: response (0x0D,0x88).
  *
@@ -2062,6 +2084,7 @@ static inline mip_error mip_filter_auto_initialization_control_response_encode_i
     mip_put_8(data, value->enable);
     return MIP_OK;
 }
+
 /**
  * Accelerometer noise: command (0x0D,0x1A).
  *
@@ -2162,6 +2185,7 @@ mip_filter_accel_noise_default(struct mip_filter_accel_noise *command) {
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Accelerometer noise response: response (0x0D,0x89).
  *
@@ -2222,6 +2246,7 @@ static inline mip_error mip_filter_accel_noise_response_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Gyroscope noise: command (0x0D,0x1B).
  *
@@ -2322,6 +2347,7 @@ mip_filter_gyro_noise_default(struct mip_filter_gyro_noise *command) {
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Gyroscope noise response: response (0x0D,0x8A).
  *
@@ -2382,6 +2408,7 @@ static inline mip_error mip_filter_gyro_noise_response_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Accelerometer bias model: command (0x0D,0x1C).
  *
@@ -2485,6 +2512,7 @@ mip_filter_accel_bias_model_default(struct mip_filter_accel_bias_model *command)
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Accelerometer bias model response: response (0x0D,0x8B).
  *
@@ -2555,6 +2583,7 @@ static inline mip_error mip_filter_accel_bias_model_response_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Gyroscope bias model: command (0x0D,0x1D).
  *
@@ -2659,6 +2688,7 @@ mip_filter_gyro_bias_model_default(struct mip_filter_gyro_bias_model *command) {
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Gyroscope bias model response: response (0x0D,0x8C).
  *
@@ -2730,6 +2760,7 @@ static inline mip_error mip_filter_gyro_bias_model_response_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Automatic zero velocity update: command (0x0D,0x1E).
  *
@@ -2829,6 +2860,7 @@ mip_filter_auto_zupt_default(struct mip_filter_auto_zupt *command) {
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Automatic zero velocity update response: response (0x0D,0x8D).
  *
@@ -2889,6 +2921,7 @@ static inline mip_error mip_filter_auto_zupt_response_encode_inline(
     mip_put_float(data + 1, &value->threshold);
     return MIP_OK;
 }
+
 /**
  * External heading update with time: command (0x0D,0x1F).
  *
@@ -2997,6 +3030,7 @@ mip_filter_external_heading_update_with_time_make(
     command->type = (uint8_t)type;
     return command;
 }
+
 /**
  * Zero angular rate update: command (0x0D,0x20).
  *
@@ -3101,6 +3135,7 @@ mip_filter_auto_angular_zupt_default(struct mip_filter_auto_angular_zupt *comman
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Zero angular rate update response: response (0x0D,0x8E).
  *
@@ -3162,6 +3197,7 @@ static inline mip_error mip_filter_auto_angular_zupt_response_encode_inline(
     mip_put_float(data + 1, &value->threshold);
     return MIP_OK;
 }
+
 /**
  * Tare orientation: command (0x0D,0x21).
  *
@@ -3260,6 +3296,7 @@ mip_filter_tare_orientation_default(struct mip_filter_tare_orientation *command)
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Tare orientation response: response (0x0D,0xA1).
  *
@@ -3318,6 +3355,7 @@ static inline mip_error mip_filter_tare_orientation_response_encode_inline(
     mip_put_8(data, value->axes);
     return MIP_OK;
 }
+
 /**
  * Commanded zero velocity update: command (0x0D,0x22).
  *
@@ -3353,6 +3391,7 @@ static inline mip_error mip_filter_commanded_zupt_encode(
     const struct mip_filter_commanded_zupt *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_commanded_zupt_codec, value, builder);
 }
+
 /**
  * Commanded zero angular rate update: command (0x0D,0x23).
  *
@@ -3388,6 +3427,7 @@ static inline mip_error mip_filter_commanded_angular_zupt_encode(
     const struct mip_filter_commanded_angular_zupt *value, struct mip_builder *builder) {
     return mip_encode(&mip_filter_commanded_angular_zupt_codec, value, builder);
 }
+
 /**
  * Set reference position: command (0x0D,0x26).
  *
@@ -3492,6 +3532,7 @@ mip_filter_reference_position_default(struct mip_filter_reference_position *comm
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Set reference position response: response (0x0D,0x90).
  *
@@ -3559,6 +3600,7 @@ static inline mip_error mip_filter_reference_position_response_encode_inline(
     mip_put_double(data + 17, &value->altitude);
     return MIP_OK;
 }
+
 /**
  * Capture automatic magnetometer calibration: command (0x0D,0x27).
  *
@@ -3646,6 +3688,7 @@ mip_filter_mag_capture_auto_calibration_save(
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /**
  * Gravity noise: command (0x0D,0x28).
  *
@@ -3746,6 +3789,7 @@ mip_filter_gravity_noise_default(struct mip_filter_gravity_noise *command) {
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Gravity noise response: response (0x0D,0x93).
  *
@@ -3806,6 +3850,7 @@ static inline mip_error mip_filter_gravity_noise_response_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Pressure altitude noise: command (0x0D,0x29).
  *
@@ -3903,6 +3948,7 @@ mip_filter_pressure_altitude_noise_default(struct mip_filter_pressure_altitude_n
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Pressure altitude noise response: response (0x0D,0x94).
  *
@@ -3959,6 +4005,7 @@ static inline mip_error mip_filter_pressure_altitude_noise_response_encode_inlin
     mip_put_float(data, &value->noise);
     return MIP_OK;
 }
+
 /**
  * Hard iron offset noise: command (0x0D,0x2B).
  *
@@ -4057,6 +4104,7 @@ mip_filter_hard_iron_offset_noise_default(struct mip_filter_hard_iron_offset_noi
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Hard iron offset noise response: response (0x0D,0x96).
  *
@@ -4117,6 +4165,7 @@ static inline mip_error mip_filter_hard_iron_offset_noise_response_encode_inline
     }
     return MIP_OK;
 }
+
 /**
  * Soft iron matrix noise: command (0x0D,0x2C).
  *
@@ -4215,6 +4264,7 @@ mip_filter_soft_iron_matrix_noise_default(struct mip_filter_soft_iron_matrix_noi
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Soft iron matrix noise response: response (0x0D,0x97).
  *
@@ -4278,6 +4328,7 @@ static inline mip_error mip_filter_soft_iron_matrix_noise_response_encode_inline
     }
     return MIP_OK;
 }
+
 /**
  * Enable or disable measurements: command (0x0D,0x41).
  *
@@ -4372,6 +4423,7 @@ mip_filter_enable_measurements_default(struct mip_filter_enable_measurements *co
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Enable or disable measurements response: response (0x0D,0xB0).
  *
@@ -4427,6 +4479,7 @@ static inline mip_error mip_filter_enable_measurements_response_encode_inline(
     mip_put_16(data, value->control);
     return MIP_OK;
 }
+
 /**
  * Magnetometer noise: command (0x0D,0x42).
  *
@@ -4525,6 +4578,7 @@ mip_filter_mag_noise_default(struct mip_filter_mag_noise *command) {
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Magnetometer noise response: response (0x0D,0xB1).
  *
@@ -4584,6 +4638,7 @@ static inline mip_error mip_filter_mag_noise_response_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Magnetic declination source: command (0x0D,0x43).
  *
@@ -4694,6 +4749,7 @@ mip_filter_magnetic_declination_source_default(
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Magnetic declination source response: response (0x0D,0xB2).
  *
@@ -4757,6 +4813,7 @@ static inline mip_error mip_filter_magnetic_declination_source_response_encode_i
     mip_put_float(data + 1, &value->declination);
     return MIP_OK;
 }
+
 /**
  * Gravity magnitude error adaptive measurement: command (0x0D,0x44).
  *
@@ -4894,6 +4951,7 @@ mip_filter_accel_magnitude_adaptive_default(struct mip_filter_accel_magnitude_ad
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Gravity magnitude error adaptive measurement response: response (0x0D,0xB3).
  *
@@ -4978,6 +5036,7 @@ static inline mip_error mip_filter_accel_magnitude_adaptive_response_encode_inli
     mip_put_float(data + 21, &value->minimum_uncertainty);
     return MIP_OK;
 }
+
 /**
  * Magnetometer magnitude error adaptive measurement: command (0x0D,0x45).
  *
@@ -5129,6 +5188,7 @@ mip_filter_mag_magnitude_adaptive_default(struct mip_filter_mag_magnitude_adapti
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Magnetometer magnitude error adaptive measurement response: response (0x0D,0xB4).
  *
@@ -5228,6 +5288,7 @@ static inline mip_error mip_filter_mag_magnitude_adaptive_response_encode_inline
     mip_put_float(data + 21, &value->minimum_uncertainty);
     return MIP_OK;
 }
+
 /**
  * Magnetometer dip angle error adaptive measurement: command (0x0D,0x46).
  *
@@ -5353,6 +5414,7 @@ mip_filter_mag_dip_angle_adaptive_default(struct mip_filter_mag_dip_angle_adapti
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Magnetometer dip angle error adaptive measurement response: response (0x0D,0xB5).
  *
@@ -5437,6 +5499,7 @@ static inline mip_error mip_filter_mag_dip_angle_adaptive_response_encode_inline
     mip_put_float(data + 13, &value->minimum_uncertainty);
     return MIP_OK;
 }
+
 /**
  * Altitude aiding: command (0x0D,0x47).
  *
@@ -5537,6 +5600,7 @@ mip_filter_altitude_aiding_default(struct mip_filter_altitude_aiding *command) {
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Altitude aiding response: response (0x0D,0xB7).
  *
@@ -5593,6 +5657,7 @@ static inline mip_error mip_filter_altitude_aiding_response_encode_inline(
     mip_put_8(data, value->selector);
     return MIP_OK;
 }
+
 /**
  * Pitch and roll aiding: command (0x0D,0x4B).
  *
@@ -5690,6 +5755,7 @@ mip_filter_pitch_roll_aiding_default(struct mip_filter_pitch_roll_aiding *comman
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Pitch and roll aiding response: response (0x0D,0xBB).
  *
@@ -5745,6 +5811,7 @@ static inline mip_error mip_filter_pitch_roll_aiding_response_encode_inline(
     mip_put_8(data, value->aiding);
     return MIP_OK;
 }
+
 /**
  * Magnetic inclination source: command (0x0D,0x4C).
  *
@@ -5857,6 +5924,7 @@ mip_filter_magnetic_inclination_source_default(
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Magnetic inclination source response: response (0x0D,0xBC).
  *
@@ -5923,6 +5991,7 @@ static inline mip_error mip_filter_magnetic_inclination_source_response_encode_i
     mip_put_float(data + 1, &value->inclination);
     return MIP_OK;
 }
+
 /**
  * Magnetic field magnitude source: command (0x0D,0x4D).
  *
@@ -6032,6 +6101,7 @@ mip_filter_magnetic_magnitude_source_default(struct mip_filter_magnetic_magnitud
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Magnetic field magnitude source response: response (0x0D,0xBD).
  *
@@ -6098,6 +6168,7 @@ static inline mip_error mip_filter_magnetic_magnitude_source_response_encode_inl
     mip_put_float(data + 1, &value->magnitude);
     return MIP_OK;
 }
+
 /**
  * Sensor to vehicle rotation, matrix: command (0x0D,0x4E).
  *
@@ -6208,6 +6279,7 @@ mip_filter_sensor_to_vehicle_dcm_default(struct mip_filter_sensor_to_vehicle_dcm
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Sensor to vehicle rotation, matrix response: response (0x0D,0xBE).
  *
@@ -6273,6 +6345,7 @@ static inline mip_error mip_filter_sensor_to_vehicle_dcm_response_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Sensor to vehicle rotation, quaternion: command (0x0D,0x4F).
  *
@@ -6386,6 +6459,7 @@ mip_filter_sensor_to_vehicle_quaternion_default(
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Sensor to vehicle rotation, quaternion response: response (0x0D,0xBF).
  *
@@ -6453,6 +6527,7 @@ static inline mip_error mip_filter_sensor_to_vehicle_quaternion_response_encode_
     }
     return MIP_OK;
 }
+
 /**
  * Aiding measurement control: command (0x0D,0x50).
  *
@@ -6565,6 +6640,7 @@ mip_filter_aiding_measurement_enable_default(struct mip_filter_aiding_measuremen
     command->aiding_source = aiding_source;
     return command;
 }
+
 /**
  * Aiding measurement control response: response (0x0D,0xD0).
  *
@@ -6628,6 +6704,7 @@ static inline mip_error mip_filter_aiding_measurement_enable_response_encode_inl
     mip_put_8(data + 2, value->enable);
     return MIP_OK;
 }
+
 /**
  * Kinematic constraint: command (0x0D,0x51).
  *
@@ -6742,6 +6819,7 @@ mip_filter_kinematic_constraint_default(struct mip_filter_kinematic_constraint *
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Kinematic constraint response: response (0x0D,0xD1).
  *
@@ -6814,6 +6892,7 @@ static inline mip_error mip_filter_kinematic_constraint_response_encode_inline(
     mip_put_8(data + 2, value->angular_constraint);
     return MIP_OK;
 }
+
 /**
  * Navigation filter initialization: command (0x0D,0x52).
  *
@@ -6961,6 +7040,7 @@ mip_filter_initialization_config_default(struct mip_filter_initialization_config
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Navigation filter initialization response: response (0x0D,0xD2).
  *
@@ -7068,6 +7148,7 @@ static inline mip_error mip_filter_initialization_config_response_encode_inline(
     mip_put_8(data + 39, value->reference_frame_selector);
     return MIP_OK;
 }
+
 /**
  * Adaptive filter control: command (0x0D,0x53).
  *
@@ -7174,6 +7255,7 @@ mip_filter_adaptive_filter_options_default(struct mip_filter_adaptive_filter_opt
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Adaptive filter control response: response (0x0D,0xD3).
  *
@@ -7234,6 +7316,7 @@ static inline mip_error mip_filter_adaptive_filter_options_response_encode_inlin
     mip_put_16(data + 1, value->time_limit);
     return MIP_OK;
 }
+
 /**
  * GNSS multi-antenna offset: command (0x0D,0x54).
  *
@@ -7339,6 +7422,7 @@ static inline struct mip_filter_multi_antenna_offset *mip_filter_multi_antenna_o
     command->receiver_id = receiver_id;
     return command;
 }
+
 /**
  * GNSS multi-antenna offset response: response (0x0D,0xD4).
  *
@@ -7405,6 +7489,7 @@ static inline mip_error mip_filter_multi_antenna_offset_response_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Relative position configuration: command (0x0D,0x55).
  *
@@ -7516,6 +7601,7 @@ mip_filter_relative_position_config_default(struct mip_filter_relative_position_
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Relative position configuration response: response (0x0D,0xD5).
  *
@@ -7588,6 +7674,7 @@ static inline mip_error mip_filter_relative_position_config_response_encode_inli
     }
     return MIP_OK;
 }
+
 /**
  * Reference point lever arm: command (0x0D,0x56).
  *
@@ -7697,6 +7784,7 @@ mip_filter_reference_point_lever_arm_default(struct mip_filter_reference_point_l
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Reference point lever arm response: response (0x0D,0xD6).
  *
@@ -7767,6 +7855,7 @@ static inline mip_error mip_filter_reference_point_lever_arm_response_encode_inl
     }
     return MIP_OK;
 }
+
 /**
  * Speed measurement: command (0x0D,0x60).
  *
@@ -7855,6 +7944,7 @@ static inline struct mip_filter_speed_measurement *mip_filter_speed_measurement_
     command->speed_uncertainty = speed_uncertainty;
     return command;
 }
+
 /**
  * Speed measurement lever arm: command (0x0D,0x61).
  *
@@ -7961,6 +8051,7 @@ mip_filter_speed_lever_arm_default(struct mip_filter_speed_lever_arm *command) {
     command->source = 1;
     return command;
 }
+
 /**
  * Speed measurement lever arm response: response (0x0D,0xE1).
  *
@@ -8024,6 +8115,7 @@ static inline mip_error mip_filter_speed_lever_arm_response_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Vertical gyro constraint: command (0x0D,0x62).
  *
@@ -8123,6 +8215,7 @@ mip_filter_vertical_gyro_constraint_default(struct mip_filter_vertical_gyro_cons
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Vertical gyro constraint response: response (0x0D,0xE2).
  *
@@ -8181,6 +8274,7 @@ static inline mip_error mip_filter_vertical_gyro_constraint_response_encode_inli
     mip_put_8(data, value->enable);
     return MIP_OK;
 }
+
 /**
  * Wheeled vehicle constraint: command (0x0D,0x63).
  *
@@ -8282,6 +8376,7 @@ mip_filter_wheeled_vehicle_constraint_default(
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Wheeled vehicle constraint response: response (0x0D,0xE3).
  *
@@ -8342,6 +8437,7 @@ static inline mip_error mip_filter_wheeled_vehicle_constraint_response_encode_in
     mip_put_8(data, value->enable);
     return MIP_OK;
 }
+
 /**
  * GNSS antenna offset calibration: command (0x0D,0x64).
  *
@@ -8446,6 +8542,7 @@ mip_filter_gnss_antenna_calibration_default(struct mip_filter_gnss_antenna_calib
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * GNSS antenna offset calibration response: response (0x0D,0xE4).
  *

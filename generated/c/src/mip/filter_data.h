@@ -348,6 +348,7 @@ static inline void mip_filter_data_cv7_status_flags_set_solution_error(
     const uint32_t bits = (uint32_t)value << 12;
     *flags = (mip_filter_data_cv7_status_flags)((*flags & ~mask) | (bits & mask));
 }
+
 /**
  * LLH position: data (0x82,0x01).
  *
@@ -426,6 +427,7 @@ static inline mip_error mip_filter_data_llh_position_encode_inline(
     mip_put_16(data + 24, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * NED velocity: data (0x82,0x02).
  *
@@ -504,6 +506,7 @@ static inline mip_error mip_filter_data_ned_velocity_encode_inline(
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Attitude quaternion: data (0x82,0x03).
  *
@@ -575,6 +578,7 @@ static inline mip_error mip_filter_data_attitude_quaternion_encode_inline(
     mip_put_16(data + 16, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Attitude direction cosine matrix: data (0x82,0x04).
  *
@@ -646,6 +650,7 @@ static inline mip_error mip_filter_data_attitude_dcm_encode_inline(
     mip_put_16(data + 36, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Euler angles: data (0x82,0x05).
  *
@@ -726,6 +731,7 @@ static inline mip_error mip_filter_data_euler_angles_encode_inline(
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Gyroscope bias: data (0x82,0x06).
  *
@@ -795,6 +801,7 @@ static inline mip_error mip_filter_data_gyro_bias_encode_inline(
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Accelerometer bias: data (0x82,0x07).
  *
@@ -863,6 +870,7 @@ static inline mip_error mip_filter_data_accel_bias_encode_inline(
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Position uncertainty: data (0x82,0x08).
  *
@@ -941,6 +949,7 @@ static inline mip_error mip_filter_data_llh_position_uncertainty_encode_inline(
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * NED velocity uncertainty: data (0x82,0x09).
  *
@@ -1019,6 +1028,7 @@ static inline mip_error mip_filter_data_ned_velocity_uncertainty_encode_inline(
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Euler angles uncertainty: data (0x82,0x0A).
  *
@@ -1101,6 +1111,7 @@ static inline mip_error mip_filter_data_euler_angles_uncertainty_encode_inline(
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Gyroscope bias uncertainty: data (0x82,0x0B).
  *
@@ -1170,6 +1181,7 @@ static inline mip_error mip_filter_data_gyro_bias_uncertainty_encode_inline(
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Accelerometer bias uncertainty: data (0x82,0x0C).
  *
@@ -1238,6 +1250,7 @@ static inline mip_error mip_filter_data_accel_bias_uncertainty_encode_inline(
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Linear acceleration: data (0x82,0x0D).
  *
@@ -1307,6 +1320,7 @@ static inline mip_error mip_filter_data_linear_accel_encode_inline(
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Compensated angular rate: data (0x82,0x0E).
  *
@@ -1376,6 +1390,7 @@ static inline mip_error mip_filter_data_comp_angular_rate_encode_inline(
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * WGS84 local gravity magnitude: data (0x82,0x0F).
  *
@@ -1442,6 +1457,7 @@ static inline mip_error mip_filter_data_wgs84_gravity_magnitude_encode_inline(
     mip_put_16(data + 4, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Filter status: data (0x82,0x10).
  *
@@ -1526,6 +1542,7 @@ static inline mip_error mip_filter_data_status_encode_inline(
     mip_put_16(data + 4, value->status_flags);
     return MIP_OK;
 }
+
 /**
  * Filter timestamp: data (0x82,0x11).
  *
@@ -1603,6 +1620,7 @@ static inline mip_error mip_filter_data_timestamp_encode_inline(
     mip_put_16(data + 10, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Quaternion uncertainty: data (0x82,0x12).
  *
@@ -1675,6 +1693,7 @@ static inline mip_error mip_filter_data_quaternion_attitude_uncertainty_encode_i
     mip_put_16(data + 16, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Gravity vector: data (0x82,0x13).
  *
@@ -1744,6 +1763,7 @@ static inline mip_error mip_filter_data_gravity_vector_encode_inline(
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Heading update source state: data (0x82,0x14).
  *
@@ -1824,6 +1844,7 @@ static inline mip_error mip_filter_data_heading_update_state_encode_inline(
     mip_put_16(data + 10, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Magnetic model: data (0x82,0x15).
  *
@@ -1912,6 +1933,7 @@ static inline mip_error mip_filter_data_magnetic_model_encode_inline(
     mip_put_16(data + 20, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Gyroscope scale factor: data (0x82,0x16).
  *
@@ -1980,6 +2002,7 @@ static inline mip_error mip_filter_data_gyro_scale_factor_encode_inline(
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Accelerometer scale factor: data (0x82,0x17).
  *
@@ -2048,6 +2071,7 @@ static inline mip_error mip_filter_data_accel_scale_factor_encode_inline(
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Gyroscope scale factor uncertainty: data (0x82,0x18).
  *
@@ -2119,6 +2143,7 @@ static inline mip_error mip_filter_data_gyro_scale_factor_uncertainty_encode_inl
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Accelerometer scale factor uncertainty: data (0x82,0x19).
  *
@@ -2190,6 +2215,7 @@ static inline mip_error mip_filter_data_accel_scale_factor_uncertainty_encode_in
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Magnetometer bias: data (0x82,0x1A).
  *
@@ -2258,6 +2284,7 @@ static inline mip_error mip_filter_data_mag_bias_encode_inline(
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Magnetometer bias uncertainty: data (0x82,0x1B).
  *
@@ -2326,6 +2353,7 @@ static inline mip_error mip_filter_data_mag_bias_uncertainty_encode_inline(
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Compensated acceleration: data (0x82,0x1C).
  *
@@ -2395,6 +2423,7 @@ static inline mip_error mip_filter_data_comp_accel_encode_inline(
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Standard atmosphere: data (0x82,0x20).
  *
@@ -2482,6 +2511,7 @@ static inline mip_error mip_filter_data_standard_atmosphere_encode_inline(
     mip_put_16(data + 20, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Pressure altitude: data (0x82,0x21).
  *
@@ -2549,6 +2579,7 @@ static inline mip_error mip_filter_data_pressure_altitude_encode_inline(
     mip_put_16(data + 4, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Density altitude: data (0x82,0x22).
  *
@@ -2611,6 +2642,7 @@ static inline mip_error mip_filter_data_density_altitude_encode_inline(
     mip_put_16(data + 4, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Magnetometer offset: data (0x82,0x25).
  *
@@ -2682,6 +2714,7 @@ static inline mip_error mip_filter_data_mag_offset_encode_inline(
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Magnetometer matrix: data (0x82,0x26).
  *
@@ -2753,6 +2786,7 @@ static inline mip_error mip_filter_data_mag_matrix_encode_inline(
     mip_put_16(data + 36, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Magnetometer offset uncertainty: data (0x82,0x28).
  *
@@ -2822,6 +2856,7 @@ static inline mip_error mip_filter_data_mag_offset_uncertainty_encode_inline(
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Magnetometer matrix uncertainty: data (0x82,0x29).
  *
@@ -2891,6 +2926,7 @@ static inline mip_error mip_filter_data_mag_matrix_uncertainty_encode_inline(
     mip_put_16(data + 36, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Magnetometer covariance matrix: data (0x82,0x2A).
  *
@@ -2961,6 +2997,7 @@ static inline mip_error mip_filter_data_mag_covariance_matrix_encode_inline(
     mip_put_16(data + 36, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Magnetometer residual vector: data (0x82,0x2C).
  *
@@ -3030,6 +3067,7 @@ static inline mip_error mip_filter_data_mag_residual_vector_encode_inline(
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Antenna offset correction: data (0x82,0x30).
  *
@@ -3100,6 +3138,7 @@ static inline mip_error mip_filter_data_antenna_offset_correction_encode_inline(
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Antenna offset correction uncertainty: data (0x82,0x31).
  *
@@ -3171,6 +3210,7 @@ static inline mip_error mip_filter_data_antenna_offset_uncertainty_encode_inline
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Clock correction: data (0x82,0x32).
  *
@@ -3245,6 +3285,7 @@ static inline mip_error mip_filter_data_clock_correction_encode_inline(
     mip_put_16(data + 9, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Clock correction uncertainty: data (0x82,0x33).
  *
@@ -3320,6 +3361,7 @@ static inline mip_error mip_filter_data_clock_correction_uncertainty_encode_inli
     mip_put_16(data + 9, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Multi-antenna offset correction: data (0x82,0x34).
  *
@@ -3397,6 +3439,7 @@ static inline mip_error mip_filter_data_multi_antenna_offset_correction_encode_i
     mip_put_16(data + 13, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Multi-antenna offset correction uncertainty: data (0x82,0x35).
  *
@@ -3474,6 +3517,7 @@ static inline mip_error mip_filter_data_multi_antenna_offset_uncertainty_encode_
     mip_put_16(data + 13, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * ECEF position uncertainty: data (0x82,0x36).
  *
@@ -3542,6 +3586,7 @@ static inline mip_error mip_filter_data_ecef_position_uncertainty_encode_inline(
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * ECEF velocity uncertainty: data (0x82,0x37).
  *
@@ -3610,6 +3655,7 @@ static inline mip_error mip_filter_data_ecef_velocity_uncertainty_encode_inline(
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * ECEF position: data (0x82,0x40).
  *
@@ -3678,6 +3724,7 @@ static inline mip_error mip_filter_data_ecef_position_encode_inline(
     mip_put_16(data + 24, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * ECEF velocity: data (0x82,0x41).
  *
@@ -3746,6 +3793,7 @@ static inline mip_error mip_filter_data_ecef_velocity_encode_inline(
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * NED relative position: data (0x82,0x42).
  *
@@ -3814,6 +3862,7 @@ static inline mip_error mip_filter_data_ned_relative_position_encode_inline(
     mip_put_16(data + 24, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GNSS position aiding status: data (0x82,0x43).
  *
@@ -3885,6 +3934,7 @@ static inline mip_error mip_filter_data_gnss_position_aiding_status_encode_inlin
     memcpy(data + 7, value->reserved, 8);
     return MIP_OK;
 }
+
 /**
  * GNSS attitude aiding status: data (0x82,0x44).
  *
@@ -3956,6 +4006,7 @@ static inline mip_error mip_filter_data_gnss_attitude_aiding_status_encode_inlin
     memcpy(data + 6, value->reserved, 8);
     return MIP_OK;
 }
+
 /**
  * Heading aiding status: data (0x82,0x45).
  *
@@ -4031,6 +4082,7 @@ static inline mip_error mip_filter_data_heading_aiding_status_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Aiding measurement summary: data (0x82,0x46).
  *
@@ -4102,6 +4154,7 @@ static inline mip_error mip_filter_data_aiding_measurement_summary_encode_inline
     mip_put_8(data + 6, value->indicator);
     return MIP_OK;
 }
+
 /**
  * Odometer scale factor error: data (0x82,0x47).
  *
@@ -4167,6 +4220,7 @@ static inline mip_error mip_filter_data_odometer_scale_factor_error_encode_inlin
     mip_put_16(data + 4, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Odometer scale factor error uncertainty: data (0x82,0x48).
  *
@@ -4238,6 +4292,7 @@ static inline mip_error mip_filter_data_odometer_scale_factor_uncertainty_encode
     mip_put_16(data + 4, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GNSS dual antenna status: data (0x82,0x49).
  *
@@ -4323,6 +4378,7 @@ static inline mip_error mip_filter_data_gnss_dual_antenna_status_encode_inline(
     mip_put_16(data + 15, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Aiding frame configuration error: data (0x82,0x50).
  *
@@ -4396,6 +4452,7 @@ static inline mip_error mip_filter_data_aiding_frame_config_error_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Aiding frame configuration error uncertainty: data (0x82,0x51).
  *

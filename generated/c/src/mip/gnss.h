@@ -75,6 +75,7 @@ enum mip_gnss_spartn_connection {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_gnss_spartn_connection_name(uint8_t value);
+
 /**
  * Receiver info: command (0x0E,0x01).
  *
@@ -108,6 +109,7 @@ static inline mip_error mip_gnss_receiver_info_encode(const struct mip_gnss_rece
                                                       struct mip_builder *builder) {
     return mip_encode(&mip_gnss_receiver_info_codec, value, builder);
 }
+
 /**
  * Receiver info response: response (0x0E,0x81).
  *
@@ -141,6 +143,7 @@ static inline mip_error mip_gnss_receiver_info_response_encode(
     const struct mip_gnss_receiver_info_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_gnss_receiver_info_response_codec, value, builder);
 }
+
 /**
  * Signal configuration: command (0x0E,0x02).
  *
@@ -254,6 +257,7 @@ mip_gnss_signal_config_default(struct mip_gnss_signal_config *command) {
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Signal configuration response: response (0x0E,0x82).
  *
@@ -327,6 +331,7 @@ static inline mip_error mip_gnss_signal_config_response_encode_inline(
     memcpy(data + 4, value->reserved, 4);
     return MIP_OK;
 }
+
 /**
  * RTK dongle configuration: command (0x0E,0x10).
  *
@@ -424,6 +429,7 @@ mip_gnss_rtk_dongle_config_default(struct mip_gnss_rtk_dongle_config *command) {
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * RTK dongle configuration response: response (0x0E,0x90).
  *
@@ -484,6 +490,7 @@ static inline mip_error mip_gnss_rtk_dongle_config_response_encode_inline(
     memcpy(data + 1, value->reserved, 3);
     return MIP_OK;
 }
+
 /**
  * SPARTN configuration: command (0x0E,0x20).
  *
@@ -612,6 +619,7 @@ mip_gnss_spartn_config_default(struct mip_gnss_spartn_config *command) {
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * SPARTN configuration response: response (0x0E,0xA0).
  *

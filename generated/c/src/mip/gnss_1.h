@@ -555,6 +555,7 @@ typedef uint16_t mip_gnss_1_beidou_iono_correction_flags;
 #define MIP_GNSS_1_BEIDOU_IONO_CORRECTION_FLAGS_ALPHA_CORRECTION 0x0010U
 /** Bits 0 to 4. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_BEIDOU_IONO_CORRECTION_FLAGS_FLAGS 0x001FU
+
 /**
  * GNSS LLH position: data (0x91,0x03).
  *
@@ -654,6 +655,7 @@ static inline mip_error mip_gnss_1_llh_position_encode_inline(
     mip_put_16(data + 40, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GNSS ECEF position: data (0x91,0x04).
  *
@@ -729,6 +731,7 @@ static inline mip_error mip_gnss_1_ecef_position_encode_inline(
     mip_put_16(data + 28, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * NED velocity: data (0x91,0x05).
  *
@@ -832,6 +835,7 @@ static inline mip_error mip_gnss_1_ned_velocity_encode_inline(
     mip_put_16(data + 32, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GNSS ECEF velocity: data (0x91,0x06).
  *
@@ -907,6 +911,7 @@ static inline mip_error mip_gnss_1_ecef_velocity_encode_inline(
     mip_put_16(data + 16, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * DOP: data (0x91,0x07).
  *
@@ -992,6 +997,7 @@ static inline mip_error mip_gnss_1_dop_encode_inline(const struct mip_gnss_1_dop
     mip_put_16(data + 28, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * UTC time: data (0x91,0x08).
  *
@@ -1095,6 +1101,7 @@ static inline mip_error mip_gnss_1_utc_time_encode_inline(const struct mip_gnss_
     mip_put_16(data + 11, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GPS time: data (0x91,0x09).
  *
@@ -1163,6 +1170,7 @@ static inline mip_error mip_gnss_1_gps_time_encode_inline(const struct mip_gnss_
     mip_put_16(data + 10, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Clock info: data (0x91,0x0A).
  *
@@ -1242,6 +1250,7 @@ static inline mip_error mip_gnss_1_clock_info_encode_inline(
     mip_put_16(data + 24, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Fix info: data (0x91,0x0B).
  *
@@ -1317,6 +1326,7 @@ static inline mip_error mip_gnss_1_fix_info_encode_inline(const struct mip_gnss_
     mip_put_16(data + 4, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Satellite info: data (0x91,0x0C).
  *
@@ -1410,6 +1420,7 @@ static inline mip_error mip_gnss_1_sv_info_encode_inline(const struct mip_gnss_1
     mip_put_16(data + 10, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GNSS hardware status: data (0x91,0x0D).
  *
@@ -1488,6 +1499,7 @@ static inline mip_error mip_gnss_1_hardware_status_encode_inline(
     mip_put_16(data + 3, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * DGPS info: data (0x91,0x0E).
  *
@@ -1578,6 +1590,7 @@ static inline mip_error mip_gnss_1_dgps_info_encode_inline(const struct mip_gnss
     mip_put_16(data + 10, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * DGPS channel: data (0x91,0x0F).
  *
@@ -1665,6 +1678,7 @@ static inline mip_error mip_gnss_1_dgps_channel_encode_inline(
     mip_put_16(data + 13, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Clock info 2: data (0x91,0x10).
  *
@@ -1752,6 +1766,7 @@ static inline mip_error mip_gnss_1_clock_info_2_encode_inline(
     mip_put_16(data + 32, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GPS leap seconds: data (0x91,0x11).
  *
@@ -1816,6 +1831,7 @@ static inline mip_error mip_gnss_1_gps_leap_seconds_encode_inline(
     mip_put_16(data + 1, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * SBAS info: data (0x91,0x12).
  *
@@ -1908,6 +1924,7 @@ static inline mip_error mip_gnss_1_sbas_info_encode_inline(const struct mip_gnss
     mip_put_16(data + 14, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * SBAS correction: data (0x91,0x13).
  *
@@ -2016,6 +2033,7 @@ static inline mip_error mip_gnss_1_sbas_correction_encode_inline(
     mip_put_16(data + 23, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * RF error detection: data (0x91,0x14).
  *
@@ -2098,6 +2116,7 @@ static inline mip_error mip_gnss_1_rf_error_detection_encode_inline(
     mip_put_16(data + 7, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Satellite status: data (0x91,0x20).
  *
@@ -2214,6 +2233,7 @@ static inline mip_error mip_gnss_1_satellite_status_encode_inline(
     mip_put_16(data + 23, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Raw: data (0x91,0x22).
  *
@@ -2385,6 +2405,7 @@ static inline mip_error mip_gnss_1_raw_encode_inline(const struct mip_gnss_1_raw
     mip_put_16(data + 59, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Base station info: data (0x91,0x30).
  *
@@ -2488,6 +2509,7 @@ static inline mip_error mip_gnss_1_base_station_info_encode_inline(
     mip_put_16(data + 42, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * RTK corrections status: data (0x91,0x31).
  *
@@ -2611,6 +2633,7 @@ static inline mip_error mip_gnss_1_rtk_corrections_status_encode_inline(
     mip_put_16(data + 48, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GPS ephemeris: data (0x91,0x61).
  *
@@ -2877,6 +2900,7 @@ static inline mip_error mip_gnss_1_gps_ephemeris_encode_inline(
     mip_put_16(data + 216, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GLONASS ephemeris: data (0x91,0x62).
  *
@@ -3103,6 +3127,7 @@ static inline mip_error mip_gnss_1_glonass_ephemeris_encode_inline(
     mip_put_16(data + 100, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Galileo ephemeris: data (0x91,0x63).
  *
@@ -3372,6 +3397,7 @@ static inline mip_error mip_gnss_1_galileo_ephemeris_encode_inline(
     mip_put_16(data + 216, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * BeiDou ephemeris: data (0x91,0x64).
  *
@@ -3641,6 +3667,7 @@ static inline mip_error mip_gnss_1_beidou_ephemeris_encode_inline(
     mip_put_16(data + 216, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GPS ionospheric correction: data (0x91,0x71).
  *
@@ -3734,6 +3761,7 @@ static inline mip_error mip_gnss_1_gps_iono_correction_encode_inline(
     mip_put_16(data + 74, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Galileo ionospheric correction: data (0x91,0x73).
  *
@@ -3825,6 +3853,7 @@ static inline mip_error mip_gnss_1_galileo_iono_correction_encode_inline(
     mip_put_16(data + 35, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * BeiDou ionospheric correction: data (0x91,0x74).
  *

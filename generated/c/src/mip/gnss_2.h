@@ -121,6 +121,7 @@ static inline mip_error mip_gnss_2_llh_position_encode_inline(
     mip_put_16(data + 40, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GNSS ECEF position: data (0x92,0x04).
  *
@@ -197,6 +198,7 @@ static inline mip_error mip_gnss_2_ecef_position_encode_inline(
     mip_put_16(data + 28, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * NED velocity: data (0x92,0x05).
  *
@@ -300,6 +302,7 @@ static inline mip_error mip_gnss_2_ned_velocity_encode_inline(
     mip_put_16(data + 32, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GNSS ECEF velocity: data (0x92,0x06).
  *
@@ -376,6 +379,7 @@ static inline mip_error mip_gnss_2_ecef_velocity_encode_inline(
     mip_put_16(data + 16, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * DOP: data (0x92,0x07).
  *
@@ -461,6 +465,7 @@ static inline mip_error mip_gnss_2_dop_encode_inline(const struct mip_gnss_2_dop
     mip_put_16(data + 28, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * UTC time: data (0x92,0x08).
  *
@@ -564,6 +569,7 @@ static inline mip_error mip_gnss_2_utc_time_encode_inline(const struct mip_gnss_
     mip_put_16(data + 11, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GPS time: data (0x92,0x09).
  *
@@ -632,6 +638,7 @@ static inline mip_error mip_gnss_2_gps_time_encode_inline(const struct mip_gnss_
     mip_put_16(data + 10, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Clock info: data (0x92,0x0A).
  *
@@ -712,6 +719,7 @@ static inline mip_error mip_gnss_2_clock_info_encode_inline(
     mip_put_16(data + 24, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Fix info: data (0x92,0x0B).
  *
@@ -787,6 +795,7 @@ static inline mip_error mip_gnss_2_fix_info_encode_inline(const struct mip_gnss_
     mip_put_16(data + 4, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Satellite info: data (0x92,0x0C).
  *
@@ -880,6 +889,7 @@ static inline mip_error mip_gnss_2_sv_info_encode_inline(const struct mip_gnss_2
     mip_put_16(data + 10, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GNSS hardware status: data (0x92,0x0D).
  *
@@ -959,6 +969,7 @@ static inline mip_error mip_gnss_2_hardware_status_encode_inline(
     mip_put_16(data + 3, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * DGPS info: data (0x92,0x0E).
  *
@@ -1049,6 +1060,7 @@ static inline mip_error mip_gnss_2_dgps_info_encode_inline(const struct mip_gnss
     mip_put_16(data + 10, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * DGPS channel: data (0x92,0x0F).
  *
@@ -1137,6 +1149,7 @@ static inline mip_error mip_gnss_2_dgps_channel_encode_inline(
     mip_put_16(data + 13, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Clock info 2: data (0x92,0x10).
  *
@@ -1224,6 +1237,7 @@ static inline mip_error mip_gnss_2_clock_info_2_encode_inline(
     mip_put_16(data + 32, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GPS leap seconds: data (0x92,0x11).
  *
@@ -1288,6 +1302,7 @@ static inline mip_error mip_gnss_2_gps_leap_seconds_encode_inline(
     mip_put_16(data + 1, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * SBAS info: data (0x92,0x12).
  *
@@ -1380,6 +1395,7 @@ static inline mip_error mip_gnss_2_sbas_info_encode_inline(const struct mip_gnss
     mip_put_16(data + 14, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * SBAS correction: data (0x92,0x13).
  *
@@ -1489,6 +1505,7 @@ static inline mip_error mip_gnss_2_sbas_correction_encode_inline(
     mip_put_16(data + 23, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * RF error detection: data (0x92,0x14).
  *
@@ -1572,6 +1589,7 @@ static inline mip_error mip_gnss_2_rf_error_detection_encode_inline(
     mip_put_16(data + 7, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Satellite status: data (0x92,0x20).
  *
@@ -1688,6 +1706,7 @@ static inline mip_error mip_gnss_2_satellite_status_encode_inline(
     mip_put_16(data + 23, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Raw: data (0x92,0x22).
  *
@@ -1859,6 +1878,7 @@ static inline mip_error mip_gnss_2_raw_encode_inline(const struct mip_gnss_2_raw
     mip_put_16(data + 59, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Base station info: data (0x92,0x30).
  *
@@ -1963,6 +1983,7 @@ static inline mip_error mip_gnss_2_base_station_info_encode_inline(
     mip_put_16(data + 42, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * RTK corrections status: data (0x92,0x31).
  *
@@ -2087,6 +2108,7 @@ static inline mip_error mip_gnss_2_rtk_corrections_status_encode_inline(
     mip_put_16(data + 48, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GPS ephemeris: data (0x92,0x61).
  *
@@ -2353,6 +2375,7 @@ static inline mip_error mip_gnss_2_gps_ephemeris_encode_inline(
     mip_put_16(data + 216, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GLONASS ephemeris: data (0x92,0x62).
  *
@@ -2580,6 +2603,7 @@ static inline mip_error mip_gnss_2_glonass_ephemeris_encode_inline(
     mip_put_16(data + 100, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Galileo ephemeris: data (0x92,0x63).
  *
@@ -2849,6 +2873,7 @@ static inline mip_error mip_gnss_2_galileo_ephemeris_encode_inline(
     mip_put_16(data + 216, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * BeiDou ephemeris: data (0x92,0x64).
  *
@@ -3118,6 +3143,7 @@ static inline mip_error mip_gnss_2_beidou_ephemeris_encode_inline(
     mip_put_16(data + 216, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GPS ionospheric correction: data (0x92,0x71).
  *
@@ -3212,6 +3238,7 @@ static inline mip_error mip_gnss_2_gps_iono_correction_encode_inline(
     mip_put_16(data + 74, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Galileo ionospheric correction: data (0x92,0x73).
  *
@@ -3303,6 +3330,7 @@ static inline mip_error mip_gnss_2_galileo_iono_correction_encode_inline(
     mip_put_16(data + 35, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * BeiDou ionospheric correction: data (0x92,0x74).
  *

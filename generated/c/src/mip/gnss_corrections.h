@@ -122,6 +122,7 @@ static inline mip_error mip_gnss_corrections_llh_position_encode_inline(
     mip_put_16(data + 40, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GNSS ECEF position: data (0x93,0x04).
  *
@@ -198,6 +199,7 @@ static inline mip_error mip_gnss_corrections_ecef_position_encode_inline(
     mip_put_16(data + 28, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * NED velocity: data (0x93,0x05).
  *
@@ -302,6 +304,7 @@ static inline mip_error mip_gnss_corrections_ned_velocity_encode_inline(
     mip_put_16(data + 32, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GNSS ECEF velocity: data (0x93,0x06).
  *
@@ -378,6 +381,7 @@ static inline mip_error mip_gnss_corrections_ecef_velocity_encode_inline(
     mip_put_16(data + 16, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * DOP: data (0x93,0x07).
  *
@@ -464,6 +468,7 @@ static inline mip_error mip_gnss_corrections_dop_encode_inline(
     mip_put_16(data + 28, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * UTC time: data (0x93,0x08).
  *
@@ -568,6 +573,7 @@ static inline mip_error mip_gnss_corrections_utc_time_encode_inline(
     mip_put_16(data + 11, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GPS time: data (0x93,0x09).
  *
@@ -637,6 +643,7 @@ static inline mip_error mip_gnss_corrections_gps_time_encode_inline(
     mip_put_16(data + 10, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Clock info: data (0x93,0x0A).
  *
@@ -717,6 +724,7 @@ static inline mip_error mip_gnss_corrections_clock_info_encode_inline(
     mip_put_16(data + 24, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Fix info: data (0x93,0x0B).
  *
@@ -793,6 +801,7 @@ static inline mip_error mip_gnss_corrections_fix_info_encode_inline(
     mip_put_16(data + 4, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Satellite info: data (0x93,0x0C).
  *
@@ -886,6 +895,7 @@ static inline mip_error mip_gnss_corrections_sv_info_encode_inline(
     mip_put_16(data + 10, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GNSS hardware status: data (0x93,0x0D).
  *
@@ -965,6 +975,7 @@ static inline mip_error mip_gnss_corrections_hardware_status_encode_inline(
     mip_put_16(data + 3, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * DGPS info: data (0x93,0x0E).
  *
@@ -1055,6 +1066,7 @@ static inline mip_error mip_gnss_corrections_dgps_info_encode_inline(
     mip_put_16(data + 10, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * DGPS channel: data (0x93,0x0F).
  *
@@ -1143,6 +1155,7 @@ static inline mip_error mip_gnss_corrections_dgps_channel_encode_inline(
     mip_put_16(data + 13, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Clock info 2: data (0x93,0x10).
  *
@@ -1231,6 +1244,7 @@ static inline mip_error mip_gnss_corrections_clock_info_2_encode_inline(
     mip_put_16(data + 32, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GPS leap seconds: data (0x93,0x11).
  *
@@ -1296,6 +1310,7 @@ static inline mip_error mip_gnss_corrections_gps_leap_seconds_encode_inline(
     mip_put_16(data + 1, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * SBAS info: data (0x93,0x12).
  *
@@ -1389,6 +1404,7 @@ static inline mip_error mip_gnss_corrections_sbas_info_encode_inline(
     mip_put_16(data + 14, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * SBAS correction: data (0x93,0x13).
  *
@@ -1498,6 +1514,7 @@ static inline mip_error mip_gnss_corrections_sbas_correction_encode_inline(
     mip_put_16(data + 23, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * RF error detection: data (0x93,0x14).
  *
@@ -1581,6 +1598,7 @@ static inline mip_error mip_gnss_corrections_rf_error_detection_encode_inline(
     mip_put_16(data + 7, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Satellite status: data (0x93,0x20).
  *
@@ -1698,6 +1716,7 @@ static inline mip_error mip_gnss_corrections_satellite_status_encode_inline(
     mip_put_16(data + 23, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Raw: data (0x93,0x22).
  *
@@ -1870,6 +1889,7 @@ static inline mip_error mip_gnss_corrections_raw_encode_inline(
     mip_put_16(data + 59, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Base station info: data (0x93,0x30).
  *
@@ -1973,6 +1993,7 @@ static inline mip_error mip_gnss_corrections_base_station_info_encode_inline(
     mip_put_16(data + 42, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * RTK corrections status: data (0x93,0x31).
  *
@@ -2096,6 +2117,7 @@ static inline mip_error mip_gnss_corrections_rtk_corrections_status_encode_inlin
     mip_put_16(data + 48, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GPS ephemeris: data (0x93,0x61).
  *
@@ -2363,6 +2385,7 @@ static inline mip_error mip_gnss_corrections_gps_ephemeris_encode_inline(
     mip_put_16(data + 216, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GLONASS ephemeris: data (0x93,0x62).
  *
@@ -2590,6 +2613,7 @@ static inline mip_error mip_gnss_corrections_glonass_ephemeris_encode_inline(
     mip_put_16(data + 100, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Galileo ephemeris: data (0x93,0x63).
  *
@@ -2860,6 +2884,7 @@ static inline mip_error mip_gnss_corrections_galileo_ephemeris_encode_inline(
     mip_put_16(data + 216, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * BeiDou ephemeris: data (0x93,0x64).
  *
@@ -3130,6 +3155,7 @@ static inline mip_error mip_gnss_corrections_beidou_ephemeris_encode_inline(
     mip_put_16(data + 216, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GPS ionospheric correction: data (0x93,0x71).
  *
@@ -3224,6 +3250,7 @@ static inline mip_error mip_gnss_corrections_gps_iono_correction_encode_inline(
     mip_put_16(data + 74, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Galileo ionospheric correction: data (0x93,0x73).
  *
@@ -3315,6 +3342,7 @@ static inline mip_error mip_gnss_corrections_galileo_iono_correction_encode_inli
     mip_put_16(data + 35, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * BeiDou ionospheric correction: data (0x93,0x74).
  *

@@ -122,6 +122,7 @@ static inline mip_error mip_gnss_data_llh_position_encode_inline(
     mip_put_16(data + 40, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GNSS ECEF position: data (0x81,0x04).
  *
@@ -198,6 +199,7 @@ static inline mip_error mip_gnss_data_ecef_position_encode_inline(
     mip_put_16(data + 28, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * NED velocity: data (0x81,0x05).
  *
@@ -302,6 +304,7 @@ static inline mip_error mip_gnss_data_ned_velocity_encode_inline(
     mip_put_16(data + 32, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GNSS ECEF velocity: data (0x81,0x06).
  *
@@ -378,6 +381,7 @@ static inline mip_error mip_gnss_data_ecef_velocity_encode_inline(
     mip_put_16(data + 16, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * DOP: data (0x81,0x07).
  *
@@ -464,6 +468,7 @@ static inline mip_error mip_gnss_data_dop_encode_inline(const struct mip_gnss_da
     mip_put_16(data + 28, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * UTC time: data (0x81,0x08).
  *
@@ -568,6 +573,7 @@ static inline mip_error mip_gnss_data_utc_time_encode_inline(
     mip_put_16(data + 11, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GPS time: data (0x81,0x09).
  *
@@ -637,6 +643,7 @@ static inline mip_error mip_gnss_data_gps_time_encode_inline(
     mip_put_16(data + 10, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Clock info: data (0x81,0x0A).
  *
@@ -717,6 +724,7 @@ static inline mip_error mip_gnss_data_clock_info_encode_inline(
     mip_put_16(data + 24, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Fix info: data (0x81,0x0B).
  *
@@ -793,6 +801,7 @@ static inline mip_error mip_gnss_data_fix_info_encode_inline(
     mip_put_16(data + 4, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Satellite info: data (0x81,0x0C).
  *
@@ -887,6 +896,7 @@ static inline mip_error mip_gnss_data_sv_info_encode_inline(
     mip_put_16(data + 10, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GNSS hardware status: data (0x81,0x0D).
  *
@@ -966,6 +976,7 @@ static inline mip_error mip_gnss_data_hardware_status_encode_inline(
     mip_put_16(data + 3, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * DGPS info: data (0x81,0x0E).
  *
@@ -1057,6 +1068,7 @@ static inline mip_error mip_gnss_data_dgps_info_encode_inline(
     mip_put_16(data + 10, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * DGPS channel: data (0x81,0x0F).
  *
@@ -1145,6 +1157,7 @@ static inline mip_error mip_gnss_data_dgps_channel_encode_inline(
     mip_put_16(data + 13, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Clock info 2: data (0x81,0x10).
  *
@@ -1233,6 +1246,7 @@ static inline mip_error mip_gnss_data_clock_info_2_encode_inline(
     mip_put_16(data + 32, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GPS leap seconds: data (0x81,0x11).
  *
@@ -1298,6 +1312,7 @@ static inline mip_error mip_gnss_data_gps_leap_seconds_encode_inline(
     mip_put_16(data + 1, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * SBAS info: data (0x81,0x12).
  *
@@ -1391,6 +1406,7 @@ static inline mip_error mip_gnss_data_sbas_info_encode_inline(
     mip_put_16(data + 14, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * SBAS correction: data (0x81,0x13).
  *
@@ -1500,6 +1516,7 @@ static inline mip_error mip_gnss_data_sbas_correction_encode_inline(
     mip_put_16(data + 23, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * RF error detection: data (0x81,0x14).
  *
@@ -1583,6 +1600,7 @@ static inline mip_error mip_gnss_data_rf_error_detection_encode_inline(
     mip_put_16(data + 7, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Satellite status: data (0x81,0x20).
  *
@@ -1700,6 +1718,7 @@ static inline mip_error mip_gnss_data_satellite_status_encode_inline(
     mip_put_16(data + 23, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Raw: data (0x81,0x22).
  *
@@ -1872,6 +1891,7 @@ static inline mip_error mip_gnss_data_raw_encode_inline(const struct mip_gnss_da
     mip_put_16(data + 59, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Base station info: data (0x81,0x30).
  *
@@ -1976,6 +1996,7 @@ static inline mip_error mip_gnss_data_base_station_info_encode_inline(
     mip_put_16(data + 42, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * RTK corrections status: data (0x81,0x31).
  *
@@ -2100,6 +2121,7 @@ static inline mip_error mip_gnss_data_rtk_corrections_status_encode_inline(
     mip_put_16(data + 48, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GPS ephemeris: data (0x81,0x61).
  *
@@ -2367,6 +2389,7 @@ static inline mip_error mip_gnss_data_gps_ephemeris_encode_inline(
     mip_put_16(data + 216, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GLONASS ephemeris: data (0x81,0x62).
  *
@@ -2594,6 +2617,7 @@ static inline mip_error mip_gnss_data_glonass_ephemeris_encode_inline(
     mip_put_16(data + 100, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Galileo ephemeris: data (0x81,0x63).
  *
@@ -2864,6 +2888,7 @@ static inline mip_error mip_gnss_data_galileo_ephemeris_encode_inline(
     mip_put_16(data + 216, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * BeiDou ephemeris: data (0x81,0x64).
  *
@@ -3134,6 +3159,7 @@ static inline mip_error mip_gnss_data_beidou_ephemeris_encode_inline(
     mip_put_16(data + 216, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GPS ionospheric correction: data (0x81,0x71).
  *
@@ -3228,6 +3254,7 @@ static inline mip_error mip_gnss_data_gps_iono_correction_encode_inline(
     mip_put_16(data + 74, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Galileo ionospheric correction: data (0x81,0x73).
  *
@@ -3319,6 +3346,7 @@ static inline mip_error mip_gnss_data_galileo_iono_correction_encode_inline(
     mip_put_16(data + 35, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * BeiDou ionospheric correction: data (0x81,0x74).
  *

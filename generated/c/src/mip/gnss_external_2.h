@@ -123,6 +123,7 @@ static inline mip_error mip_gnss_external_2_llh_position_encode_inline(
     mip_put_16(data + 40, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GNSS ECEF position: data (0x95,0x04).
  *
@@ -199,6 +200,7 @@ static inline mip_error mip_gnss_external_2_ecef_position_encode_inline(
     mip_put_16(data + 28, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * NED velocity: data (0x95,0x05).
  *
@@ -303,6 +305,7 @@ static inline mip_error mip_gnss_external_2_ned_velocity_encode_inline(
     mip_put_16(data + 32, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GNSS ECEF velocity: data (0x95,0x06).
  *
@@ -379,6 +382,7 @@ static inline mip_error mip_gnss_external_2_ecef_velocity_encode_inline(
     mip_put_16(data + 16, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * DOP: data (0x95,0x07).
  *
@@ -465,6 +469,7 @@ static inline mip_error mip_gnss_external_2_dop_encode_inline(
     mip_put_16(data + 28, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * UTC time: data (0x95,0x08).
  *
@@ -569,6 +574,7 @@ static inline mip_error mip_gnss_external_2_utc_time_encode_inline(
     mip_put_16(data + 11, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GPS time: data (0x95,0x09).
  *
@@ -638,6 +644,7 @@ static inline mip_error mip_gnss_external_2_gps_time_encode_inline(
     mip_put_16(data + 10, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Clock info: data (0x95,0x0A).
  *
@@ -718,6 +725,7 @@ static inline mip_error mip_gnss_external_2_clock_info_encode_inline(
     mip_put_16(data + 24, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Fix info: data (0x95,0x0B).
  *
@@ -794,6 +802,7 @@ static inline mip_error mip_gnss_external_2_fix_info_encode_inline(
     mip_put_16(data + 4, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Satellite info: data (0x95,0x0C).
  *
@@ -887,6 +896,7 @@ static inline mip_error mip_gnss_external_2_sv_info_encode_inline(
     mip_put_16(data + 10, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GNSS hardware status: data (0x95,0x0D).
  *
@@ -966,6 +976,7 @@ static inline mip_error mip_gnss_external_2_hardware_status_encode_inline(
     mip_put_16(data + 3, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * DGPS info: data (0x95,0x0E).
  *
@@ -1056,6 +1067,7 @@ static inline mip_error mip_gnss_external_2_dgps_info_encode_inline(
     mip_put_16(data + 10, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * DGPS channel: data (0x95,0x0F).
  *
@@ -1144,6 +1156,7 @@ static inline mip_error mip_gnss_external_2_dgps_channel_encode_inline(
     mip_put_16(data + 13, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Clock info 2: data (0x95,0x10).
  *
@@ -1232,6 +1245,7 @@ static inline mip_error mip_gnss_external_2_clock_info_2_encode_inline(
     mip_put_16(data + 32, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GPS leap seconds: data (0x95,0x11).
  *
@@ -1297,6 +1311,7 @@ static inline mip_error mip_gnss_external_2_gps_leap_seconds_encode_inline(
     mip_put_16(data + 1, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * SBAS info: data (0x95,0x12).
  *
@@ -1390,6 +1405,7 @@ static inline mip_error mip_gnss_external_2_sbas_info_encode_inline(
     mip_put_16(data + 14, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * SBAS correction: data (0x95,0x13).
  *
@@ -1499,6 +1515,7 @@ static inline mip_error mip_gnss_external_2_sbas_correction_encode_inline(
     mip_put_16(data + 23, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * RF error detection: data (0x95,0x14).
  *
@@ -1582,6 +1599,7 @@ static inline mip_error mip_gnss_external_2_rf_error_detection_encode_inline(
     mip_put_16(data + 7, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Satellite status: data (0x95,0x20).
  *
@@ -1699,6 +1717,7 @@ static inline mip_error mip_gnss_external_2_satellite_status_encode_inline(
     mip_put_16(data + 23, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Raw: data (0x95,0x22).
  *
@@ -1871,6 +1890,7 @@ static inline mip_error mip_gnss_external_2_raw_encode_inline(
     mip_put_16(data + 59, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Base station info: data (0x95,0x30).
  *
@@ -1975,6 +1995,7 @@ static inline mip_error mip_gnss_external_2_base_station_info_encode_inline(
     mip_put_16(data + 42, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * RTK corrections status: data (0x95,0x31).
  *
@@ -2099,6 +2120,7 @@ static inline mip_error mip_gnss_external_2_rtk_corrections_status_encode_inline
     mip_put_16(data + 48, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GPS ephemeris: data (0x95,0x61).
  *
@@ -2366,6 +2388,7 @@ static inline mip_error mip_gnss_external_2_gps_ephemeris_encode_inline(
     mip_put_16(data + 216, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GLONASS ephemeris: data (0x95,0x62).
  *
@@ -2593,6 +2616,7 @@ static inline mip_error mip_gnss_external_2_glonass_ephemeris_encode_inline(
     mip_put_16(data + 100, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Galileo ephemeris: data (0x95,0x63).
  *
@@ -2863,6 +2887,7 @@ static inline mip_error mip_gnss_external_2_galileo_ephemeris_encode_inline(
     mip_put_16(data + 216, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * BeiDou ephemeris: data (0x95,0x64).
  *
@@ -3133,6 +3158,7 @@ static inline mip_error mip_gnss_external_2_beidou_ephemeris_encode_inline(
     mip_put_16(data + 216, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * GPS ionospheric correction: data (0x95,0x71).
  *
@@ -3227,6 +3253,7 @@ static inline mip_error mip_gnss_external_2_gps_iono_correction_encode_inline(
     mip_put_16(data + 74, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Galileo ionospheric correction: data (0x95,0x73).
  *
@@ -3318,6 +3345,7 @@ static inline mip_error mip_gnss_external_2_galileo_iono_correction_encode_inlin
     mip_put_16(data + 35, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * BeiDou ionospheric correction: data (0x95,0x74).
  *

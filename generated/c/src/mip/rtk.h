@@ -75,6 +75,7 @@ enum mip_rtk_led_action {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_rtk_led_action_name(uint8_t value);
+
 /**
  * Get status flags: command (0x0F,0x01).
  *
@@ -111,6 +112,7 @@ static inline mip_error mip_rtk_get_status_flags_encode(
     const struct mip_rtk_get_status_flags *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_status_flags_codec, value, builder);
 }
+
 /**
  * Get status flags response: response (0x0F,0x81).
  *
@@ -166,6 +168,7 @@ static inline mip_error mip_rtk_get_status_flags_response_encode_inline(
     mip_put_32(data, value->flags);
     return MIP_OK;
 }
+
 /**
  * Get IMEI: command (0x0F,0x02).
  *
@@ -200,6 +203,7 @@ static inline mip_error mip_rtk_get_imei_encode(const struct mip_rtk_get_imei *v
                                                 struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_imei_codec, value, builder);
 }
+
 /**
  * Get IMEI response: response (0x0F,0x82).
  *
@@ -256,6 +260,7 @@ static inline mip_error mip_rtk_get_imei_response_encode_inline(
     memcpy(data, value->imei, 32);
     return MIP_OK;
 }
+
 /**
  * Get IMSI: command (0x0F,0x03).
  *
@@ -290,6 +295,7 @@ static inline mip_error mip_rtk_get_imsi_encode(const struct mip_rtk_get_imsi *v
                                                 struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_imsi_codec, value, builder);
 }
+
 /**
  * Get IMSI response: response (0x0F,0x83).
  *
@@ -346,6 +352,7 @@ static inline mip_error mip_rtk_get_imsi_response_encode_inline(
     memcpy(data, value->imsi, 32);
     return MIP_OK;
 }
+
 /**
  * Get ICCID: command (0x0F,0x04).
  *
@@ -380,6 +387,7 @@ static inline mip_error mip_rtk_get_iccid_encode(const struct mip_rtk_get_iccid 
                                                  struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_iccid_codec, value, builder);
 }
+
 /**
  * Get ICCID response: response (0x0F,0x84).
  *
@@ -436,6 +444,7 @@ static inline mip_error mip_rtk_get_iccid_response_encode_inline(
     memcpy(data, value->iccid, 32);
     return MIP_OK;
 }
+
 /**
  * Get RSSI: command (0x0F,0x05).
  *
@@ -470,6 +479,7 @@ static inline mip_error mip_rtk_get_rssi_encode(const struct mip_rtk_get_rssi *v
                                                 struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_rssi_codec, value, builder);
 }
+
 /**
  * Get RSSI response: response (0x0F,0x85).
  *
@@ -534,6 +544,7 @@ static inline mip_error mip_rtk_get_rssi_response_encode_inline(
     mip_put_32(data + 5, (uint32_t)value->signal_quality);
     return MIP_OK;
 }
+
 /**
  * Connected device type: command (0x0F,0x06).
  *
@@ -629,6 +640,7 @@ mip_rtk_connected_device_type_default(struct mip_rtk_connected_device_type *comm
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Connected device type response: response (0x0F,0x86).
  *
@@ -684,6 +696,7 @@ static inline mip_error mip_rtk_connected_device_type_response_encode_inline(
     mip_put_8(data, value->device_type);
     return MIP_OK;
 }
+
 /**
  * Get activation code: command (0x0F,0x07).
  *
@@ -718,6 +731,7 @@ static inline mip_error mip_rtk_get_activation_code_encode(
     const struct mip_rtk_get_activation_code *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_activation_code_codec, value, builder);
 }
+
 /**
  * Get activation code response: response (0x0F,0x87).
  *
@@ -775,6 +789,7 @@ static inline mip_error mip_rtk_get_activation_code_response_encode_inline(
     memcpy(data, value->activation_code, 32);
     return MIP_OK;
 }
+
 /**
  * Get modem firmware version: command (0x0F,0x08).
  *
@@ -809,6 +824,7 @@ static inline mip_error mip_rtk_get_modem_firmware_version_encode(
     const struct mip_rtk_get_modem_firmware_version *value, struct mip_builder *builder) {
     return mip_encode(&mip_rtk_get_modem_firmware_version_codec, value, builder);
 }
+
 /**
  * Get modem firmware version response: response (0x0F,0x88).
  *
@@ -865,6 +881,7 @@ static inline mip_error mip_rtk_get_modem_firmware_version_response_encode_inlin
     memcpy(data, value->modem_firmware_version, 32);
     return MIP_OK;
 }
+
 /**
  * Service status: command (0x0F,0x0A).
  *
@@ -929,6 +946,7 @@ static inline mip_error mip_rtk_service_status_encode_inline(
     mip_put_32(data + 4, value->reserved2);
     return MIP_OK;
 }
+
 /**
  * Service status response: response (0x0F,0x8A).
  *
@@ -999,6 +1017,7 @@ static inline mip_error mip_rtk_service_status_response_encode_inline(
     mip_put_64(data + 9, value->last_bytes_time);
     return MIP_OK;
 }
+
 /**
  * Erase storage: command (0x0F,0x20).
  *
@@ -1072,6 +1091,7 @@ static inline struct mip_rtk_erase_storage *mip_rtk_erase_storage_make(
     command->media = (uint8_t)media;
     return command;
 }
+
 /**
  * LED control: command (0x0F,0x21).
  *
@@ -1158,6 +1178,7 @@ static inline struct mip_rtk_led_control *mip_rtk_led_control_make(
     command->period = period;
     return command;
 }
+
 /**
  * Modem hard reset: command (0x0F,0x22).
  *

@@ -46,6 +46,7 @@ typedef uint16_t mip_sensor_overrange_flags;
 typedef uint16_t mip_sensor_odometer_flags;
 /** Bit 0. The odometer is configured. */
 #define MIP_SENSOR_ODOMETER_FLAGS_ODOMETER 0x0001U
+
 /**
  * Raw accel: data (0x80,0x01).
  *
@@ -107,6 +108,7 @@ static inline mip_error mip_sensor_raw_accel_encode_inline(const struct mip_sens
     }
     return MIP_OK;
 }
+
 /**
  * Raw gyro: data (0x80,0x02).
  *
@@ -168,6 +170,7 @@ static inline mip_error mip_sensor_raw_gyro_encode_inline(const struct mip_senso
     }
     return MIP_OK;
 }
+
 /**
  * Raw mag: data (0x80,0x03).
  *
@@ -233,6 +236,7 @@ static inline mip_error mip_sensor_raw_mag_encode_inline(const struct mip_sensor
     }
     return MIP_OK;
 }
+
 /**
  * Scaled accel: data (0x80,0x04).
  *
@@ -295,6 +299,7 @@ static inline mip_error mip_sensor_scaled_accel_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Scaled gyro: data (0x80,0x05).
  *
@@ -357,6 +362,7 @@ static inline mip_error mip_sensor_scaled_gyro_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Scaled mag: data (0x80,0x06).
  *
@@ -418,6 +424,7 @@ static inline mip_error mip_sensor_scaled_mag_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Delta theta: data (0x80,0x07).
  *
@@ -480,6 +487,7 @@ static inline mip_error mip_sensor_delta_theta_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Delta velocity: data (0x80,0x08).
  *
@@ -544,6 +552,7 @@ static inline mip_error mip_sensor_delta_velocity_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Complementary filter orientation matrix: data (0x80,0x09).
  *
@@ -611,6 +620,7 @@ static inline mip_error mip_sensor_comp_orientation_matrix_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Complementary filter quaternion: data (0x80,0x0A).
  *
@@ -679,6 +689,7 @@ static inline mip_error mip_sensor_comp_quaternion_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Complementary filter orientation update matrix: data (0x80,0x0B).
  *
@@ -744,6 +755,7 @@ static inline mip_error mip_sensor_comp_orientation_update_matrix_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Complementary filter Euler angles: data (0x80,0x0C).
  *
@@ -812,6 +824,7 @@ static inline mip_error mip_sensor_comp_euler_angles_encode_inline(
     mip_put_float(data + 8, &value->yaw);
     return MIP_OK;
 }
+
 /**
  * Orientation raw temperatures: data (0x80,0x0D).
  *
@@ -876,6 +889,7 @@ static inline mip_error mip_sensor_orientation_raw_temperature_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Internal timestamp: data (0x80,0x0E).
  *
@@ -934,6 +948,7 @@ static inline mip_error mip_sensor_internal_timestamp_encode_inline(
     mip_put_32(data, value->counts);
     return MIP_OK;
 }
+
 /**
  * PPS timestamp: data (0x80,0x0F).
  *
@@ -996,6 +1011,7 @@ static inline mip_error mip_sensor_pps_timestamp_encode_inline(
     mip_put_32(data + 4, value->useconds);
     return MIP_OK;
 }
+
 /**
  * Complementary filter stabilized north vector: data (0x80,0x10).
  *
@@ -1061,6 +1077,7 @@ static inline mip_error mip_sensor_north_vector_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Complementary filter stabilized up vector: data (0x80,0x11).
  *
@@ -1127,6 +1144,7 @@ static inline mip_error mip_sensor_up_vector_encode_inline(const struct mip_sens
     }
     return MIP_OK;
 }
+
 /**
  * GPS timestamp: data (0x80,0x12).
  *
@@ -1212,6 +1230,7 @@ static inline mip_error mip_sensor_gps_timestamp_encode_inline(
     mip_put_16(data + 10, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Temperature statistics: data (0x80,0x14).
  *
@@ -1279,6 +1298,7 @@ static inline mip_error mip_sensor_temperature_statistics_encode_inline(
     mip_put_float(data + 8, &value->mean_temperature);
     return MIP_OK;
 }
+
 /**
  * Raw pressure: data (0x80,0x16).
  *
@@ -1336,6 +1356,7 @@ static inline mip_error mip_sensor_raw_pressure_encode_inline(
     mip_put_float(data, &value->raw_pressure);
     return MIP_OK;
 }
+
 /**
  * Scaled pressure: data (0x80,0x17).
  *
@@ -1394,6 +1415,7 @@ static inline mip_error mip_sensor_scaled_pressure_encode_inline(
     mip_put_float(data, &value->scaled_pressure);
     return MIP_OK;
 }
+
 /**
  * Overrange status: data (0x80,0x18).
  *
@@ -1451,6 +1473,7 @@ static inline mip_error mip_sensor_overrange_status_encode_inline(
     mip_put_16(data, value->status);
     return MIP_OK;
 }
+
 /**
  * Odometer data: data (0x80,0x40).
  *

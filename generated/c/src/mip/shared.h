@@ -36,6 +36,7 @@ typedef uint16_t mip_shared_external_timestamp_flags;
 typedef uint16_t mip_shared_external_time_delta_flags;
 /** Bit 0. The difference is valid. */
 #define MIP_SHARED_EXTERNAL_TIME_DELTA_FLAGS_DT_NANOS 0x0001U
+
 /**
  * Event source: data (0xFF,0xD0).
  *
@@ -95,6 +96,7 @@ static inline mip_error mip_shared_event_source_encode_inline(
     mip_put_8(data, value->trigger_id);
     return MIP_OK;
 }
+
 /**
  * Ticks: data (0xFF,0xD1).
  *
@@ -156,6 +158,7 @@ static inline mip_error mip_shared_ticks_encode_inline(const struct mip_shared_t
     mip_put_32(data, value->ticks);
     return MIP_OK;
 }
+
 /**
  * Delta ticks: data (0xFF,0xD2).
  *
@@ -216,6 +219,7 @@ static inline mip_error mip_shared_delta_ticks_encode_inline(
     mip_put_32(data, value->ticks);
     return MIP_OK;
 }
+
 /**
  * GPS timestamp: data (0xFF,0xD3).
  *
@@ -298,6 +302,7 @@ static inline mip_error mip_shared_gps_timestamp_encode_inline(
     mip_put_16(data + 10, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Delta time: data (0xFF,0xD4).
  *
@@ -359,6 +364,7 @@ static inline mip_error mip_shared_delta_time_encode_inline(
     mip_put_double(data, &value->seconds);
     return MIP_OK;
 }
+
 /**
  * Reference timestamp: data (0xFF,0xD5).
  *
@@ -420,6 +426,7 @@ static inline mip_error mip_shared_reference_timestamp_encode_inline(
     mip_put_64(data, value->nanoseconds);
     return MIP_OK;
 }
+
 /**
  * Reference time delta: data (0xFF,0xD6).
  *
@@ -479,6 +486,7 @@ static inline mip_error mip_shared_reference_time_delta_encode_inline(
     mip_put_64(data, value->dt_nanos);
     return MIP_OK;
 }
+
 /**
  * External timestamp: data (0xFF,0xD7).
  *
@@ -549,6 +557,7 @@ static inline mip_error mip_shared_external_timestamp_encode_inline(
     mip_put_16(data + 8, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * External time delta: data (0xFF,0xD8).
  *

@@ -69,6 +69,7 @@ enum mip_system_protocol_mode {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_system_protocol_mode_name(uint8_t value);
+
 /**
  * Interface control: command (0x7F,0x02).
  *
@@ -190,6 +191,7 @@ static inline struct mip_system_interface_control *mip_system_interface_control_
     command->port = (uint8_t)port;
     return command;
 }
+
 /**
  * Interface control response: response (0x7F,0x82).
  *
@@ -257,6 +259,7 @@ static inline mip_error mip_system_interface_control_response_encode_inline(
     mip_put_32(data + 5, value->protocols_outgoing);
     return MIP_OK;
 }
+
 /**
  * Communication mode: command (0x7F,0x10).
  *
@@ -359,6 +362,7 @@ mip_system_comm_mode_default(struct mip_system_comm_mode *command) {
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Communication mode response: response (0x7F,0x90).
  *

@@ -29,6 +29,7 @@ typedef uint8_t mip_system_data_gpio_pin_states;
 #define MIP_SYSTEM_DATA_GPIO_PIN_STATES_PIN_3 0x04U
 /** Bit 3. GPIO pin 4. */
 #define MIP_SYSTEM_DATA_GPIO_PIN_STATES_PIN_4 0x08U
+
 /**
  * Built-in test: data (0xA0,0x01).
  *
@@ -100,6 +101,7 @@ static inline mip_error mip_system_data_built_in_test_encode_inline(
     memcpy(data, value->result, 16);
     return MIP_OK;
 }
+
 /**
  * Time sync status: data (0xA0,0x02).
  *
@@ -161,6 +163,7 @@ static inline mip_error mip_system_data_time_sync_status_encode_inline(
     mip_put_8(data + 1, value->last_pps_received);
     return MIP_OK;
 }
+
 /**
  * GPIO state: data (0xA0,0x03).
  *
@@ -227,6 +230,7 @@ static inline mip_error mip_system_data_gpio_state_encode_inline(
     mip_put_8(data, value->states);
     return MIP_OK;
 }
+
 /**
  * GPIO analog value: data (0xA0,0x04).
  *

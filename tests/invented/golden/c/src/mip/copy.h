@@ -91,6 +91,7 @@ static inline mip_error mip_copy_acc_encode_inline(const struct mip_copy_acc *va
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Numbers: data (0x92,0x02).
  *
@@ -193,6 +194,7 @@ static inline mip_error mip_copy_numbers_encode_inline(const struct mip_copy_num
     mip_put_8(data + 43, (uint8_t)value->char_);
     return MIP_OK;
 }
+
 /**
  * Strings: data (0x92,0x03).
  *
@@ -235,6 +237,7 @@ static inline mip_error mip_copy_strings_encode(const struct mip_copy_strings *v
                                                 struct mip_builder *builder) {
     return mip_encode(&mip_copy_strings_codec, value, builder);
 }
+
 /**
  * Health: data (0x92,0x04).
  *
@@ -297,6 +300,7 @@ static inline mip_error mip_copy_health_encode_inline(const struct mip_copy_heal
     mip_put_32(data + 16, value->code);
     return MIP_OK;
 }
+
 /**
  * Arrays: data (0x92,0x05).
  *
@@ -403,6 +407,7 @@ static inline mip_error mip_copy_arrays_encode_inline(const struct mip_copy_arra
     memcpy(data + 49, value->offsets, 4);
     return MIP_OK;
 }
+
 /**
  * Growing: data (0x92,0x06).
  *
@@ -447,6 +452,7 @@ static inline mip_error mip_copy_growing_encode(const struct mip_copy_growing *v
                                                 struct mip_builder *builder) {
     return mip_encode(&mip_copy_growing_codec, value, builder);
 }
+
 /**
  * Radio: data (0x92,0x07).
  *
@@ -526,6 +532,7 @@ static inline mip_error mip_copy_radio_encode_inline(const struct mip_copy_radio
     }
     return MIP_OK;
 }
+
 /**
  * Cloud: data (0x92,0x08).
  *
@@ -564,6 +571,7 @@ static inline mip_error mip_copy_cloud_encode(const struct mip_copy_cloud *value
                                               struct mip_builder *builder) {
     return mip_encode(&mip_copy_cloud_codec, value, builder);
 }
+
 /**
  * Gust: data (0x92,0x09).
  *
@@ -615,6 +623,7 @@ static inline mip_error mip_copy_gust_encode(const struct mip_copy_gust *value,
                                              struct mip_builder *builder) {
     return mip_encode(&mip_copy_gust_codec, value, builder);
 }
+
 /**
  * Breeze: data (0x92,0x0A).
  *

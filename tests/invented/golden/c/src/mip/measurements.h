@@ -92,6 +92,7 @@ static inline mip_error mip_measurements_accel_encode_inline(
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Numbers: data (0x80,0x02).
  *
@@ -193,6 +194,7 @@ static inline mip_error mip_measurements_numbers_encode_inline(
     mip_put_8(data + 43, (uint8_t)value->char_);
     return MIP_OK;
 }
+
 /**
  * Strings: data (0x80,0x03).
  *
@@ -234,6 +236,7 @@ static inline mip_error mip_measurements_strings_encode(
     const struct mip_measurements_strings *value, struct mip_builder *builder) {
     return mip_encode(&mip_measurements_strings_codec, value, builder);
 }
+
 /**
  * Health: data (0x80,0x04).
  *
@@ -295,6 +298,7 @@ static inline mip_error mip_measurements_health_encode_inline(
     mip_put_32(data + 16, value->code);
     return MIP_OK;
 }
+
 /**
  * Arrays: data (0x80,0x05).
  *
@@ -400,6 +404,7 @@ static inline mip_error mip_measurements_arrays_encode_inline(
     memcpy(data + 49, value->offsets, 4);
     return MIP_OK;
 }
+
 /**
  * Growing: data (0x80,0x06).
  *
@@ -443,6 +448,7 @@ static inline mip_error mip_measurements_growing_encode(
     const struct mip_measurements_growing *value, struct mip_builder *builder) {
     return mip_encode(&mip_measurements_growing_codec, value, builder);
 }
+
 /**
  * Radio: data (0x80,0x07).
  *
@@ -524,6 +530,7 @@ static inline mip_error mip_measurements_radio_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Cloud: data (0x80,0x08).
  *
@@ -561,6 +568,7 @@ static inline mip_error mip_measurements_cloud_encode(const struct mip_measureme
                                                       struct mip_builder *builder) {
     return mip_encode(&mip_measurements_cloud_codec, value, builder);
 }
+
 /**
  * Gust: data (0x80,0x09).
  *
@@ -611,6 +619,7 @@ static inline mip_error mip_measurements_gust_encode(const struct mip_measuremen
                                                      struct mip_builder *builder) {
     return mip_encode(&mip_measurements_gust_codec, value, builder);
 }
+
 /**
  * Breeze: data (0x80,0x0A).
  *

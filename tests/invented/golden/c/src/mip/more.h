@@ -90,6 +90,7 @@ static inline mip_error mip_more_accel_encode_inline(const struct mip_more_accel
     mip_put_16(data + 12, value->valid_flags);
     return MIP_OK;
 }
+
 /**
  * Strings: data (0x81,0x03).
  *
@@ -131,6 +132,7 @@ static inline mip_error mip_more_strings_encode(const struct mip_more_strings *v
                                                 struct mip_builder *builder) {
     return mip_encode(&mip_more_strings_codec, value, builder);
 }
+
 /**
  * Own: data (0x81,0x07).
  *

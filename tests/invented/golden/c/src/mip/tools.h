@@ -118,6 +118,7 @@ typedef uint32_t mip_tools_model_b_faults;
 #define MIP_TOOLS_MODEL_B_FAULTS_OVERLOAD UINT32_C(0x00000002)
 /** Bit 12. */
 #define MIP_TOOLS_MODEL_B_FAULTS_ACCEL UINT32_C(0x00001000)
+
 /**
  * Ping: command (0x01,0x01).
  *
@@ -152,6 +153,7 @@ static inline mip_error mip_tools_ping_encode(const struct mip_tools_ping *value
                                               struct mip_builder *builder) {
     return mip_encode(&mip_tools_ping_codec, value, builder);
 }
+
 /**
  * Settings: command (0x01,0x02).
  *
@@ -293,6 +295,7 @@ static inline struct mip_tools_settings *mip_tools_settings_apply(
     command->reserved = 1;
     return command;
 }
+
 /**
  * Settings response: response (0x01,0x82).
  *
@@ -368,6 +371,7 @@ static inline mip_error mip_tools_settings_response_encode_inline(
     mip_put_8(data + 8, value->reserved);
     return MIP_OK;
 }
+
 /**
  * Set time: command (0x01,0x03).
  *
@@ -448,6 +452,7 @@ mip_tools_set_time_apply(struct mip_tools_set_time *command, enum mip_mode part,
     command->value = value;
     return command;
 }
+
 /**
  * Set time response: response (0x01,0x83).
  *
@@ -503,6 +508,7 @@ static inline mip_error mip_tools_set_time_fast_response_encode_inline(
     mip_put_32(data, value->value);
     return MIP_OK;
 }
+
 /**
  * Set time response: response (0x01,0x84).
  *
@@ -558,6 +564,7 @@ static inline mip_error mip_tools_set_time_slow_response_encode_inline(
     mip_put_32(data, value->value);
     return MIP_OK;
 }
+
 /**
  * Status: command (0x01,0x04).
  *
@@ -607,6 +614,7 @@ static inline struct mip_tools_status *mip_tools_status_make(struct mip_tools_st
     command->selector = selector;
     return command;
 }
+
 /**
  * Status response: response (0x01,0x90).
  *
@@ -645,6 +653,7 @@ static inline mip_error mip_tools_status_short_encode(const struct mip_tools_sta
                                                       struct mip_builder *builder) {
     return mip_encode(&mip_tools_status_short_codec, value, builder);
 }
+
 /**
  * Status response: response (0x01,0x90).
  *
@@ -686,6 +695,7 @@ static inline mip_error mip_tools_status_long_encode(const struct mip_tools_stat
                                                      struct mip_builder *builder) {
     return mip_encode(&mip_tools_status_long_codec, value, builder);
 }
+
 /**
  * Status response: response (0x01,0x90).
  *
@@ -724,6 +734,7 @@ static inline mip_error mip_tools_status_old_encode(const struct mip_tools_statu
                                                     struct mip_builder *builder) {
     return mip_encode(&mip_tools_status_old_codec, value, builder);
 }
+
 /**
  * Status response: response (0x01,0x90).
  *
@@ -766,6 +777,7 @@ static inline mip_error mip_tools_full_encode(const struct mip_tools_full *value
                                               struct mip_builder *builder) {
     return mip_encode(&mip_tools_full_codec, value, builder);
 }
+
 /**
  * Bias: command (0x01,0x05).
  *
@@ -857,6 +869,7 @@ static inline struct mip_tools_bias *mip_tools_bias_default(struct mip_tools_bia
     command->function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return command;
 }
+
 /**
  * Bias response: response (0x01,0x9B).
  *
@@ -917,6 +930,7 @@ static inline mip_error mip_tools_bias_vector_encode_inline(
     }
     return MIP_OK;
 }
+
 /**
  * Capture bias: command (0x01,0x06).
  *
@@ -986,6 +1000,7 @@ mip_tools_capture_bias_make(struct mip_tools_capture_bias *command, uint16_t tim
     command->time = time;
     return command;
 }
+
 /**
  * Formats: command (0x01,0x07).
  *
@@ -1041,6 +1056,7 @@ static inline struct mip_tools_formats *mip_tools_formats_make(
              num_segments * sizeof(segments[0]));
     return command;
 }
+
 /** The member of mip_tools_choice that `shape` selects. */
 union mip_tools_choice_parameters {
     /** If shape is MIP_TOOLS_SHAPE_CIRCLE. */
@@ -1125,6 +1141,7 @@ static inline struct mip_tools_choice *mip_tools_choice_read(struct mip_tools_ch
     command->instance = instance;
     return command;
 }
+
 /** The member of mip_tools_choice_response that `shape` selects. */
 union mip_tools_choice_response_parameters {
     /** If shape is MIP_TOOLS_SHAPE_CIRCLE. */
@@ -1172,6 +1189,7 @@ static inline mip_error mip_tools_choice_response_encode(
     const struct mip_tools_choice_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_choice_response_codec, value, builder);
 }
+
 /**
  * List: command (0x01,0x09).
  *
@@ -1245,6 +1263,7 @@ static inline struct mip_tools_list *mip_tools_list_save(struct mip_tools_list *
     command->function = MIP_FUNCTION_SELECTOR_SAVE;
     return command;
 }
+
 /**
  * List response: response (0x01,0x89).
  *
@@ -1278,6 +1297,7 @@ static inline mip_error mip_tools_list_response_encode(const struct mip_tools_li
                                                        struct mip_builder *builder) {
     return mip_encode(&mip_tools_list_response_codec, value, builder);
 }
+
 /**
  * Inventory: command (0x01,0x0A).
  *
@@ -1313,6 +1333,7 @@ static inline mip_error mip_tools_stock_encode(const struct mip_tools_stock *val
                                                struct mip_builder *builder) {
     return mip_encode(&mip_tools_stock_codec, value, builder);
 }
+
 /**
  * Inventory response: response (0x01,0x8A).
  *
@@ -1348,6 +1369,7 @@ static inline mip_error mip_tools_stock_response_encode(
     const struct mip_tools_stock_response *value, struct mip_builder *builder) {
     return mip_encode(&mip_tools_stock_response_codec, value, builder);
 }
+
 /**
  * Pin: command (0x01,0x0B).
  *
@@ -1415,6 +1437,7 @@ static inline struct mip_tools_pin *mip_tools_pin_read(struct mip_tools_pin *com
     command->drive = (uint8_t)drive;
     return command;
 }
+
 /**
  * Pin response: response (0x01,0x8B).
  *
@@ -1477,6 +1500,7 @@ static inline mip_error mip_tools_pin_response_encode_inline(
     mip_put_8(data + 1, value->use);
     return MIP_OK;
 }
+
 /**
  * Hello: command (0x01,0x0C).
  *
@@ -1517,6 +1541,7 @@ static inline mip_error mip_tools_hello_encode(const struct mip_tools_hello *val
                                                struct mip_builder *builder) {
     return mip_encode(&mip_tools_hello_codec, value, builder);
 }
+
 /**
  * Hello response: response (0x01,0x8C).
  *
@@ -1573,6 +1598,7 @@ static inline mip_error mip_tools_hello_response_encode_inline(
     mip_put_32(data, value->seen);
     return MIP_OK;
 }
+
 /**
  * Readings: command (0x01,0x0D).
  *
@@ -1641,6 +1667,7 @@ static inline struct mip_tools_readings *mip_tools_readings_make(struct mip_tool
     command->drive = (uint8_t)drive;
     return command;
 }
+
 /**
  * Readings response: response (0x01,0x8D).
  *
