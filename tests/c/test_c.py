@@ -537,3 +537,6 @@ def test_awkward_names_and_shapes(compiler: str, tmp_path: Path) -> None:
     language = ["-std=c++11", "-x", "c++"] if compiler == "g++" else ["-std=c99"]
     for source in sorted((where / "src/mip").glob("*.c")):
         run(need(compiler), *language, *WARNINGS, f"-I{where}/src", "-fsyntax-only", source)
+    program = tmp_path / "commands.c"
+    program.write_text("".join(f'#include "mip/{p.name}"\n' for p in sorted((where / "src/mip").glob("*_commands.h"))))
+    run(need(compiler), *language, *WARNINGS, f"-I{where}/src", "-fsyntax-only", program)

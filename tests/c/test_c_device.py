@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+import shutil
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -12,10 +13,11 @@ from pathlib import Path
 from typing import Any
 
 from c_build import HERE, SANITIZE, WARNINGS, archive, compiled, folder, include, run
-from mipgen import codec
+from mipgen import cli, codec
 from mipgen import model as m
 from mipgen.targets.c import calls, members, names
-from support import ROOT, heavy, model, need
+from support import ROOT, SPECS, heavy, model, need
+from terse import filled as filled_in
 from test_c import both, build, constructed, given, record, written
 
 EXAMPLES = folder("real") / "examples"
@@ -173,6 +175,62 @@ def test_the_compiler_sees_a_wrong_response(tmp_path: Path) -> None:
         )
         command = [need("cc"), *WARNINGS, include("invented"), "-fsyntax-only", str(program)]
         assert (subprocess.run(command, capture_output=True).returncode == 0) == good
+
+
+#: A command whose parameters are called as the arguments of generated functions.
+CLASHING = """# yaml-language-server: $schema=../../../../../spec/schema/set.schema.json
+set: 0x62
+name: clashing
+title: Clashing
+description: D.
+fields:
+  - command: 0x01
+    name: names
+    title: Names
+    description: D.
+    sources: [{manual: leaflet, section: S}]
+    functions: WR
+    parameters:
+      - {name: command, type: u8, for: WR}
+      - {name: device, type: u8, for: W}
+      - {name: response, type: u16, count: device, for: W}
+      - {name: value, type: char, count: 4, for: W}
+    responses: [{response: 0x81, name: response, parameters: as_command}]
+"""
+
+
+def test_parameters_may_have_the_names_of_arguments(tmp_path: Path) -> None:
+    shutil.copytree(SPECS["invented"][0], tmp_path / "spec")
+    (tmp_path / "spec/sets/clashing.yaml").write_text(filled_in(CLASHING), "utf-8")
+    arguments = ("--spec", str(tmp_path / "spec"), "--out", str(tmp_path / "out"), "--target", "c")
+    assert cli.main(["generate", *arguments]) == 0
+    program = tmp_path / "clashing.c"
+    program.write_text(
+        """#include "check.h"
+#include "mip/clashing_commands.h"
+int main(void) {
+    struct mip_clashing_names made;
+    const uint16_t numbers[] = {7, 8};
+    mip_clashing_names_write(&made, 5, 2, numbers, "text");
+    CHECK(made.command == 5 && made.device == 2 && made.response[1] == 8 && strcmp(made.value, "text") == 0);
+    return sizeof(&mip_call_clashing_names_write) == 0 || sizeof(&mip_call_clashing_names_read) == 0;
+}
+"""
+    )
+    where = tmp_path / "out/c/src"
+    library = sorted((where / "mip").glob("*.c"))
+    run(
+        need("cc"),
+        "-std=c99",
+        *WARNINGS,
+        f"-I{where}",
+        f"-I{HERE}/unit",
+        program,
+        *library,
+        "-o",
+        tmp_path / "clashing",
+    )
+    run(tmp_path / "clashing")
 
 
 # --------------------------------------------------------------------------- examples
