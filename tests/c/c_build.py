@@ -17,7 +17,7 @@ PEDANTIC = ["-Wcast-align=strict", "-Wcast-qual", "-Wdouble-promotion", "-Wfloat
             "-Wmissing-prototypes", "-Wnull-dereference", "-Wredundant-decls", "-Wsign-conversion",
             "-Wstrict-prototypes", "-Wswitch-enum", "-Wundef", "-Wvla", "-Wwrite-strings"]  # fmt: skip
 #: Programs of unit/ that run with the library of the invented specification.
-UNITS = ("packets", "fields", "client", "tables", "checksum", "doubles", "garbage")
+UNITS = ("packets", "fields", "client", "device", "tables", "checksum", "doubles", "garbage")
 SANITIZE = ["-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
 
 

@@ -9,6 +9,7 @@ set(MIP_SOURCES
   ${MIP_FOLDER}/src/mip/client.c
   ${MIP_FOLDER}/src/mip/codec.c
   ${MIP_FOLDER}/src/mip/core.c
+  ${MIP_FOLDER}/src/mip/device.c
   ${MIP_FOLDER}/src/mip/double.c
   ${MIP_FOLDER}/src/mip/error.c
   ${MIP_FOLDER}/src/mip/filter.c
@@ -24,6 +25,7 @@ set(MIP_SOURCES
   ${MIP_FOLDER}/src/mip/lookup.c
   ${MIP_FOLDER}/src/mip/names.c
   ${MIP_FOLDER}/src/mip/number.c
+  ${MIP_FOLDER}/src/mip/outcome.c
   ${MIP_FOLDER}/src/mip/parser.c
   ${MIP_FOLDER}/src/mip/print.c
   ${MIP_FOLDER}/src/mip/profile.c

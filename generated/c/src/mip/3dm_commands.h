@@ -6,7 +6,7 @@
 #define MIP_3DM_COMMANDS_H
 
 #include "mip/3dm.h"
-#include "mip/client.h"
+#include "mip/device.h"
 
 #if MIP_VERSION_NUMBER != 100
 #error "mip/3dm_commands.h and mip/constants.h are not of one version"
@@ -28,6 +28,26 @@ static inline mip_error mip_send_3dm_poll_imu_data(struct mip_client *client,
     return mip_client_send(client, request, packet, &mip_3dm_poll_imu_data_command, command, NULL,
                            NULL, now);
 }
+
+/** Poll IMU Data. See mip_device_call. */
+static inline struct mip_result
+mip_call_3dm_poll_imu_data(struct mip_device *device, mip_bool suppress_ack,
+                           uint8_t num_descriptors, const struct mip_3dm_poll_entry descriptors[]) {
+    struct mip_3dm_poll_imu_data command;
+    return mip_device_call(
+        device, &mip_3dm_poll_imu_data_command,
+        mip_3dm_poll_imu_data_make(&command, suppress_ack, num_descriptors, descriptors), NULL,
+        NULL);
+}
+
+/**
+ * Poll IMU Data: calls the command with these values, optional parameters too. See mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_poll_imu_data_with(
+    struct mip_device *device, const struct mip_3dm_poll_imu_data *command) {
+    return mip_device_call(device, &mip_3dm_poll_imu_data_command, command, NULL, NULL);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_poll_gnss_data_command;
 
@@ -40,6 +60,27 @@ static inline mip_error mip_send_3dm_poll_gnss_data(struct mip_client *client,
     return mip_client_send(client, request, packet, &mip_3dm_poll_gnss_data_command, command, NULL,
                            NULL, now);
 }
+
+/** Poll GNSS Data. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_poll_gnss_data(
+    struct mip_device *device, mip_bool suppress_ack, uint8_t num_descriptors,
+    const struct mip_3dm_poll_entry descriptors[]) {
+    struct mip_3dm_poll_gnss_data command;
+    return mip_device_call(
+        device, &mip_3dm_poll_gnss_data_command,
+        mip_3dm_poll_gnss_data_make(&command, suppress_ack, num_descriptors, descriptors), NULL,
+        NULL);
+}
+
+/**
+ * Poll GNSS Data: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_poll_gnss_data_with(
+    struct mip_device *device, const struct mip_3dm_poll_gnss_data *command) {
+    return mip_device_call(device, &mip_3dm_poll_gnss_data_command, command, NULL, NULL);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_poll_filter_data_command;
 
@@ -53,6 +94,27 @@ static inline mip_error mip_send_3dm_poll_filter_data(
     return mip_client_send(client, request, packet, &mip_3dm_poll_filter_data_command, command,
                            NULL, NULL, now);
 }
+
+/** Poll Estimation Filter Data. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_poll_filter_data(
+    struct mip_device *device, mip_bool suppress_ack, uint8_t num_descriptors,
+    const struct mip_3dm_poll_entry descriptors[]) {
+    struct mip_3dm_poll_filter_data command;
+    return mip_device_call(
+        device, &mip_3dm_poll_filter_data_command,
+        mip_3dm_poll_filter_data_make(&command, suppress_ack, num_descriptors, descriptors), NULL,
+        NULL);
+}
+
+/**
+ * Poll Estimation Filter Data: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_poll_filter_data_with(
+    struct mip_device *device, const struct mip_3dm_poll_filter_data *command) {
+    return mip_device_call(device, &mip_3dm_poll_filter_data_command, command, NULL, NULL);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_poll_nmea_data_command;
 
@@ -65,6 +127,26 @@ static inline mip_error mip_send_3dm_poll_nmea_data(struct mip_client *client,
     return mip_client_send(client, request, packet, &mip_3dm_poll_nmea_data_command, command, NULL,
                            NULL, now);
 }
+
+/** Poll NMEA Data. See mip_device_call. */
+static inline struct mip_result
+mip_call_3dm_poll_nmea_data(struct mip_device *device, mip_bool suppress_ack, uint8_t count,
+                            const struct mip_nmea_message format_entries[]) {
+    struct mip_3dm_poll_nmea_data command;
+    return mip_device_call(
+        device, &mip_3dm_poll_nmea_data_command,
+        mip_3dm_poll_nmea_data_make(&command, suppress_ack, count, format_entries), NULL, NULL);
+}
+
+/**
+ * Poll NMEA Data: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_poll_nmea_data_with(
+    struct mip_device *device, const struct mip_3dm_poll_nmea_data *command) {
+    return mip_device_call(device, &mip_3dm_poll_nmea_data_command, command, NULL, NULL);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_get_imu_base_rate_command;
 
@@ -78,6 +160,14 @@ static inline mip_error mip_send_3dm_get_imu_base_rate(
     return mip_client_send(client, request, packet, &mip_3dm_get_imu_base_rate_command, NULL,
                            &mip_3dm_get_imu_base_rate_response_codec, response, now);
 }
+
+/** Get IMU Data Base Rate. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_get_imu_base_rate(
+    struct mip_device *device, struct mip_3dm_get_imu_base_rate_response *response) {
+    return mip_device_call(device, &mip_3dm_get_imu_base_rate_command, NULL,
+                           &mip_3dm_get_imu_base_rate_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_get_gnss_base_rate_command;
 
@@ -91,6 +181,14 @@ static inline mip_error mip_send_3dm_get_gnss_base_rate(
     return mip_client_send(client, request, packet, &mip_3dm_get_gnss_base_rate_command, NULL,
                            &mip_3dm_get_gnss_base_rate_response_codec, response, now);
 }
+
+/** Get GNSS Data Base Rate. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_get_gnss_base_rate(
+    struct mip_device *device, struct mip_3dm_get_gnss_base_rate_response *response) {
+    return mip_device_call(device, &mip_3dm_get_gnss_base_rate_command, NULL,
+                           &mip_3dm_get_gnss_base_rate_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_imu_message_format_command;
 
@@ -105,6 +203,60 @@ static inline mip_error mip_send_3dm_imu_message_format(
     return mip_client_send(client, request, packet, &mip_3dm_imu_message_format_command, command,
                            &mip_3dm_imu_message_format_response_codec, response, now);
 }
+
+/** IMU Message Format: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_3dm_imu_message_format_write(struct mip_device *device, uint8_t num_descriptors,
+                                      const struct mip_descriptor_rate descriptors[]) {
+    struct mip_3dm_imu_message_format command;
+    return mip_device_call(device, &mip_3dm_imu_message_format_command,
+                           mip_3dm_imu_message_format_write(&command, num_descriptors, descriptors),
+                           NULL, NULL);
+}
+
+/** IMU Message Format: read. Send the current setting back in a response. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_imu_message_format_read(
+    struct mip_device *device, struct mip_3dm_imu_message_format_response *response) {
+    struct mip_3dm_imu_message_format command;
+    return mip_device_call(device, &mip_3dm_imu_message_format_command,
+                           mip_3dm_imu_message_format_read(&command),
+                           &mip_3dm_imu_message_format_response_codec, response);
+}
+
+/**
+ * IMU Message Format: save. Save the current setting to non-volatile memory. See mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_imu_message_format_save(struct mip_device *device) {
+    struct mip_3dm_imu_message_format command;
+    return mip_device_call(device, &mip_3dm_imu_message_format_command,
+                           mip_3dm_imu_message_format_save(&command), NULL, NULL);
+}
+
+/** IMU Message Format: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_imu_message_format_load(struct mip_device *device) {
+    struct mip_3dm_imu_message_format command;
+    return mip_device_call(device, &mip_3dm_imu_message_format_command,
+                           mip_3dm_imu_message_format_load(&command), NULL, NULL);
+}
+
+/** IMU Message Format: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_imu_message_format_default(struct mip_device *device) {
+    struct mip_3dm_imu_message_format command;
+    return mip_device_call(device, &mip_3dm_imu_message_format_command,
+                           mip_3dm_imu_message_format_default(&command), NULL, NULL);
+}
+
+/**
+ * IMU Message Format: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_imu_message_format_with(
+    struct mip_device *device, const struct mip_3dm_imu_message_format *command,
+    struct mip_3dm_imu_message_format_response *response) {
+    return mip_device_call(device, &mip_3dm_imu_message_format_command, command,
+                           &mip_3dm_imu_message_format_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_gnss_message_format_command;
 
@@ -119,6 +271,61 @@ static inline mip_error mip_send_3dm_gnss_message_format(
     return mip_client_send(client, request, packet, &mip_3dm_gnss_message_format_command, command,
                            &mip_3dm_gnss_message_format_response_codec, response, now);
 }
+
+/** GNSS Message Format: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_3dm_gnss_message_format_write(struct mip_device *device, uint8_t num_descriptors,
+                                       const struct mip_descriptor_rate descriptors[]) {
+    struct mip_3dm_gnss_message_format command;
+    return mip_device_call(
+        device, &mip_3dm_gnss_message_format_command,
+        mip_3dm_gnss_message_format_write(&command, num_descriptors, descriptors), NULL, NULL);
+}
+
+/** GNSS Message Format: read. Send the current setting back in a response. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_gnss_message_format_read(
+    struct mip_device *device, struct mip_3dm_gnss_message_format_response *response) {
+    struct mip_3dm_gnss_message_format command;
+    return mip_device_call(device, &mip_3dm_gnss_message_format_command,
+                           mip_3dm_gnss_message_format_read(&command),
+                           &mip_3dm_gnss_message_format_response_codec, response);
+}
+
+/**
+ * GNSS Message Format: save. Save the current setting to non-volatile memory. See mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_gnss_message_format_save(struct mip_device *device) {
+    struct mip_3dm_gnss_message_format command;
+    return mip_device_call(device, &mip_3dm_gnss_message_format_command,
+                           mip_3dm_gnss_message_format_save(&command), NULL, NULL);
+}
+
+/** GNSS Message Format: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_gnss_message_format_load(struct mip_device *device) {
+    struct mip_3dm_gnss_message_format command;
+    return mip_device_call(device, &mip_3dm_gnss_message_format_command,
+                           mip_3dm_gnss_message_format_load(&command), NULL, NULL);
+}
+
+/** GNSS Message Format: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_3dm_gnss_message_format_default(struct mip_device *device) {
+    struct mip_3dm_gnss_message_format command;
+    return mip_device_call(device, &mip_3dm_gnss_message_format_command,
+                           mip_3dm_gnss_message_format_default(&command), NULL, NULL);
+}
+
+/**
+ * GNSS Message Format: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_gnss_message_format_with(
+    struct mip_device *device, const struct mip_3dm_gnss_message_format *command,
+    struct mip_3dm_gnss_message_format_response *response) {
+    return mip_device_call(device, &mip_3dm_gnss_message_format_command, command,
+                           &mip_3dm_gnss_message_format_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_filter_message_format_command;
 
@@ -133,6 +340,67 @@ static inline mip_error mip_send_3dm_filter_message_format(
     return mip_client_send(client, request, packet, &mip_3dm_filter_message_format_command, command,
                            &mip_3dm_filter_message_format_response_codec, response, now);
 }
+
+/** Estimation Filter Message Format: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_3dm_filter_message_format_write(struct mip_device *device, uint8_t num_descriptors,
+                                         const struct mip_descriptor_rate descriptors[]) {
+    struct mip_3dm_filter_message_format command;
+    return mip_device_call(
+        device, &mip_3dm_filter_message_format_command,
+        mip_3dm_filter_message_format_write(&command, num_descriptors, descriptors), NULL, NULL);
+}
+
+/**
+ * Estimation Filter Message Format: read. Send the current setting back in a response. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_filter_message_format_read(
+    struct mip_device *device, struct mip_3dm_filter_message_format_response *response) {
+    struct mip_3dm_filter_message_format command;
+    return mip_device_call(device, &mip_3dm_filter_message_format_command,
+                           mip_3dm_filter_message_format_read(&command),
+                           &mip_3dm_filter_message_format_response_codec, response);
+}
+
+/**
+ * Estimation Filter Message Format: save. Save the current setting to non-volatile memory. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_filter_message_format_save(struct mip_device *device) {
+    struct mip_3dm_filter_message_format command;
+    return mip_device_call(device, &mip_3dm_filter_message_format_command,
+                           mip_3dm_filter_message_format_save(&command), NULL, NULL);
+}
+
+/** Estimation Filter Message Format: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_filter_message_format_load(struct mip_device *device) {
+    struct mip_3dm_filter_message_format command;
+    return mip_device_call(device, &mip_3dm_filter_message_format_command,
+                           mip_3dm_filter_message_format_load(&command), NULL, NULL);
+}
+
+/**
+ * Estimation Filter Message Format: default. Load the factory default setting. See mip_device_call.
+ */
+static inline struct mip_result
+mip_call_3dm_filter_message_format_default(struct mip_device *device) {
+    struct mip_3dm_filter_message_format command;
+    return mip_device_call(device, &mip_3dm_filter_message_format_command,
+                           mip_3dm_filter_message_format_default(&command), NULL, NULL);
+}
+
+/**
+ * Estimation Filter Message Format: calls the command with these values, optional parameters too.
+ * See mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_filter_message_format_with(
+    struct mip_device *device, const struct mip_3dm_filter_message_format *command,
+    struct mip_3dm_filter_message_format_response *response) {
+    return mip_device_call(device, &mip_3dm_filter_message_format_command, command,
+                           &mip_3dm_filter_message_format_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_get_filter_base_rate_command;
 
@@ -146,6 +414,14 @@ static inline mip_error mip_send_3dm_get_filter_base_rate(
     return mip_client_send(client, request, packet, &mip_3dm_get_filter_base_rate_command, NULL,
                            &mip_3dm_get_filter_base_rate_response_codec, response, now);
 }
+
+/** Get Estimation Filter Data Base Rate. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_get_filter_base_rate(
+    struct mip_device *device, struct mip_3dm_get_filter_base_rate_response *response) {
+    return mip_device_call(device, &mip_3dm_get_filter_base_rate_command, NULL,
+                           &mip_3dm_get_filter_base_rate_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_nmea_message_format_command;
 
@@ -160,6 +436,60 @@ static inline mip_error mip_send_3dm_nmea_message_format(
     return mip_client_send(client, request, packet, &mip_3dm_nmea_message_format_command, command,
                            &mip_3dm_nmea_message_format_response_codec, response, now);
 }
+
+/** NMEA Message Format: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_nmea_message_format_write(
+    struct mip_device *device, uint8_t count, const struct mip_nmea_message format_entries[]) {
+    struct mip_3dm_nmea_message_format command;
+    return mip_device_call(device, &mip_3dm_nmea_message_format_command,
+                           mip_3dm_nmea_message_format_write(&command, count, format_entries), NULL,
+                           NULL);
+}
+
+/** NMEA Message Format: read. Send the current setting back in a response. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_nmea_message_format_read(
+    struct mip_device *device, struct mip_3dm_nmea_message_format_response *response) {
+    struct mip_3dm_nmea_message_format command;
+    return mip_device_call(device, &mip_3dm_nmea_message_format_command,
+                           mip_3dm_nmea_message_format_read(&command),
+                           &mip_3dm_nmea_message_format_response_codec, response);
+}
+
+/**
+ * NMEA Message Format: save. Save the current setting to non-volatile memory. See mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_nmea_message_format_save(struct mip_device *device) {
+    struct mip_3dm_nmea_message_format command;
+    return mip_device_call(device, &mip_3dm_nmea_message_format_command,
+                           mip_3dm_nmea_message_format_save(&command), NULL, NULL);
+}
+
+/** NMEA Message Format: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_nmea_message_format_load(struct mip_device *device) {
+    struct mip_3dm_nmea_message_format command;
+    return mip_device_call(device, &mip_3dm_nmea_message_format_command,
+                           mip_3dm_nmea_message_format_load(&command), NULL, NULL);
+}
+
+/** NMEA Message Format: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_3dm_nmea_message_format_default(struct mip_device *device) {
+    struct mip_3dm_nmea_message_format command;
+    return mip_device_call(device, &mip_3dm_nmea_message_format_command,
+                           mip_3dm_nmea_message_format_default(&command), NULL, NULL);
+}
+
+/**
+ * NMEA Message Format: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_nmea_message_format_with(
+    struct mip_device *device, const struct mip_3dm_nmea_message_format *command,
+    struct mip_3dm_nmea_message_format_response *response) {
+    return mip_device_call(device, &mip_3dm_nmea_message_format_command, command,
+                           &mip_3dm_nmea_message_format_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_poll_data_command;
 
@@ -172,6 +502,26 @@ static inline mip_error mip_send_3dm_poll_data(struct mip_client *client,
     return mip_client_send(client, request, packet, &mip_3dm_poll_data_command, command, NULL, NULL,
                            now);
 }
+
+/** Poll Data. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_poll_data(struct mip_device *device,
+                                                       uint8_t descriptor_set,
+                                                       mip_bool suppress_ack,
+                                                       uint8_t num_descriptors,
+                                                       const uint8_t descriptors[]) {
+    struct mip_3dm_poll_data command;
+    return mip_device_call(device, &mip_3dm_poll_data_command,
+                           mip_3dm_poll_data_make(&command, descriptor_set, suppress_ack,
+                                                  num_descriptors, descriptors),
+                           NULL, NULL);
+}
+
+/** Poll Data: calls the command with these values, optional parameters too. See mip_device_call. */
+static inline struct mip_result
+mip_call_3dm_poll_data_with(struct mip_device *device, const struct mip_3dm_poll_data *command) {
+    return mip_device_call(device, &mip_3dm_poll_data_command, command, NULL, NULL);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_get_base_rate_command;
 
@@ -188,6 +538,28 @@ static inline mip_error mip_send_3dm_get_base_rate(struct mip_client *client,
     return mip_client_send(client, request, packet, &mip_3dm_get_base_rate_command, command,
                            &mip_3dm_get_base_rate_response_codec, response, now);
 }
+
+/** Get Data Base Rate. See mip_device_call. */
+static inline struct mip_result
+mip_call_3dm_get_base_rate(struct mip_device *device, uint8_t descriptor_set,
+                           struct mip_3dm_get_base_rate_response *response) {
+    struct mip_3dm_get_base_rate command;
+    return mip_device_call(device, &mip_3dm_get_base_rate_command,
+                           mip_3dm_get_base_rate_make(&command, descriptor_set),
+                           &mip_3dm_get_base_rate_response_codec, response);
+}
+
+/**
+ * Get Data Base Rate: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_get_base_rate_with(
+    struct mip_device *device, const struct mip_3dm_get_base_rate *command,
+    struct mip_3dm_get_base_rate_response *response) {
+    return mip_device_call(device, &mip_3dm_get_base_rate_command, command,
+                           &mip_3dm_get_base_rate_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_message_format_command;
 
@@ -202,6 +574,63 @@ static inline mip_error mip_send_3dm_message_format(
     return mip_client_send(client, request, packet, &mip_3dm_message_format_command, command,
                            &mip_3dm_message_format_response_codec, response, now);
 }
+
+/** Message Format: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_message_format_write(
+    struct mip_device *device, uint8_t descriptor_set, uint8_t num_descriptors,
+    const struct mip_descriptor_rate descriptors[]) {
+    struct mip_3dm_message_format command;
+    return mip_device_call(
+        device, &mip_3dm_message_format_command,
+        mip_3dm_message_format_write(&command, descriptor_set, num_descriptors, descriptors), NULL,
+        NULL);
+}
+
+/** Message Format: read. Send the current setting back in a response. See mip_device_call. */
+static inline struct mip_result
+mip_call_3dm_message_format_read(struct mip_device *device, uint8_t descriptor_set,
+                                 struct mip_3dm_message_format_response *response) {
+    struct mip_3dm_message_format command;
+    return mip_device_call(device, &mip_3dm_message_format_command,
+                           mip_3dm_message_format_read(&command, descriptor_set),
+                           &mip_3dm_message_format_response_codec, response);
+}
+
+/** Message Format: save. Save the current setting to non-volatile memory. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_message_format_save(struct mip_device *device,
+                                                                 uint8_t descriptor_set) {
+    struct mip_3dm_message_format command;
+    return mip_device_call(device, &mip_3dm_message_format_command,
+                           mip_3dm_message_format_save(&command, descriptor_set), NULL, NULL);
+}
+
+/** Message Format: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_message_format_load(struct mip_device *device,
+                                                                 uint8_t descriptor_set) {
+    struct mip_3dm_message_format command;
+    return mip_device_call(device, &mip_3dm_message_format_command,
+                           mip_3dm_message_format_load(&command, descriptor_set), NULL, NULL);
+}
+
+/** Message Format: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_message_format_default(struct mip_device *device,
+                                                                    uint8_t descriptor_set) {
+    struct mip_3dm_message_format command;
+    return mip_device_call(device, &mip_3dm_message_format_command,
+                           mip_3dm_message_format_default(&command, descriptor_set), NULL, NULL);
+}
+
+/**
+ * Message Format: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_message_format_with(
+    struct mip_device *device, const struct mip_3dm_message_format *command,
+    struct mip_3dm_message_format_response *response) {
+    return mip_device_call(device, &mip_3dm_message_format_command, command,
+                           &mip_3dm_message_format_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_factory_streaming_command;
 
@@ -214,6 +643,24 @@ static inline mip_error mip_send_3dm_factory_streaming(
     return mip_client_send(client, request, packet, &mip_3dm_factory_streaming_command, command,
                            NULL, NULL, now);
 }
+
+/** Factory Streaming. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_factory_streaming(
+    struct mip_device *device, enum mip_3dm_factory_streaming_action action) {
+    struct mip_3dm_factory_streaming command;
+    return mip_device_call(device, &mip_3dm_factory_streaming_command,
+                           mip_3dm_factory_streaming_make(&command, action), NULL, NULL);
+}
+
+/**
+ * Factory Streaming: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_factory_streaming_with(
+    struct mip_device *device, const struct mip_3dm_factory_streaming *command) {
+    return mip_device_call(device, &mip_3dm_factory_streaming_command, command, NULL, NULL);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_data_stream_control_command;
 
@@ -228,6 +675,65 @@ static inline mip_error mip_send_3dm_data_stream_control(
     return mip_client_send(client, request, packet, &mip_3dm_data_stream_control_command, command,
                            &mip_3dm_data_stream_control_response_codec, response, now);
 }
+
+/** Data Stream Control: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_data_stream_control_write(struct mip_device *device,
+                                                                       uint8_t descriptor_set,
+                                                                       mip_bool enable) {
+    struct mip_3dm_data_stream_control command;
+    return mip_device_call(device, &mip_3dm_data_stream_control_command,
+                           mip_3dm_data_stream_control_write(&command, descriptor_set, enable),
+                           NULL, NULL);
+}
+
+/** Data Stream Control: read. Send the current setting back in a response. See mip_device_call. */
+static inline struct mip_result
+mip_call_3dm_data_stream_control_read(struct mip_device *device, uint8_t descriptor_set,
+                                      struct mip_3dm_data_stream_control_response *response) {
+    struct mip_3dm_data_stream_control command;
+    return mip_device_call(device, &mip_3dm_data_stream_control_command,
+                           mip_3dm_data_stream_control_read(&command, descriptor_set),
+                           &mip_3dm_data_stream_control_response_codec, response);
+}
+
+/**
+ * Data Stream Control: save. Save the current setting to non-volatile memory. See mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_data_stream_control_save(struct mip_device *device,
+                                                                      uint8_t descriptor_set) {
+    struct mip_3dm_data_stream_control command;
+    return mip_device_call(device, &mip_3dm_data_stream_control_command,
+                           mip_3dm_data_stream_control_save(&command, descriptor_set), NULL, NULL);
+}
+
+/** Data Stream Control: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_data_stream_control_load(struct mip_device *device,
+                                                                      uint8_t descriptor_set) {
+    struct mip_3dm_data_stream_control command;
+    return mip_device_call(device, &mip_3dm_data_stream_control_command,
+                           mip_3dm_data_stream_control_load(&command, descriptor_set), NULL, NULL);
+}
+
+/** Data Stream Control: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_data_stream_control_default(struct mip_device *device,
+                                                                         uint8_t descriptor_set) {
+    struct mip_3dm_data_stream_control command;
+    return mip_device_call(device, &mip_3dm_data_stream_control_command,
+                           mip_3dm_data_stream_control_default(&command, descriptor_set), NULL,
+                           NULL);
+}
+
+/**
+ * Data Stream Control: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_data_stream_control_with(
+    struct mip_device *device, const struct mip_3dm_data_stream_control *command,
+    struct mip_3dm_data_stream_control_response *response) {
+    return mip_device_call(device, &mip_3dm_data_stream_control_command, command,
+                           &mip_3dm_data_stream_control_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_constellation_settings_command;
 
@@ -242,6 +748,67 @@ static inline mip_error mip_send_3dm_constellation_settings(
     return mip_client_send(client, request, packet, &mip_3dm_constellation_settings_command,
                            command, &mip_3dm_constellation_settings_response_codec, response, now);
 }
+
+/** Constellation Settings: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_constellation_settings_write(
+    struct mip_device *device, uint16_t max_channels, uint8_t config_count,
+    const struct mip_3dm_constellation_settings_entry settings[]) {
+    struct mip_3dm_constellation_settings command;
+    return mip_device_call(
+        device, &mip_3dm_constellation_settings_command,
+        mip_3dm_constellation_settings_write(&command, max_channels, config_count, settings), NULL,
+        NULL);
+}
+
+/**
+ * Constellation Settings: read. Send the current setting back in a response. See mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_constellation_settings_read(
+    struct mip_device *device, struct mip_3dm_constellation_settings_response *response) {
+    struct mip_3dm_constellation_settings command;
+    return mip_device_call(device, &mip_3dm_constellation_settings_command,
+                           mip_3dm_constellation_settings_read(&command),
+                           &mip_3dm_constellation_settings_response_codec, response);
+}
+
+/**
+ * Constellation Settings: save. Save the current setting to non-volatile memory. See
+ * mip_device_call.
+ */
+static inline struct mip_result
+mip_call_3dm_constellation_settings_save(struct mip_device *device) {
+    struct mip_3dm_constellation_settings command;
+    return mip_device_call(device, &mip_3dm_constellation_settings_command,
+                           mip_3dm_constellation_settings_save(&command), NULL, NULL);
+}
+
+/** Constellation Settings: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_3dm_constellation_settings_load(struct mip_device *device) {
+    struct mip_3dm_constellation_settings command;
+    return mip_device_call(device, &mip_3dm_constellation_settings_command,
+                           mip_3dm_constellation_settings_load(&command), NULL, NULL);
+}
+
+/** Constellation Settings: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_3dm_constellation_settings_default(struct mip_device *device) {
+    struct mip_3dm_constellation_settings command;
+    return mip_device_call(device, &mip_3dm_constellation_settings_command,
+                           mip_3dm_constellation_settings_default(&command), NULL, NULL);
+}
+
+/**
+ * Constellation Settings: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_constellation_settings_with(
+    struct mip_device *device, const struct mip_3dm_constellation_settings *command,
+    struct mip_3dm_constellation_settings_response *response) {
+    return mip_device_call(device, &mip_3dm_constellation_settings_command, command,
+                           &mip_3dm_constellation_settings_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_gnss_sbas_settings_command;
 
@@ -256,6 +823,61 @@ static inline mip_error mip_send_3dm_gnss_sbas_settings(
     return mip_client_send(client, request, packet, &mip_3dm_gnss_sbas_settings_command, command,
                            &mip_3dm_gnss_sbas_settings_response_codec, response, now);
 }
+
+/** GNSS SBAS Settings: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_gnss_sbas_settings_write(
+    struct mip_device *device, uint8_t enable_sbas, mip_3dm_sbas_options sbas_options,
+    uint8_t num_included_prns, const uint16_t included_prns[]) {
+    struct mip_3dm_gnss_sbas_settings command;
+    return mip_device_call(device, &mip_3dm_gnss_sbas_settings_command,
+                           mip_3dm_gnss_sbas_settings_write(&command, enable_sbas, sbas_options,
+                                                            num_included_prns, included_prns),
+                           NULL, NULL);
+}
+
+/** GNSS SBAS Settings: read. Send the current setting back in a response. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_gnss_sbas_settings_read(
+    struct mip_device *device, struct mip_3dm_gnss_sbas_settings_response *response) {
+    struct mip_3dm_gnss_sbas_settings command;
+    return mip_device_call(device, &mip_3dm_gnss_sbas_settings_command,
+                           mip_3dm_gnss_sbas_settings_read(&command),
+                           &mip_3dm_gnss_sbas_settings_response_codec, response);
+}
+
+/**
+ * GNSS SBAS Settings: save. Save the current setting to non-volatile memory. See mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_gnss_sbas_settings_save(struct mip_device *device) {
+    struct mip_3dm_gnss_sbas_settings command;
+    return mip_device_call(device, &mip_3dm_gnss_sbas_settings_command,
+                           mip_3dm_gnss_sbas_settings_save(&command), NULL, NULL);
+}
+
+/** GNSS SBAS Settings: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_gnss_sbas_settings_load(struct mip_device *device) {
+    struct mip_3dm_gnss_sbas_settings command;
+    return mip_device_call(device, &mip_3dm_gnss_sbas_settings_command,
+                           mip_3dm_gnss_sbas_settings_load(&command), NULL, NULL);
+}
+
+/** GNSS SBAS Settings: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_gnss_sbas_settings_default(struct mip_device *device) {
+    struct mip_3dm_gnss_sbas_settings command;
+    return mip_device_call(device, &mip_3dm_gnss_sbas_settings_command,
+                           mip_3dm_gnss_sbas_settings_default(&command), NULL, NULL);
+}
+
+/**
+ * GNSS SBAS Settings: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_gnss_sbas_settings_with(
+    struct mip_device *device, const struct mip_3dm_gnss_sbas_settings *command,
+    struct mip_3dm_gnss_sbas_settings_response *response) {
+    return mip_device_call(device, &mip_3dm_gnss_sbas_settings_command, command,
+                           &mip_3dm_gnss_sbas_settings_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_gnss_assisted_fix_command;
 
@@ -270,6 +892,58 @@ static inline mip_error mip_send_3dm_gnss_assisted_fix(
     return mip_client_send(client, request, packet, &mip_3dm_gnss_assisted_fix_command, command,
                            &mip_3dm_gnss_assisted_fix_response_codec, response, now);
 }
+
+/** GNSS Assisted Fix: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_gnss_assisted_fix_write(
+    struct mip_device *device, enum mip_3dm_assisted_fix_option option) {
+    struct mip_3dm_gnss_assisted_fix command;
+    return mip_device_call(device, &mip_3dm_gnss_assisted_fix_command,
+                           mip_3dm_gnss_assisted_fix_write(&command, option), NULL, NULL);
+}
+
+/** GNSS Assisted Fix: read. Send the current setting back in a response. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_gnss_assisted_fix_read(
+    struct mip_device *device, struct mip_3dm_gnss_assisted_fix_response *response) {
+    struct mip_3dm_gnss_assisted_fix command;
+    return mip_device_call(device, &mip_3dm_gnss_assisted_fix_command,
+                           mip_3dm_gnss_assisted_fix_read(&command),
+                           &mip_3dm_gnss_assisted_fix_response_codec, response);
+}
+
+/**
+ * GNSS Assisted Fix: save. Save the current setting to non-volatile memory. See mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_gnss_assisted_fix_save(struct mip_device *device) {
+    struct mip_3dm_gnss_assisted_fix command;
+    return mip_device_call(device, &mip_3dm_gnss_assisted_fix_command,
+                           mip_3dm_gnss_assisted_fix_save(&command), NULL, NULL);
+}
+
+/** GNSS Assisted Fix: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_gnss_assisted_fix_load(struct mip_device *device) {
+    struct mip_3dm_gnss_assisted_fix command;
+    return mip_device_call(device, &mip_3dm_gnss_assisted_fix_command,
+                           mip_3dm_gnss_assisted_fix_load(&command), NULL, NULL);
+}
+
+/** GNSS Assisted Fix: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_gnss_assisted_fix_default(struct mip_device *device) {
+    struct mip_3dm_gnss_assisted_fix command;
+    return mip_device_call(device, &mip_3dm_gnss_assisted_fix_command,
+                           mip_3dm_gnss_assisted_fix_default(&command), NULL, NULL);
+}
+
+/**
+ * GNSS Assisted Fix: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_gnss_assisted_fix_with(
+    struct mip_device *device, const struct mip_3dm_gnss_assisted_fix *command,
+    struct mip_3dm_gnss_assisted_fix_response *response) {
+    return mip_device_call(device, &mip_3dm_gnss_assisted_fix_command, command,
+                           &mip_3dm_gnss_assisted_fix_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_gnss_time_assistance_command;
 
@@ -284,6 +958,38 @@ static inline mip_error mip_send_3dm_gnss_time_assistance(
     return mip_client_send(client, request, packet, &mip_3dm_gnss_time_assistance_command, command,
                            &mip_3dm_gnss_time_assistance_response_codec, response, now);
 }
+
+/** GNSS Time Assistance: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_gnss_time_assistance_write(struct mip_device *device,
+                                                                        double tow,
+                                                                        uint16_t week_number,
+                                                                        float accuracy) {
+    struct mip_3dm_gnss_time_assistance command;
+    return mip_device_call(device, &mip_3dm_gnss_time_assistance_command,
+                           mip_3dm_gnss_time_assistance_write(&command, tow, week_number, accuracy),
+                           NULL, NULL);
+}
+
+/** GNSS Time Assistance: read. Send the current setting back in a response. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_gnss_time_assistance_read(
+    struct mip_device *device, struct mip_3dm_gnss_time_assistance_response *response) {
+    struct mip_3dm_gnss_time_assistance command;
+    return mip_device_call(device, &mip_3dm_gnss_time_assistance_command,
+                           mip_3dm_gnss_time_assistance_read(&command),
+                           &mip_3dm_gnss_time_assistance_response_codec, response);
+}
+
+/**
+ * GNSS Time Assistance: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_gnss_time_assistance_with(
+    struct mip_device *device, const struct mip_3dm_gnss_time_assistance *command,
+    struct mip_3dm_gnss_time_assistance_response *response) {
+    return mip_device_call(device, &mip_3dm_gnss_time_assistance_command, command,
+                           &mip_3dm_gnss_time_assistance_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_pps_source_control_command;
 
@@ -298,6 +1004,58 @@ static inline mip_error mip_send_3dm_pps_source_control(
     return mip_client_send(client, request, packet, &mip_3dm_pps_source_control_command, command,
                            &mip_3dm_pps_source_control_response_codec, response, now);
 }
+
+/** PPS Source Control: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_3dm_pps_source_control_write(struct mip_device *device, enum mip_3dm_pps_source source) {
+    struct mip_3dm_pps_source_control command;
+    return mip_device_call(device, &mip_3dm_pps_source_control_command,
+                           mip_3dm_pps_source_control_write(&command, source), NULL, NULL);
+}
+
+/** PPS Source Control: read. Send the current setting back in a response. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_pps_source_control_read(
+    struct mip_device *device, struct mip_3dm_pps_source_control_response *response) {
+    struct mip_3dm_pps_source_control command;
+    return mip_device_call(device, &mip_3dm_pps_source_control_command,
+                           mip_3dm_pps_source_control_read(&command),
+                           &mip_3dm_pps_source_control_response_codec, response);
+}
+
+/**
+ * PPS Source Control: save. Save the current setting to non-volatile memory. See mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_pps_source_control_save(struct mip_device *device) {
+    struct mip_3dm_pps_source_control command;
+    return mip_device_call(device, &mip_3dm_pps_source_control_command,
+                           mip_3dm_pps_source_control_save(&command), NULL, NULL);
+}
+
+/** PPS Source Control: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_pps_source_control_load(struct mip_device *device) {
+    struct mip_3dm_pps_source_control command;
+    return mip_device_call(device, &mip_3dm_pps_source_control_command,
+                           mip_3dm_pps_source_control_load(&command), NULL, NULL);
+}
+
+/** PPS Source Control: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_pps_source_control_default(struct mip_device *device) {
+    struct mip_3dm_pps_source_control command;
+    return mip_device_call(device, &mip_3dm_pps_source_control_command,
+                           mip_3dm_pps_source_control_default(&command), NULL, NULL);
+}
+
+/**
+ * PPS Source Control: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_pps_source_control_with(
+    struct mip_device *device, const struct mip_3dm_pps_source_control *command,
+    struct mip_3dm_pps_source_control_response *response) {
+    return mip_device_call(device, &mip_3dm_pps_source_control_command, command,
+                           &mip_3dm_pps_source_control_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_get_event_support_command;
 
@@ -312,6 +1070,28 @@ static inline mip_error mip_send_3dm_get_event_support(
     return mip_client_send(client, request, packet, &mip_3dm_get_event_support_command, command,
                            &mip_3dm_get_event_support_response_codec, response, now);
 }
+
+/** Get Supported Events. See mip_device_call. */
+static inline struct mip_result
+mip_call_3dm_get_event_support(struct mip_device *device, enum mip_3dm_event_support_query query,
+                               struct mip_3dm_get_event_support_response *response) {
+    struct mip_3dm_get_event_support command;
+    return mip_device_call(device, &mip_3dm_get_event_support_command,
+                           mip_3dm_get_event_support_make(&command, query),
+                           &mip_3dm_get_event_support_response_codec, response);
+}
+
+/**
+ * Get Supported Events: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_get_event_support_with(
+    struct mip_device *device, const struct mip_3dm_get_event_support *command,
+    struct mip_3dm_get_event_support_response *response) {
+    return mip_device_call(device, &mip_3dm_get_event_support_command, command,
+                           &mip_3dm_get_event_support_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_event_control_command;
 
@@ -328,6 +1108,59 @@ static inline mip_error mip_send_3dm_event_control(struct mip_client *client,
     return mip_client_send(client, request, packet, &mip_3dm_event_control_command, command,
                            &mip_3dm_event_control_response_codec, response, now);
 }
+
+/** Event Control: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_event_control_write(struct mip_device *device,
+                                                                 uint8_t instance,
+                                                                 enum mip_event_trigger_mode mode) {
+    struct mip_3dm_event_control command;
+    return mip_device_call(device, &mip_3dm_event_control_command,
+                           mip_3dm_event_control_write(&command, instance, mode), NULL, NULL);
+}
+
+/** Event Control: read. Send the current setting back in a response. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_event_control_read(
+    struct mip_device *device, uint8_t instance, struct mip_3dm_event_control_response *response) {
+    struct mip_3dm_event_control command;
+    return mip_device_call(device, &mip_3dm_event_control_command,
+                           mip_3dm_event_control_read(&command, instance),
+                           &mip_3dm_event_control_response_codec, response);
+}
+
+/** Event Control: save. Save the current setting to non-volatile memory. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_event_control_save(struct mip_device *device,
+                                                                uint8_t instance) {
+    struct mip_3dm_event_control command;
+    return mip_device_call(device, &mip_3dm_event_control_command,
+                           mip_3dm_event_control_save(&command, instance), NULL, NULL);
+}
+
+/** Event Control: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_event_control_load(struct mip_device *device,
+                                                                uint8_t instance) {
+    struct mip_3dm_event_control command;
+    return mip_device_call(device, &mip_3dm_event_control_command,
+                           mip_3dm_event_control_load(&command, instance), NULL, NULL);
+}
+
+/** Event Control: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_event_control_default(struct mip_device *device,
+                                                                   uint8_t instance) {
+    struct mip_3dm_event_control command;
+    return mip_device_call(device, &mip_3dm_event_control_command,
+                           mip_3dm_event_control_default(&command, instance), NULL, NULL);
+}
+
+/**
+ * Event Control: calls the command with these values, optional parameters too. See mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_event_control_with(
+    struct mip_device *device, const struct mip_3dm_event_control *command,
+    struct mip_3dm_event_control_response *response) {
+    return mip_device_call(device, &mip_3dm_event_control_command, command,
+                           &mip_3dm_event_control_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_get_event_trigger_status_command;
 
@@ -343,6 +1176,29 @@ static inline mip_error mip_send_3dm_get_event_trigger_status(
                            command, &mip_3dm_get_event_trigger_status_response_codec, response,
                            now);
 }
+
+/** Get Event Trigger Status. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_get_event_trigger_status(
+    struct mip_device *device, uint8_t requested_count, const uint8_t requested_instances[],
+    struct mip_3dm_get_event_trigger_status_response *response) {
+    struct mip_3dm_get_event_trigger_status command;
+    return mip_device_call(
+        device, &mip_3dm_get_event_trigger_status_command,
+        mip_3dm_get_event_trigger_status_make(&command, requested_count, requested_instances),
+        &mip_3dm_get_event_trigger_status_response_codec, response);
+}
+
+/**
+ * Get Event Trigger Status: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_get_event_trigger_status_with(
+    struct mip_device *device, const struct mip_3dm_get_event_trigger_status *command,
+    struct mip_3dm_get_event_trigger_status_response *response) {
+    return mip_device_call(device, &mip_3dm_get_event_trigger_status_command, command,
+                           &mip_3dm_get_event_trigger_status_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_get_event_action_status_command;
 
@@ -357,6 +1213,29 @@ static inline mip_error mip_send_3dm_get_event_action_status(
     return mip_client_send(client, request, packet, &mip_3dm_get_event_action_status_command,
                            command, &mip_3dm_get_event_action_status_response_codec, response, now);
 }
+
+/** Get Event Action Status. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_get_event_action_status(
+    struct mip_device *device, uint8_t requested_count, const uint8_t requested_instances[],
+    struct mip_3dm_get_event_action_status_response *response) {
+    struct mip_3dm_get_event_action_status command;
+    return mip_device_call(
+        device, &mip_3dm_get_event_action_status_command,
+        mip_3dm_get_event_action_status_make(&command, requested_count, requested_instances),
+        &mip_3dm_get_event_action_status_response_codec, response);
+}
+
+/**
+ * Get Event Action Status: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_get_event_action_status_with(
+    struct mip_device *device, const struct mip_3dm_get_event_action_status *command,
+    struct mip_3dm_get_event_action_status_response *response) {
+    return mip_device_call(device, &mip_3dm_get_event_action_status_command, command,
+                           &mip_3dm_get_event_action_status_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_event_trigger_config_command;
 
@@ -371,6 +1250,68 @@ static inline mip_error mip_send_3dm_event_trigger_config(
     return mip_client_send(client, request, packet, &mip_3dm_event_trigger_config_command, command,
                            &mip_3dm_event_trigger_config_response_codec, response, now);
 }
+
+/** Event Trigger Configuration: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_event_trigger_config_write(
+    struct mip_device *device, uint8_t instance, enum mip_event_trigger_type type,
+    const union mip_3dm_event_trigger_config_parameters *parameters) {
+    struct mip_3dm_event_trigger_config command;
+    return mip_device_call(device, &mip_3dm_event_trigger_config_command,
+                           mip_3dm_event_trigger_config_write(&command, instance, type, parameters),
+                           NULL, NULL);
+}
+
+/**
+ * Event Trigger Configuration: read. Send the current setting back in a response. See
+ * mip_device_call.
+ */
+static inline struct mip_result
+mip_call_3dm_event_trigger_config_read(struct mip_device *device, uint8_t instance,
+                                       struct mip_3dm_event_trigger_config_response *response) {
+    struct mip_3dm_event_trigger_config command;
+    return mip_device_call(device, &mip_3dm_event_trigger_config_command,
+                           mip_3dm_event_trigger_config_read(&command, instance),
+                           &mip_3dm_event_trigger_config_response_codec, response);
+}
+
+/**
+ * Event Trigger Configuration: save. Save the current setting to non-volatile memory. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_event_trigger_config_save(struct mip_device *device,
+                                                                       uint8_t instance) {
+    struct mip_3dm_event_trigger_config command;
+    return mip_device_call(device, &mip_3dm_event_trigger_config_command,
+                           mip_3dm_event_trigger_config_save(&command, instance), NULL, NULL);
+}
+
+/** Event Trigger Configuration: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_event_trigger_config_load(struct mip_device *device,
+                                                                       uint8_t instance) {
+    struct mip_3dm_event_trigger_config command;
+    return mip_device_call(device, &mip_3dm_event_trigger_config_command,
+                           mip_3dm_event_trigger_config_load(&command, instance), NULL, NULL);
+}
+
+/** Event Trigger Configuration: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_event_trigger_config_default(struct mip_device *device,
+                                                                          uint8_t instance) {
+    struct mip_3dm_event_trigger_config command;
+    return mip_device_call(device, &mip_3dm_event_trigger_config_command,
+                           mip_3dm_event_trigger_config_default(&command, instance), NULL, NULL);
+}
+
+/**
+ * Event Trigger Configuration: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_event_trigger_config_with(
+    struct mip_device *device, const struct mip_3dm_event_trigger_config *command,
+    struct mip_3dm_event_trigger_config_response *response) {
+    return mip_device_call(device, &mip_3dm_event_trigger_config_command, command,
+                           &mip_3dm_event_trigger_config_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_event_action_config_command;
 
@@ -385,6 +1326,69 @@ static inline mip_error mip_send_3dm_event_action_config(
     return mip_client_send(client, request, packet, &mip_3dm_event_action_config_command, command,
                            &mip_3dm_event_action_config_response_codec, response, now);
 }
+
+/** Event Action Configuration: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_event_action_config_write(
+    struct mip_device *device, uint8_t instance, uint8_t trigger, enum mip_event_action_type type,
+    const union mip_3dm_event_action_config_parameters *parameters) {
+    struct mip_3dm_event_action_config command;
+    return mip_device_call(
+        device, &mip_3dm_event_action_config_command,
+        mip_3dm_event_action_config_write(&command, instance, trigger, type, parameters), NULL,
+        NULL);
+}
+
+/**
+ * Event Action Configuration: read. Send the current setting back in a response. See
+ * mip_device_call.
+ */
+static inline struct mip_result
+mip_call_3dm_event_action_config_read(struct mip_device *device, uint8_t instance,
+                                      struct mip_3dm_event_action_config_response *response) {
+    struct mip_3dm_event_action_config command;
+    return mip_device_call(device, &mip_3dm_event_action_config_command,
+                           mip_3dm_event_action_config_read(&command, instance),
+                           &mip_3dm_event_action_config_response_codec, response);
+}
+
+/**
+ * Event Action Configuration: save. Save the current setting to non-volatile memory. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_event_action_config_save(struct mip_device *device,
+                                                                      uint8_t instance) {
+    struct mip_3dm_event_action_config command;
+    return mip_device_call(device, &mip_3dm_event_action_config_command,
+                           mip_3dm_event_action_config_save(&command, instance), NULL, NULL);
+}
+
+/** Event Action Configuration: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_event_action_config_load(struct mip_device *device,
+                                                                      uint8_t instance) {
+    struct mip_3dm_event_action_config command;
+    return mip_device_call(device, &mip_3dm_event_action_config_command,
+                           mip_3dm_event_action_config_load(&command, instance), NULL, NULL);
+}
+
+/** Event Action Configuration: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_event_action_config_default(struct mip_device *device,
+                                                                         uint8_t instance) {
+    struct mip_3dm_event_action_config command;
+    return mip_device_call(device, &mip_3dm_event_action_config_command,
+                           mip_3dm_event_action_config_default(&command, instance), NULL, NULL);
+}
+
+/**
+ * Event Action Configuration: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_event_action_config_with(
+    struct mip_device *device, const struct mip_3dm_event_action_config *command,
+    struct mip_3dm_event_action_config_response *response) {
+    return mip_device_call(device, &mip_3dm_event_action_config_command, command,
+                           &mip_3dm_event_action_config_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_device_settings_command;
 
@@ -400,6 +1404,40 @@ static inline mip_error mip_send_3dm_device_settings(struct mip_client *client,
     return mip_client_send(client, request, packet, &mip_3dm_device_settings_command, command, NULL,
                            NULL, now);
 }
+
+/**
+ * Device Start Up Settings: save. Save the current setting to non-volatile memory. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_device_settings_save(struct mip_device *device) {
+    struct mip_3dm_device_settings command;
+    return mip_device_call(device, &mip_3dm_device_settings_command,
+                           mip_3dm_device_settings_save(&command), NULL, NULL);
+}
+
+/** Device Start Up Settings: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_device_settings_load(struct mip_device *device) {
+    struct mip_3dm_device_settings command;
+    return mip_device_call(device, &mip_3dm_device_settings_command,
+                           mip_3dm_device_settings_load(&command), NULL, NULL);
+}
+
+/** Device Start Up Settings: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_device_settings_default(struct mip_device *device) {
+    struct mip_3dm_device_settings command;
+    return mip_device_call(device, &mip_3dm_device_settings_command,
+                           mip_3dm_device_settings_default(&command), NULL, NULL);
+}
+
+/**
+ * Device Start Up Settings: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_device_settings_with(
+    struct mip_device *device, const struct mip_3dm_device_settings *command) {
+    return mip_device_call(device, &mip_3dm_device_settings_command, command, NULL, NULL);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_sensor_to_vehicle_euler_command;
 
@@ -415,6 +1453,73 @@ static inline mip_error mip_send_3dm_sensor_to_vehicle_euler(
     return mip_client_send(client, request, packet, &mip_3dm_sensor_to_vehicle_euler_command,
                            command, &mip_3dm_sensor_to_vehicle_euler_response_codec, response, now);
 }
+
+/**
+ * Sensor-to-Vehicle Frame Transformation Euler: write. Apply the new setting. See mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_sensor_to_vehicle_euler_write(
+    struct mip_device *device, float roll, float pitch, float yaw) {
+    struct mip_3dm_sensor_to_vehicle_euler command;
+    return mip_device_call(device, &mip_3dm_sensor_to_vehicle_euler_command,
+                           mip_3dm_sensor_to_vehicle_euler_write(&command, roll, pitch, yaw), NULL,
+                           NULL);
+}
+
+/**
+ * Sensor-to-Vehicle Frame Transformation Euler: read. Send the current setting back in a response.
+ * See mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_sensor_to_vehicle_euler_read(
+    struct mip_device *device, struct mip_3dm_sensor_to_vehicle_euler_response *response) {
+    struct mip_3dm_sensor_to_vehicle_euler command;
+    return mip_device_call(device, &mip_3dm_sensor_to_vehicle_euler_command,
+                           mip_3dm_sensor_to_vehicle_euler_read(&command),
+                           &mip_3dm_sensor_to_vehicle_euler_response_codec, response);
+}
+
+/**
+ * Sensor-to-Vehicle Frame Transformation Euler: save. Save the current setting to non-volatile
+ * memory. See mip_device_call.
+ */
+static inline struct mip_result
+mip_call_3dm_sensor_to_vehicle_euler_save(struct mip_device *device) {
+    struct mip_3dm_sensor_to_vehicle_euler command;
+    return mip_device_call(device, &mip_3dm_sensor_to_vehicle_euler_command,
+                           mip_3dm_sensor_to_vehicle_euler_save(&command), NULL, NULL);
+}
+
+/**
+ * Sensor-to-Vehicle Frame Transformation Euler: load. Load the saved setting. See mip_device_call.
+ */
+static inline struct mip_result
+mip_call_3dm_sensor_to_vehicle_euler_load(struct mip_device *device) {
+    struct mip_3dm_sensor_to_vehicle_euler command;
+    return mip_device_call(device, &mip_3dm_sensor_to_vehicle_euler_command,
+                           mip_3dm_sensor_to_vehicle_euler_load(&command), NULL, NULL);
+}
+
+/**
+ * Sensor-to-Vehicle Frame Transformation Euler: default. Load the factory default setting. See
+ * mip_device_call.
+ */
+static inline struct mip_result
+mip_call_3dm_sensor_to_vehicle_euler_default(struct mip_device *device) {
+    struct mip_3dm_sensor_to_vehicle_euler command;
+    return mip_device_call(device, &mip_3dm_sensor_to_vehicle_euler_command,
+                           mip_3dm_sensor_to_vehicle_euler_default(&command), NULL, NULL);
+}
+
+/**
+ * Sensor-to-Vehicle Frame Transformation Euler: calls the command with these values, optional
+ * parameters too. See mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_sensor_to_vehicle_euler_with(
+    struct mip_device *device, const struct mip_3dm_sensor_to_vehicle_euler *command,
+    struct mip_3dm_sensor_to_vehicle_euler_response *response) {
+    return mip_device_call(device, &mip_3dm_sensor_to_vehicle_euler_command, command,
+                           &mip_3dm_sensor_to_vehicle_euler_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_sensor_to_vehicle_quaternion_command;
 
@@ -431,6 +1536,74 @@ static inline mip_error mip_send_3dm_sensor_to_vehicle_quaternion(
                            command, &mip_3dm_sensor_to_vehicle_quaternion_response_codec, response,
                            now);
 }
+
+/**
+ * Sensor-to-Vehicle Frame Transformation Quaternion: write. Apply the new setting. See
+ * mip_device_call.
+ */
+static inline struct mip_result
+mip_call_3dm_sensor_to_vehicle_quaternion_write(struct mip_device *device, const float q[4]) {
+    struct mip_3dm_sensor_to_vehicle_quaternion command;
+    return mip_device_call(device, &mip_3dm_sensor_to_vehicle_quaternion_command,
+                           mip_3dm_sensor_to_vehicle_quaternion_write(&command, q), NULL, NULL);
+}
+
+/**
+ * Sensor-to-Vehicle Frame Transformation Quaternion: read. Send the current setting back in a
+ * response. See mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_sensor_to_vehicle_quaternion_read(
+    struct mip_device *device, struct mip_3dm_sensor_to_vehicle_quaternion_response *response) {
+    struct mip_3dm_sensor_to_vehicle_quaternion command;
+    return mip_device_call(device, &mip_3dm_sensor_to_vehicle_quaternion_command,
+                           mip_3dm_sensor_to_vehicle_quaternion_read(&command),
+                           &mip_3dm_sensor_to_vehicle_quaternion_response_codec, response);
+}
+
+/**
+ * Sensor-to-Vehicle Frame Transformation Quaternion: save. Save the current setting to non-volatile
+ * memory. See mip_device_call.
+ */
+static inline struct mip_result
+mip_call_3dm_sensor_to_vehicle_quaternion_save(struct mip_device *device) {
+    struct mip_3dm_sensor_to_vehicle_quaternion command;
+    return mip_device_call(device, &mip_3dm_sensor_to_vehicle_quaternion_command,
+                           mip_3dm_sensor_to_vehicle_quaternion_save(&command), NULL, NULL);
+}
+
+/**
+ * Sensor-to-Vehicle Frame Transformation Quaternion: load. Load the saved setting. See
+ * mip_device_call.
+ */
+static inline struct mip_result
+mip_call_3dm_sensor_to_vehicle_quaternion_load(struct mip_device *device) {
+    struct mip_3dm_sensor_to_vehicle_quaternion command;
+    return mip_device_call(device, &mip_3dm_sensor_to_vehicle_quaternion_command,
+                           mip_3dm_sensor_to_vehicle_quaternion_load(&command), NULL, NULL);
+}
+
+/**
+ * Sensor-to-Vehicle Frame Transformation Quaternion: default. Load the factory default setting. See
+ * mip_device_call.
+ */
+static inline struct mip_result
+mip_call_3dm_sensor_to_vehicle_quaternion_default(struct mip_device *device) {
+    struct mip_3dm_sensor_to_vehicle_quaternion command;
+    return mip_device_call(device, &mip_3dm_sensor_to_vehicle_quaternion_command,
+                           mip_3dm_sensor_to_vehicle_quaternion_default(&command), NULL, NULL);
+}
+
+/**
+ * Sensor-to-Vehicle Frame Transformation Quaternion: calls the command with these values, optional
+ * parameters too. See mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_sensor_to_vehicle_quaternion_with(
+    struct mip_device *device, const struct mip_3dm_sensor_to_vehicle_quaternion *command,
+    struct mip_3dm_sensor_to_vehicle_quaternion_response *response) {
+    return mip_device_call(device, &mip_3dm_sensor_to_vehicle_quaternion_command, command,
+                           &mip_3dm_sensor_to_vehicle_quaternion_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_sensor_to_vehicle_dcm_command;
 
@@ -446,6 +1619,72 @@ static inline mip_error mip_send_3dm_sensor_to_vehicle_dcm(
     return mip_client_send(client, request, packet, &mip_3dm_sensor_to_vehicle_dcm_command, command,
                            &mip_3dm_sensor_to_vehicle_dcm_response_codec, response, now);
 }
+
+/**
+ * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix: write. Apply the new setting. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_sensor_to_vehicle_dcm_write(struct mip_device *device,
+                                                                         const float dcm[9]) {
+    struct mip_3dm_sensor_to_vehicle_dcm command;
+    return mip_device_call(device, &mip_3dm_sensor_to_vehicle_dcm_command,
+                           mip_3dm_sensor_to_vehicle_dcm_write(&command, dcm), NULL, NULL);
+}
+
+/**
+ * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix: read. Send the current setting
+ * back in a response. See mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_sensor_to_vehicle_dcm_read(
+    struct mip_device *device, struct mip_3dm_sensor_to_vehicle_dcm_response *response) {
+    struct mip_3dm_sensor_to_vehicle_dcm command;
+    return mip_device_call(device, &mip_3dm_sensor_to_vehicle_dcm_command,
+                           mip_3dm_sensor_to_vehicle_dcm_read(&command),
+                           &mip_3dm_sensor_to_vehicle_dcm_response_codec, response);
+}
+
+/**
+ * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix: save. Save the current setting to
+ * non-volatile memory. See mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_sensor_to_vehicle_dcm_save(struct mip_device *device) {
+    struct mip_3dm_sensor_to_vehicle_dcm command;
+    return mip_device_call(device, &mip_3dm_sensor_to_vehicle_dcm_command,
+                           mip_3dm_sensor_to_vehicle_dcm_save(&command), NULL, NULL);
+}
+
+/**
+ * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix: load. Load the saved setting. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_sensor_to_vehicle_dcm_load(struct mip_device *device) {
+    struct mip_3dm_sensor_to_vehicle_dcm command;
+    return mip_device_call(device, &mip_3dm_sensor_to_vehicle_dcm_command,
+                           mip_3dm_sensor_to_vehicle_dcm_load(&command), NULL, NULL);
+}
+
+/**
+ * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix: default. Load the factory default
+ * setting. See mip_device_call.
+ */
+static inline struct mip_result
+mip_call_3dm_sensor_to_vehicle_dcm_default(struct mip_device *device) {
+    struct mip_3dm_sensor_to_vehicle_dcm command;
+    return mip_device_call(device, &mip_3dm_sensor_to_vehicle_dcm_command,
+                           mip_3dm_sensor_to_vehicle_dcm_default(&command), NULL, NULL);
+}
+
+/**
+ * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix: calls the command with these
+ * values, optional parameters too. See mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_sensor_to_vehicle_dcm_with(
+    struct mip_device *device, const struct mip_3dm_sensor_to_vehicle_dcm *command,
+    struct mip_3dm_sensor_to_vehicle_dcm_response *response) {
+    return mip_device_call(device, &mip_3dm_sensor_to_vehicle_dcm_command, command,
+                           &mip_3dm_sensor_to_vehicle_dcm_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_accel_bias_command;
 
@@ -462,6 +1701,74 @@ static inline mip_error mip_send_3dm_accel_bias(struct mip_client *client,
     return mip_client_send(client, request, packet, &mip_3dm_accel_bias_command, command,
                            &mip_3dm_accel_bias_response_codec, response, now);
 }
+
+/** Accelerometer Bias Configuration: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_accel_bias_write(struct mip_device *device,
+                                                              const float bias[3]) {
+    struct mip_3dm_accel_bias command;
+    return mip_device_call(device, &mip_3dm_accel_bias_command,
+                           mip_3dm_accel_bias_write(&command, bias), NULL, NULL);
+}
+
+/**
+ * Accelerometer Bias Configuration: read. Send the current setting back in a response. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_accel_bias_read(
+    struct mip_device *device, struct mip_3dm_accel_bias_response *response) {
+    struct mip_3dm_accel_bias command;
+    return mip_device_call(device, &mip_3dm_accel_bias_command, mip_3dm_accel_bias_read(&command),
+                           &mip_3dm_accel_bias_response_codec, response);
+}
+
+/**
+ * Accelerometer Bias Configuration: save. Save the current setting to non-volatile memory. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_accel_bias_save(struct mip_device *device) {
+    struct mip_3dm_accel_bias command;
+    return mip_device_call(device, &mip_3dm_accel_bias_command, mip_3dm_accel_bias_save(&command),
+                           NULL, NULL);
+}
+
+/** Accelerometer Bias Configuration: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_accel_bias_load(struct mip_device *device) {
+    struct mip_3dm_accel_bias command;
+    return mip_device_call(device, &mip_3dm_accel_bias_command, mip_3dm_accel_bias_load(&command),
+                           NULL, NULL);
+}
+
+/**
+ * Accelerometer Bias Configuration: default. Load the factory default setting. See mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_accel_bias_default(struct mip_device *device) {
+    struct mip_3dm_accel_bias command;
+    return mip_device_call(device, &mip_3dm_accel_bias_command,
+                           mip_3dm_accel_bias_default(&command), NULL, NULL);
+}
+
+/**
+ * Accelerometer Bias Configuration: apply. Apply the new setting and send no acknowledge (5-series
+ * devices). See mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_accel_bias_apply(struct mip_device *device,
+                                                              const float bias[3]) {
+    struct mip_3dm_accel_bias command;
+    return mip_device_call(device, &mip_3dm_accel_bias_command,
+                           mip_3dm_accel_bias_apply(&command, bias), NULL, NULL);
+}
+
+/**
+ * Accelerometer Bias Configuration: calls the command with these values, optional parameters too.
+ * See mip_device_call.
+ */
+static inline struct mip_result
+mip_call_3dm_accel_bias_with(struct mip_device *device, const struct mip_3dm_accel_bias *command,
+                             struct mip_3dm_accel_bias_response *response) {
+    return mip_device_call(device, &mip_3dm_accel_bias_command, command,
+                           &mip_3dm_accel_bias_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_gyro_bias_command;
 
@@ -478,6 +1785,72 @@ static inline mip_error mip_send_3dm_gyro_bias(struct mip_client *client,
     return mip_client_send(client, request, packet, &mip_3dm_gyro_bias_command, command,
                            &mip_3dm_gyro_bias_response_codec, response, now);
 }
+
+/** Gyroscope Bias Configuration: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_gyro_bias_write(struct mip_device *device,
+                                                             const float bias[3]) {
+    struct mip_3dm_gyro_bias command;
+    return mip_device_call(device, &mip_3dm_gyro_bias_command,
+                           mip_3dm_gyro_bias_write(&command, bias), NULL, NULL);
+}
+
+/**
+ * Gyroscope Bias Configuration: read. Send the current setting back in a response. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_gyro_bias_read(
+    struct mip_device *device, struct mip_3dm_gyro_bias_response *response) {
+    struct mip_3dm_gyro_bias command;
+    return mip_device_call(device, &mip_3dm_gyro_bias_command, mip_3dm_gyro_bias_read(&command),
+                           &mip_3dm_gyro_bias_response_codec, response);
+}
+
+/**
+ * Gyroscope Bias Configuration: save. Save the current setting to non-volatile memory. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_gyro_bias_save(struct mip_device *device) {
+    struct mip_3dm_gyro_bias command;
+    return mip_device_call(device, &mip_3dm_gyro_bias_command, mip_3dm_gyro_bias_save(&command),
+                           NULL, NULL);
+}
+
+/** Gyroscope Bias Configuration: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_gyro_bias_load(struct mip_device *device) {
+    struct mip_3dm_gyro_bias command;
+    return mip_device_call(device, &mip_3dm_gyro_bias_command, mip_3dm_gyro_bias_load(&command),
+                           NULL, NULL);
+}
+
+/** Gyroscope Bias Configuration: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_gyro_bias_default(struct mip_device *device) {
+    struct mip_3dm_gyro_bias command;
+    return mip_device_call(device, &mip_3dm_gyro_bias_command, mip_3dm_gyro_bias_default(&command),
+                           NULL, NULL);
+}
+
+/**
+ * Gyroscope Bias Configuration: apply. Apply the new setting and send no acknowledge (5-series
+ * devices). See mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_gyro_bias_apply(struct mip_device *device,
+                                                             const float bias[3]) {
+    struct mip_3dm_gyro_bias command;
+    return mip_device_call(device, &mip_3dm_gyro_bias_command,
+                           mip_3dm_gyro_bias_apply(&command, bias), NULL, NULL);
+}
+
+/**
+ * Gyroscope Bias Configuration: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result
+mip_call_3dm_gyro_bias_with(struct mip_device *device, const struct mip_3dm_gyro_bias *command,
+                            struct mip_3dm_gyro_bias_response *response) {
+    return mip_device_call(device, &mip_3dm_gyro_bias_command, command,
+                           &mip_3dm_gyro_bias_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_capture_gyro_bias_command;
 
@@ -492,6 +1865,28 @@ static inline mip_error mip_send_3dm_capture_gyro_bias(
     return mip_client_send(client, request, packet, &mip_3dm_capture_gyro_bias_command, command,
                            &mip_3dm_gyro_bias_response_codec, response, now);
 }
+
+/** Capture Gyroscope Bias. See mip_device_call. */
+static inline struct mip_result
+mip_call_3dm_capture_gyro_bias(struct mip_device *device, uint16_t averaging_time_ms,
+                               struct mip_3dm_gyro_bias_response *response) {
+    struct mip_3dm_capture_gyro_bias command;
+    return mip_device_call(device, &mip_3dm_capture_gyro_bias_command,
+                           mip_3dm_capture_gyro_bias_make(&command, averaging_time_ms),
+                           &mip_3dm_gyro_bias_response_codec, response);
+}
+
+/**
+ * Capture Gyroscope Bias: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_capture_gyro_bias_with(
+    struct mip_device *device, const struct mip_3dm_capture_gyro_bias *command,
+    struct mip_3dm_gyro_bias_response *response) {
+    return mip_device_call(device, &mip_3dm_capture_gyro_bias_command, command,
+                           &mip_3dm_gyro_bias_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_mag_hard_iron_offset_command;
 
@@ -506,6 +1901,76 @@ static inline mip_error mip_send_3dm_mag_hard_iron_offset(
     return mip_client_send(client, request, packet, &mip_3dm_mag_hard_iron_offset_command, command,
                            &mip_3dm_mag_hard_iron_offset_response_codec, response, now);
 }
+
+/** Magnetometer Hard Iron Offset: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_mag_hard_iron_offset_write(struct mip_device *device,
+                                                                        const float offset[3]) {
+    struct mip_3dm_mag_hard_iron_offset command;
+    return mip_device_call(device, &mip_3dm_mag_hard_iron_offset_command,
+                           mip_3dm_mag_hard_iron_offset_write(&command, offset), NULL, NULL);
+}
+
+/**
+ * Magnetometer Hard Iron Offset: read. Send the current setting back in a response. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_mag_hard_iron_offset_read(
+    struct mip_device *device, struct mip_3dm_mag_hard_iron_offset_response *response) {
+    struct mip_3dm_mag_hard_iron_offset command;
+    return mip_device_call(device, &mip_3dm_mag_hard_iron_offset_command,
+                           mip_3dm_mag_hard_iron_offset_read(&command),
+                           &mip_3dm_mag_hard_iron_offset_response_codec, response);
+}
+
+/**
+ * Magnetometer Hard Iron Offset: save. Save the current setting to non-volatile memory. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_mag_hard_iron_offset_save(struct mip_device *device) {
+    struct mip_3dm_mag_hard_iron_offset command;
+    return mip_device_call(device, &mip_3dm_mag_hard_iron_offset_command,
+                           mip_3dm_mag_hard_iron_offset_save(&command), NULL, NULL);
+}
+
+/** Magnetometer Hard Iron Offset: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_mag_hard_iron_offset_load(struct mip_device *device) {
+    struct mip_3dm_mag_hard_iron_offset command;
+    return mip_device_call(device, &mip_3dm_mag_hard_iron_offset_command,
+                           mip_3dm_mag_hard_iron_offset_load(&command), NULL, NULL);
+}
+
+/**
+ * Magnetometer Hard Iron Offset: default. Load the factory default setting. See mip_device_call.
+ */
+static inline struct mip_result
+mip_call_3dm_mag_hard_iron_offset_default(struct mip_device *device) {
+    struct mip_3dm_mag_hard_iron_offset command;
+    return mip_device_call(device, &mip_3dm_mag_hard_iron_offset_command,
+                           mip_3dm_mag_hard_iron_offset_default(&command), NULL, NULL);
+}
+
+/**
+ * Magnetometer Hard Iron Offset: apply. Apply the new setting and send no acknowledge (5-series
+ * devices). See mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_mag_hard_iron_offset_apply(struct mip_device *device,
+                                                                        const float offset[3]) {
+    struct mip_3dm_mag_hard_iron_offset command;
+    return mip_device_call(device, &mip_3dm_mag_hard_iron_offset_command,
+                           mip_3dm_mag_hard_iron_offset_apply(&command, offset), NULL, NULL);
+}
+
+/**
+ * Magnetometer Hard Iron Offset: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_mag_hard_iron_offset_with(
+    struct mip_device *device, const struct mip_3dm_mag_hard_iron_offset *command,
+    struct mip_3dm_mag_hard_iron_offset_response *response) {
+    return mip_device_call(device, &mip_3dm_mag_hard_iron_offset_command, command,
+                           &mip_3dm_mag_hard_iron_offset_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_mag_soft_iron_matrix_command;
 
@@ -520,6 +1985,76 @@ static inline mip_error mip_send_3dm_mag_soft_iron_matrix(
     return mip_client_send(client, request, packet, &mip_3dm_mag_soft_iron_matrix_command, command,
                            &mip_3dm_mag_soft_iron_matrix_response_codec, response, now);
 }
+
+/** Magnetometer Soft Iron Matrix: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_mag_soft_iron_matrix_write(struct mip_device *device,
+                                                                        const float matrix[9]) {
+    struct mip_3dm_mag_soft_iron_matrix command;
+    return mip_device_call(device, &mip_3dm_mag_soft_iron_matrix_command,
+                           mip_3dm_mag_soft_iron_matrix_write(&command, matrix), NULL, NULL);
+}
+
+/**
+ * Magnetometer Soft Iron Matrix: read. Send the current setting back in a response. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_mag_soft_iron_matrix_read(
+    struct mip_device *device, struct mip_3dm_mag_soft_iron_matrix_response *response) {
+    struct mip_3dm_mag_soft_iron_matrix command;
+    return mip_device_call(device, &mip_3dm_mag_soft_iron_matrix_command,
+                           mip_3dm_mag_soft_iron_matrix_read(&command),
+                           &mip_3dm_mag_soft_iron_matrix_response_codec, response);
+}
+
+/**
+ * Magnetometer Soft Iron Matrix: save. Save the current setting to non-volatile memory. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_mag_soft_iron_matrix_save(struct mip_device *device) {
+    struct mip_3dm_mag_soft_iron_matrix command;
+    return mip_device_call(device, &mip_3dm_mag_soft_iron_matrix_command,
+                           mip_3dm_mag_soft_iron_matrix_save(&command), NULL, NULL);
+}
+
+/** Magnetometer Soft Iron Matrix: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_mag_soft_iron_matrix_load(struct mip_device *device) {
+    struct mip_3dm_mag_soft_iron_matrix command;
+    return mip_device_call(device, &mip_3dm_mag_soft_iron_matrix_command,
+                           mip_3dm_mag_soft_iron_matrix_load(&command), NULL, NULL);
+}
+
+/**
+ * Magnetometer Soft Iron Matrix: default. Load the factory default setting. See mip_device_call.
+ */
+static inline struct mip_result
+mip_call_3dm_mag_soft_iron_matrix_default(struct mip_device *device) {
+    struct mip_3dm_mag_soft_iron_matrix command;
+    return mip_device_call(device, &mip_3dm_mag_soft_iron_matrix_command,
+                           mip_3dm_mag_soft_iron_matrix_default(&command), NULL, NULL);
+}
+
+/**
+ * Magnetometer Soft Iron Matrix: apply. Apply the new setting and send no acknowledge (5-series
+ * devices). See mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_mag_soft_iron_matrix_apply(struct mip_device *device,
+                                                                        const float matrix[9]) {
+    struct mip_3dm_mag_soft_iron_matrix command;
+    return mip_device_call(device, &mip_3dm_mag_soft_iron_matrix_command,
+                           mip_3dm_mag_soft_iron_matrix_apply(&command, matrix), NULL, NULL);
+}
+
+/**
+ * Magnetometer Soft Iron Matrix: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_mag_soft_iron_matrix_with(
+    struct mip_device *device, const struct mip_3dm_mag_soft_iron_matrix *command,
+    struct mip_3dm_mag_soft_iron_matrix_response *response) {
+    return mip_device_call(device, &mip_3dm_mag_soft_iron_matrix_command, command,
+                           &mip_3dm_mag_soft_iron_matrix_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_coning_sculling_enable_command;
 
@@ -534,6 +2069,65 @@ static inline mip_error mip_send_3dm_coning_sculling_enable(
     return mip_client_send(client, request, packet, &mip_3dm_coning_sculling_enable_command,
                            command, &mip_3dm_coning_sculling_enable_response_codec, response, now);
 }
+
+/** Coning and Sculling Enable: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_coning_sculling_enable_write(struct mip_device *device,
+                                                                          mip_bool enable) {
+    struct mip_3dm_coning_sculling_enable command;
+    return mip_device_call(device, &mip_3dm_coning_sculling_enable_command,
+                           mip_3dm_coning_sculling_enable_write(&command, enable), NULL, NULL);
+}
+
+/**
+ * Coning and Sculling Enable: read. Send the current setting back in a response. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_coning_sculling_enable_read(
+    struct mip_device *device, struct mip_3dm_coning_sculling_enable_response *response) {
+    struct mip_3dm_coning_sculling_enable command;
+    return mip_device_call(device, &mip_3dm_coning_sculling_enable_command,
+                           mip_3dm_coning_sculling_enable_read(&command),
+                           &mip_3dm_coning_sculling_enable_response_codec, response);
+}
+
+/**
+ * Coning and Sculling Enable: save. Save the current setting to non-volatile memory. See
+ * mip_device_call.
+ */
+static inline struct mip_result
+mip_call_3dm_coning_sculling_enable_save(struct mip_device *device) {
+    struct mip_3dm_coning_sculling_enable command;
+    return mip_device_call(device, &mip_3dm_coning_sculling_enable_command,
+                           mip_3dm_coning_sculling_enable_save(&command), NULL, NULL);
+}
+
+/** Coning and Sculling Enable: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_3dm_coning_sculling_enable_load(struct mip_device *device) {
+    struct mip_3dm_coning_sculling_enable command;
+    return mip_device_call(device, &mip_3dm_coning_sculling_enable_command,
+                           mip_3dm_coning_sculling_enable_load(&command), NULL, NULL);
+}
+
+/** Coning and Sculling Enable: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_3dm_coning_sculling_enable_default(struct mip_device *device) {
+    struct mip_3dm_coning_sculling_enable command;
+    return mip_device_call(device, &mip_3dm_coning_sculling_enable_command,
+                           mip_3dm_coning_sculling_enable_default(&command), NULL, NULL);
+}
+
+/**
+ * Coning and Sculling Enable: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_coning_sculling_enable_with(
+    struct mip_device *device, const struct mip_3dm_coning_sculling_enable *command,
+    struct mip_3dm_coning_sculling_enable_response *response) {
+    return mip_device_call(device, &mip_3dm_coning_sculling_enable_command, command,
+                           &mip_3dm_coning_sculling_enable_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_uart_baud_rate_command;
 
@@ -548,6 +2142,56 @@ static inline mip_error mip_send_3dm_uart_baud_rate(
     return mip_client_send(client, request, packet, &mip_3dm_uart_baud_rate_command, command,
                            &mip_3dm_uart_baud_rate_response_codec, response, now);
 }
+
+/** UART Baud Rate: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_uart_baud_rate_write(struct mip_device *device,
+                                                                  uint32_t baud) {
+    struct mip_3dm_uart_baud_rate command;
+    return mip_device_call(device, &mip_3dm_uart_baud_rate_command,
+                           mip_3dm_uart_baud_rate_write(&command, baud), NULL, NULL);
+}
+
+/** UART Baud Rate: read. Send the current setting back in a response. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_uart_baud_rate_read(
+    struct mip_device *device, struct mip_3dm_uart_baud_rate_response *response) {
+    struct mip_3dm_uart_baud_rate command;
+    return mip_device_call(device, &mip_3dm_uart_baud_rate_command,
+                           mip_3dm_uart_baud_rate_read(&command),
+                           &mip_3dm_uart_baud_rate_response_codec, response);
+}
+
+/** UART Baud Rate: save. Save the current setting to non-volatile memory. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_uart_baud_rate_save(struct mip_device *device) {
+    struct mip_3dm_uart_baud_rate command;
+    return mip_device_call(device, &mip_3dm_uart_baud_rate_command,
+                           mip_3dm_uart_baud_rate_save(&command), NULL, NULL);
+}
+
+/** UART Baud Rate: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_uart_baud_rate_load(struct mip_device *device) {
+    struct mip_3dm_uart_baud_rate command;
+    return mip_device_call(device, &mip_3dm_uart_baud_rate_command,
+                           mip_3dm_uart_baud_rate_load(&command), NULL, NULL);
+}
+
+/** UART Baud Rate: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_uart_baud_rate_default(struct mip_device *device) {
+    struct mip_3dm_uart_baud_rate command;
+    return mip_device_call(device, &mip_3dm_uart_baud_rate_command,
+                           mip_3dm_uart_baud_rate_default(&command), NULL, NULL);
+}
+
+/**
+ * UART Baud Rate: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_uart_baud_rate_with(
+    struct mip_device *device, const struct mip_3dm_uart_baud_rate *command,
+    struct mip_3dm_uart_baud_rate_response *response) {
+    return mip_device_call(device, &mip_3dm_uart_baud_rate_command, command,
+                           &mip_3dm_uart_baud_rate_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_gpio_config_command;
 
@@ -564,6 +2208,65 @@ static inline mip_error mip_send_3dm_gpio_config(struct mip_client *client,
     return mip_client_send(client, request, packet, &mip_3dm_gpio_config_command, command,
                            &mip_3dm_gpio_config_response_codec, response, now);
 }
+
+/** GPIO Configuration: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_gpio_config_write(struct mip_device *device,
+                                                               uint8_t pin,
+                                                               enum mip_gpio_feature feature,
+                                                               uint8_t behavior,
+                                                               mip_gpio_pin_mode pin_mode) {
+    struct mip_3dm_gpio_config command;
+    return mip_device_call(device, &mip_3dm_gpio_config_command,
+                           mip_3dm_gpio_config_write(&command, pin, feature, behavior, pin_mode),
+                           NULL, NULL);
+}
+
+/** GPIO Configuration: read. Send the current setting back in a response. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_gpio_config_read(
+    struct mip_device *device, uint8_t pin, struct mip_3dm_gpio_config_response *response) {
+    struct mip_3dm_gpio_config command;
+    return mip_device_call(device, &mip_3dm_gpio_config_command,
+                           mip_3dm_gpio_config_read(&command, pin),
+                           &mip_3dm_gpio_config_response_codec, response);
+}
+
+/**
+ * GPIO Configuration: save. Save the current setting to non-volatile memory. See mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_gpio_config_save(struct mip_device *device,
+                                                              uint8_t pin) {
+    struct mip_3dm_gpio_config command;
+    return mip_device_call(device, &mip_3dm_gpio_config_command,
+                           mip_3dm_gpio_config_save(&command, pin), NULL, NULL);
+}
+
+/** GPIO Configuration: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_gpio_config_load(struct mip_device *device,
+                                                              uint8_t pin) {
+    struct mip_3dm_gpio_config command;
+    return mip_device_call(device, &mip_3dm_gpio_config_command,
+                           mip_3dm_gpio_config_load(&command, pin), NULL, NULL);
+}
+
+/** GPIO Configuration: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_gpio_config_default(struct mip_device *device,
+                                                                 uint8_t pin) {
+    struct mip_3dm_gpio_config command;
+    return mip_device_call(device, &mip_3dm_gpio_config_command,
+                           mip_3dm_gpio_config_default(&command, pin), NULL, NULL);
+}
+
+/**
+ * GPIO Configuration: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result
+mip_call_3dm_gpio_config_with(struct mip_device *device, const struct mip_3dm_gpio_config *command,
+                              struct mip_3dm_gpio_config_response *response) {
+    return mip_device_call(device, &mip_3dm_gpio_config_command, command,
+                           &mip_3dm_gpio_config_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_gpio_state_command;
 
@@ -580,6 +2283,34 @@ static inline mip_error mip_send_3dm_gpio_state(struct mip_client *client,
     return mip_client_send(client, request, packet, &mip_3dm_gpio_state_command, command,
                            &mip_3dm_gpio_state_response_codec, response, now);
 }
+
+/** GPIO State: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_gpio_state_write(struct mip_device *device,
+                                                              uint8_t pin, mip_bool state) {
+    struct mip_3dm_gpio_state command;
+    return mip_device_call(device, &mip_3dm_gpio_state_command,
+                           mip_3dm_gpio_state_write(&command, pin, state), NULL, NULL);
+}
+
+/** GPIO State: read. Send the current setting back in a response. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_gpio_state_read(
+    struct mip_device *device, uint8_t pin, struct mip_3dm_gpio_state_response *response) {
+    struct mip_3dm_gpio_state command;
+    return mip_device_call(device, &mip_3dm_gpio_state_command,
+                           mip_3dm_gpio_state_read(&command, pin),
+                           &mip_3dm_gpio_state_response_codec, response);
+}
+
+/**
+ * GPIO State: calls the command with these values, optional parameters too. See mip_device_call.
+ */
+static inline struct mip_result
+mip_call_3dm_gpio_state_with(struct mip_device *device, const struct mip_3dm_gpio_state *command,
+                             struct mip_3dm_gpio_state_response *response) {
+    return mip_device_call(device, &mip_3dm_gpio_state_command, command,
+                           &mip_3dm_gpio_state_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_odometer_config_command;
 
@@ -594,6 +2325,64 @@ static inline mip_error mip_send_3dm_odometer_config(
     return mip_client_send(client, request, packet, &mip_3dm_odometer_config_command, command,
                            &mip_3dm_odometer_config_response_codec, response, now);
 }
+
+/** Odometer Configuration: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_odometer_config_write(struct mip_device *device,
+                                                                   enum mip_3dm_odometer_mode mode,
+                                                                   float scaling,
+                                                                   float uncertainty) {
+    struct mip_3dm_odometer_config command;
+    return mip_device_call(device, &mip_3dm_odometer_config_command,
+                           mip_3dm_odometer_config_write(&command, mode, scaling, uncertainty),
+                           NULL, NULL);
+}
+
+/**
+ * Odometer Configuration: read. Send the current setting back in a response. See mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_odometer_config_read(
+    struct mip_device *device, struct mip_3dm_odometer_config_response *response) {
+    struct mip_3dm_odometer_config command;
+    return mip_device_call(device, &mip_3dm_odometer_config_command,
+                           mip_3dm_odometer_config_read(&command),
+                           &mip_3dm_odometer_config_response_codec, response);
+}
+
+/**
+ * Odometer Configuration: save. Save the current setting to non-volatile memory. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_odometer_config_save(struct mip_device *device) {
+    struct mip_3dm_odometer_config command;
+    return mip_device_call(device, &mip_3dm_odometer_config_command,
+                           mip_3dm_odometer_config_save(&command), NULL, NULL);
+}
+
+/** Odometer Configuration: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_odometer_config_load(struct mip_device *device) {
+    struct mip_3dm_odometer_config command;
+    return mip_device_call(device, &mip_3dm_odometer_config_command,
+                           mip_3dm_odometer_config_load(&command), NULL, NULL);
+}
+
+/** Odometer Configuration: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_odometer_config_default(struct mip_device *device) {
+    struct mip_3dm_odometer_config command;
+    return mip_device_call(device, &mip_3dm_odometer_config_command,
+                           mip_3dm_odometer_config_default(&command), NULL, NULL);
+}
+
+/**
+ * Odometer Configuration: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_odometer_config_with(
+    struct mip_device *device, const struct mip_3dm_odometer_config *command,
+    struct mip_3dm_odometer_config_response *response) {
+    return mip_device_call(device, &mip_3dm_odometer_config_command, command,
+                           &mip_3dm_odometer_config_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_imu_low_pass_filter_command;
 
@@ -608,6 +2397,77 @@ static inline mip_error mip_send_3dm_imu_low_pass_filter(
     return mip_client_send(client, request, packet, &mip_3dm_imu_low_pass_filter_command, command,
                            &mip_3dm_imu_low_pass_filter_response_codec, response, now);
 }
+
+/** Advanced Low-Pass Filter Settings: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_imu_low_pass_filter_write(struct mip_device *device,
+                                                                       uint8_t target_descriptor,
+                                                                       mip_bool enable,
+                                                                       mip_bool manual,
+                                                                       uint16_t frequency) {
+    struct mip_3dm_imu_low_pass_filter command;
+    return mip_device_call(
+        device, &mip_3dm_imu_low_pass_filter_command,
+        mip_3dm_imu_low_pass_filter_write(&command, target_descriptor, enable, manual, frequency),
+        NULL, NULL);
+}
+
+/**
+ * Advanced Low-Pass Filter Settings: read. Send the current setting back in a response. See
+ * mip_device_call.
+ */
+static inline struct mip_result
+mip_call_3dm_imu_low_pass_filter_read(struct mip_device *device, uint8_t target_descriptor,
+                                      struct mip_3dm_imu_low_pass_filter_response *response) {
+    struct mip_3dm_imu_low_pass_filter command;
+    return mip_device_call(device, &mip_3dm_imu_low_pass_filter_command,
+                           mip_3dm_imu_low_pass_filter_read(&command, target_descriptor),
+                           &mip_3dm_imu_low_pass_filter_response_codec, response);
+}
+
+/**
+ * Advanced Low-Pass Filter Settings: save. Save the current setting to non-volatile memory. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_imu_low_pass_filter_save(struct mip_device *device,
+                                                                      uint8_t target_descriptor) {
+    struct mip_3dm_imu_low_pass_filter command;
+    return mip_device_call(device, &mip_3dm_imu_low_pass_filter_command,
+                           mip_3dm_imu_low_pass_filter_save(&command, target_descriptor), NULL,
+                           NULL);
+}
+
+/** Advanced Low-Pass Filter Settings: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_imu_low_pass_filter_load(struct mip_device *device,
+                                                                      uint8_t target_descriptor) {
+    struct mip_3dm_imu_low_pass_filter command;
+    return mip_device_call(device, &mip_3dm_imu_low_pass_filter_command,
+                           mip_3dm_imu_low_pass_filter_load(&command, target_descriptor), NULL,
+                           NULL);
+}
+
+/**
+ * Advanced Low-Pass Filter Settings: default. Load the factory default setting. See
+ * mip_device_call.
+ */
+static inline struct mip_result
+mip_call_3dm_imu_low_pass_filter_default(struct mip_device *device, uint8_t target_descriptor) {
+    struct mip_3dm_imu_low_pass_filter command;
+    return mip_device_call(device, &mip_3dm_imu_low_pass_filter_command,
+                           mip_3dm_imu_low_pass_filter_default(&command, target_descriptor), NULL,
+                           NULL);
+}
+
+/**
+ * Advanced Low-Pass Filter Settings: calls the command with these values, optional parameters too.
+ * See mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_imu_low_pass_filter_with(
+    struct mip_device *device, const struct mip_3dm_imu_low_pass_filter *command,
+    struct mip_3dm_imu_low_pass_filter_response *response) {
+    return mip_device_call(device, &mip_3dm_imu_low_pass_filter_command, command,
+                           &mip_3dm_imu_low_pass_filter_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_complementary_filter_command;
 
@@ -622,6 +2482,70 @@ static inline mip_error mip_send_3dm_complementary_filter(
     return mip_client_send(client, request, packet, &mip_3dm_complementary_filter_command, command,
                            &mip_3dm_complementary_filter_response_codec, response, now);
 }
+
+/** Complementary Filter Configuration: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_complementary_filter_write(
+    struct mip_device *device, mip_bool pitch_roll_enable, mip_bool heading_enable,
+    float pitch_roll_time_constant, float heading_time_constant) {
+    struct mip_3dm_complementary_filter command;
+    return mip_device_call(
+        device, &mip_3dm_complementary_filter_command,
+        mip_3dm_complementary_filter_write(&command, pitch_roll_enable, heading_enable,
+                                           pitch_roll_time_constant, heading_time_constant),
+        NULL, NULL);
+}
+
+/**
+ * Complementary Filter Configuration: read. Send the current setting back in a response. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_complementary_filter_read(
+    struct mip_device *device, struct mip_3dm_complementary_filter_response *response) {
+    struct mip_3dm_complementary_filter command;
+    return mip_device_call(device, &mip_3dm_complementary_filter_command,
+                           mip_3dm_complementary_filter_read(&command),
+                           &mip_3dm_complementary_filter_response_codec, response);
+}
+
+/**
+ * Complementary Filter Configuration: save. Save the current setting to non-volatile memory. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_complementary_filter_save(struct mip_device *device) {
+    struct mip_3dm_complementary_filter command;
+    return mip_device_call(device, &mip_3dm_complementary_filter_command,
+                           mip_3dm_complementary_filter_save(&command), NULL, NULL);
+}
+
+/** Complementary Filter Configuration: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_complementary_filter_load(struct mip_device *device) {
+    struct mip_3dm_complementary_filter command;
+    return mip_device_call(device, &mip_3dm_complementary_filter_command,
+                           mip_3dm_complementary_filter_load(&command), NULL, NULL);
+}
+
+/**
+ * Complementary Filter Configuration: default. Load the factory default setting. See
+ * mip_device_call.
+ */
+static inline struct mip_result
+mip_call_3dm_complementary_filter_default(struct mip_device *device) {
+    struct mip_3dm_complementary_filter command;
+    return mip_device_call(device, &mip_3dm_complementary_filter_command,
+                           mip_3dm_complementary_filter_default(&command), NULL, NULL);
+}
+
+/**
+ * Complementary Filter Configuration: calls the command with these values, optional parameters too.
+ * See mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_complementary_filter_with(
+    struct mip_device *device, const struct mip_3dm_complementary_filter *command,
+    struct mip_3dm_complementary_filter_response *response) {
+    return mip_device_call(device, &mip_3dm_complementary_filter_command, command,
+                           &mip_3dm_complementary_filter_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_sensor_range_command;
 
@@ -638,6 +2562,59 @@ static inline mip_error mip_send_3dm_sensor_range(struct mip_client *client,
     return mip_client_send(client, request, packet, &mip_3dm_sensor_range_command, command,
                            &mip_3dm_sensor_range_response_codec, response, now);
 }
+
+/** Sensor Range: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_sensor_range_write(
+    struct mip_device *device, enum mip_3dm_sensor_range_type sensor, uint8_t setting) {
+    struct mip_3dm_sensor_range command;
+    return mip_device_call(device, &mip_3dm_sensor_range_command,
+                           mip_3dm_sensor_range_write(&command, sensor, setting), NULL, NULL);
+}
+
+/** Sensor Range: read. Send the current setting back in a response. See mip_device_call. */
+static inline struct mip_result
+mip_call_3dm_sensor_range_read(struct mip_device *device, enum mip_3dm_sensor_range_type sensor,
+                               struct mip_3dm_sensor_range_response *response) {
+    struct mip_3dm_sensor_range command;
+    return mip_device_call(device, &mip_3dm_sensor_range_command,
+                           mip_3dm_sensor_range_read(&command, sensor),
+                           &mip_3dm_sensor_range_response_codec, response);
+}
+
+/** Sensor Range: save. Save the current setting to non-volatile memory. See mip_device_call. */
+static inline struct mip_result
+mip_call_3dm_sensor_range_save(struct mip_device *device, enum mip_3dm_sensor_range_type sensor) {
+    struct mip_3dm_sensor_range command;
+    return mip_device_call(device, &mip_3dm_sensor_range_command,
+                           mip_3dm_sensor_range_save(&command, sensor), NULL, NULL);
+}
+
+/** Sensor Range: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_3dm_sensor_range_load(struct mip_device *device, enum mip_3dm_sensor_range_type sensor) {
+    struct mip_3dm_sensor_range command;
+    return mip_device_call(device, &mip_3dm_sensor_range_command,
+                           mip_3dm_sensor_range_load(&command, sensor), NULL, NULL);
+}
+
+/** Sensor Range: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_sensor_range_default(
+    struct mip_device *device, enum mip_3dm_sensor_range_type sensor) {
+    struct mip_3dm_sensor_range command;
+    return mip_device_call(device, &mip_3dm_sensor_range_command,
+                           mip_3dm_sensor_range_default(&command, sensor), NULL, NULL);
+}
+
+/**
+ * Sensor Range: calls the command with these values, optional parameters too. See mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_sensor_range_with(
+    struct mip_device *device, const struct mip_3dm_sensor_range *command,
+    struct mip_3dm_sensor_range_response *response) {
+    return mip_device_call(device, &mip_3dm_sensor_range_command, command,
+                           &mip_3dm_sensor_range_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_get_calibrated_sensor_ranges_command;
 
@@ -653,6 +2630,28 @@ static inline mip_error mip_send_3dm_get_calibrated_sensor_ranges(
                            command, &mip_3dm_get_calibrated_sensor_ranges_response_codec, response,
                            now);
 }
+
+/** Get Calibrated Sensor Ranges. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_get_calibrated_sensor_ranges(
+    struct mip_device *device, enum mip_3dm_sensor_range_type sensor,
+    struct mip_3dm_get_calibrated_sensor_ranges_response *response) {
+    struct mip_3dm_get_calibrated_sensor_ranges command;
+    return mip_device_call(device, &mip_3dm_get_calibrated_sensor_ranges_command,
+                           mip_3dm_get_calibrated_sensor_ranges_make(&command, sensor),
+                           &mip_3dm_get_calibrated_sensor_ranges_response_codec, response);
+}
+
+/**
+ * Get Calibrated Sensor Ranges: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_get_calibrated_sensor_ranges_with(
+    struct mip_device *device, const struct mip_3dm_get_calibrated_sensor_ranges *command,
+    struct mip_3dm_get_calibrated_sensor_ranges_response *response) {
+    return mip_device_call(device, &mip_3dm_get_calibrated_sensor_ranges_command, command,
+                           &mip_3dm_get_calibrated_sensor_ranges_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_low_pass_filter_command;
 
@@ -668,6 +2667,79 @@ static inline mip_error mip_send_3dm_low_pass_filter(
     return mip_client_send(client, request, packet, &mip_3dm_low_pass_filter_command, command,
                            &mip_3dm_low_pass_filter_response_codec, response, now);
 }
+
+/** Low-Pass Anti-Aliasing Filter: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_low_pass_filter_write(struct mip_device *device,
+                                                                   uint8_t descriptor_set,
+                                                                   uint8_t field_descriptor,
+                                                                   mip_bool enable, mip_bool manual,
+                                                                   float frequency) {
+    struct mip_3dm_low_pass_filter command;
+    return mip_device_call(device, &mip_3dm_low_pass_filter_command,
+                           mip_3dm_low_pass_filter_write(&command, descriptor_set, field_descriptor,
+                                                         enable, manual, frequency),
+                           NULL, NULL);
+}
+
+/**
+ * Low-Pass Anti-Aliasing Filter: read. Send the current setting back in a response. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_low_pass_filter_read(
+    struct mip_device *device, uint8_t descriptor_set, uint8_t field_descriptor,
+    struct mip_3dm_low_pass_filter_response *response) {
+    struct mip_3dm_low_pass_filter command;
+    return mip_device_call(device, &mip_3dm_low_pass_filter_command,
+                           mip_3dm_low_pass_filter_read(&command, descriptor_set, field_descriptor),
+                           &mip_3dm_low_pass_filter_response_codec, response);
+}
+
+/**
+ * Low-Pass Anti-Aliasing Filter: save. Save the current setting to non-volatile memory. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_low_pass_filter_save(struct mip_device *device,
+                                                                  uint8_t descriptor_set,
+                                                                  uint8_t field_descriptor) {
+    struct mip_3dm_low_pass_filter command;
+    return mip_device_call(device, &mip_3dm_low_pass_filter_command,
+                           mip_3dm_low_pass_filter_save(&command, descriptor_set, field_descriptor),
+                           NULL, NULL);
+}
+
+/** Low-Pass Anti-Aliasing Filter: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_3dm_low_pass_filter_load(struct mip_device *device,
+                                                                  uint8_t descriptor_set,
+                                                                  uint8_t field_descriptor) {
+    struct mip_3dm_low_pass_filter command;
+    return mip_device_call(device, &mip_3dm_low_pass_filter_command,
+                           mip_3dm_low_pass_filter_load(&command, descriptor_set, field_descriptor),
+                           NULL, NULL);
+}
+
+/**
+ * Low-Pass Anti-Aliasing Filter: default. Load the factory default setting. See mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_low_pass_filter_default(struct mip_device *device,
+                                                                     uint8_t descriptor_set,
+                                                                     uint8_t field_descriptor) {
+    struct mip_3dm_low_pass_filter command;
+    return mip_device_call(
+        device, &mip_3dm_low_pass_filter_command,
+        mip_3dm_low_pass_filter_default(&command, descriptor_set, field_descriptor), NULL, NULL);
+}
+
+/**
+ * Low-Pass Anti-Aliasing Filter: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_low_pass_filter_with(
+    struct mip_device *device, const struct mip_3dm_low_pass_filter *command,
+    struct mip_3dm_low_pass_filter_response *response) {
+    return mip_device_call(device, &mip_3dm_low_pass_filter_command, command,
+                           &mip_3dm_low_pass_filter_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_3dm_device_status_command;
 
@@ -680,6 +2752,7 @@ static inline mip_error mip_send_3dm_device_status(struct mip_client *client,
     return mip_client_send(client, request, packet, &mip_3dm_device_status_command, command, NULL,
                            NULL, now);
 }
+
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Device Status. It is
  * answered by this response.
@@ -691,6 +2764,7 @@ static inline mip_error mip_send_for_3dm_device_status_basic_response(
     return mip_client_send(client, request, packet, &mip_3dm_device_status_command, command,
                            &mip_3dm_device_status_basic_response_codec, response, now);
 }
+
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Device Status. It is
  * answered by this response.
@@ -702,6 +2776,7 @@ static inline mip_error mip_send_for_3dm_device_status_basic_stateless_response(
     return mip_client_send(client, request, packet, &mip_3dm_device_status_command, command,
                            &mip_3dm_device_status_basic_stateless_response_codec, response, now);
 }
+
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Device Status. It is
  * answered by this response.
@@ -713,6 +2788,7 @@ static inline mip_error mip_send_for_3dm_device_status_diagnostic_response(
     return mip_client_send(client, request, packet, &mip_3dm_device_status_command, command,
                            &mip_3dm_device_status_diagnostic_response_codec, response, now);
 }
+
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Device Status. It is
  * answered by this response.
@@ -724,6 +2800,7 @@ static inline mip_error mip_send_for_3dm_device_status_diagnostic_gnss_response(
     return mip_client_send(client, request, packet, &mip_3dm_device_status_command, command,
                            &mip_3dm_device_status_diagnostic_gnss_response_codec, response, now);
 }
+
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Device Status. It is
  * answered by this response.
@@ -735,6 +2812,7 @@ static inline mip_error mip_send_for_3dm_device_status_diagnostic_gq4_45_respons
     return mip_client_send(client, request, packet, &mip_3dm_device_status_command, command,
                            &mip_3dm_device_status_diagnostic_gq4_45_response_codec, response, now);
 }
+
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Device Status. It is
  * answered by this response.
@@ -746,6 +2824,7 @@ static inline mip_error mip_send_for_3dm_device_status_diagnostic_rq1_45_respons
     return mip_client_send(client, request, packet, &mip_3dm_device_status_command, command,
                            &mip_3dm_device_status_diagnostic_rq1_45_response_codec, response, now);
 }
+
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Device Status. It is
  * answered by this response.
@@ -757,6 +2836,7 @@ static inline mip_error mip_send_for_3dm_device_status_diagnostic_gx4_response(
     return mip_client_send(client, request, packet, &mip_3dm_device_status_command, command,
                            &mip_3dm_device_status_diagnostic_gx4_response_codec, response, now);
 }
+
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Device Status. It is
  * answered by this response.
@@ -767,6 +2847,112 @@ static inline mip_error mip_send_for_3dm_device_status_diagnostic_imu_response(
     struct mip_3dm_device_status_diagnostic_imu_response *response, uint32_t now) {
     return mip_client_send(client, request, packet, &mip_3dm_device_status_command, command,
                            &mip_3dm_device_status_diagnostic_imu_response_codec, response, now);
+}
+
+/** Device Status. See mip_device_call. */
+static inline struct mip_result
+mip_call_3dm_device_status(struct mip_device *device, uint16_t model_number,
+                           enum mip_3dm_device_status_selector status_selector) {
+    struct mip_3dm_device_status command;
+    return mip_device_call(device, &mip_3dm_device_status_command,
+                           mip_3dm_device_status_make(&command, model_number, status_selector),
+                           NULL, NULL);
+}
+
+/** Device Status. The answer is decoded as this response. See mip_device_call. */
+static inline struct mip_result mip_call_for_3dm_device_status_basic_response(
+    struct mip_device *device, uint16_t model_number,
+    struct mip_3dm_device_status_basic_response *response) {
+    struct mip_3dm_device_status command;
+    return mip_device_call(
+        device, &mip_3dm_device_status_command,
+        mip_3dm_device_status_make(&command, model_number, MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC),
+        &mip_3dm_device_status_basic_response_codec, response);
+}
+
+/** Device Status. The answer is decoded as this response. See mip_device_call. */
+static inline struct mip_result mip_call_for_3dm_device_status_basic_stateless_response(
+    struct mip_device *device, uint16_t model_number,
+    struct mip_3dm_device_status_basic_stateless_response *response) {
+    struct mip_3dm_device_status command;
+    return mip_device_call(
+        device, &mip_3dm_device_status_command,
+        mip_3dm_device_status_make(&command, model_number, MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC),
+        &mip_3dm_device_status_basic_stateless_response_codec, response);
+}
+
+/** Device Status. The answer is decoded as this response. See mip_device_call. */
+static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_response(
+    struct mip_device *device, uint16_t model_number,
+    struct mip_3dm_device_status_diagnostic_response *response) {
+    struct mip_3dm_device_status command;
+    return mip_device_call(device, &mip_3dm_device_status_command,
+                           mip_3dm_device_status_make(&command, model_number,
+                                                      MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC),
+                           &mip_3dm_device_status_diagnostic_response_codec, response);
+}
+
+/** Device Status. The answer is decoded as this response. See mip_device_call. */
+static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_gnss_response(
+    struct mip_device *device, uint16_t model_number,
+    struct mip_3dm_device_status_diagnostic_gnss_response *response) {
+    struct mip_3dm_device_status command;
+    return mip_device_call(device, &mip_3dm_device_status_command,
+                           mip_3dm_device_status_make(&command, model_number,
+                                                      MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC),
+                           &mip_3dm_device_status_diagnostic_gnss_response_codec, response);
+}
+
+/** Device Status. The answer is decoded as this response. See mip_device_call. */
+static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_gq4_45_response(
+    struct mip_device *device, uint16_t model_number,
+    struct mip_3dm_device_status_diagnostic_gq4_45_response *response) {
+    struct mip_3dm_device_status command;
+    return mip_device_call(device, &mip_3dm_device_status_command,
+                           mip_3dm_device_status_make(&command, model_number,
+                                                      MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC),
+                           &mip_3dm_device_status_diagnostic_gq4_45_response_codec, response);
+}
+
+/** Device Status. The answer is decoded as this response. See mip_device_call. */
+static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_rq1_45_response(
+    struct mip_device *device, uint16_t model_number,
+    struct mip_3dm_device_status_diagnostic_rq1_45_response *response) {
+    struct mip_3dm_device_status command;
+    return mip_device_call(device, &mip_3dm_device_status_command,
+                           mip_3dm_device_status_make(&command, model_number,
+                                                      MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC),
+                           &mip_3dm_device_status_diagnostic_rq1_45_response_codec, response);
+}
+
+/** Device Status. The answer is decoded as this response. See mip_device_call. */
+static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_gx4_response(
+    struct mip_device *device, uint16_t model_number,
+    struct mip_3dm_device_status_diagnostic_gx4_response *response) {
+    struct mip_3dm_device_status command;
+    return mip_device_call(device, &mip_3dm_device_status_command,
+                           mip_3dm_device_status_make(&command, model_number,
+                                                      MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC),
+                           &mip_3dm_device_status_diagnostic_gx4_response_codec, response);
+}
+
+/** Device Status. The answer is decoded as this response. See mip_device_call. */
+static inline struct mip_result mip_call_for_3dm_device_status_diagnostic_imu_response(
+    struct mip_device *device, uint16_t model_number,
+    struct mip_3dm_device_status_diagnostic_imu_response *response) {
+    struct mip_3dm_device_status command;
+    return mip_device_call(device, &mip_3dm_device_status_command,
+                           mip_3dm_device_status_make(&command, model_number,
+                                                      MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC),
+                           &mip_3dm_device_status_diagnostic_imu_response_codec, response);
+}
+
+/**
+ * Device Status: calls the command with these values, optional parameters too. See mip_device_call.
+ */
+static inline struct mip_result mip_call_3dm_device_status_with(
+    struct mip_device *device, const struct mip_3dm_device_status *command) {
+    return mip_device_call(device, &mip_3dm_device_status_command, command, NULL, NULL);
 }
 
 #ifdef __cplusplus

@@ -6,7 +6,7 @@
 #define MIP_AIDING_COMMANDS_H
 
 #include "mip/aiding.h"
-#include "mip/client.h"
+#include "mip/device.h"
 
 #if MIP_VERSION_NUMBER != 100
 #error "mip/aiding_commands.h and mip/constants.h are not of one version"
@@ -30,6 +30,66 @@ static inline mip_error mip_send_aiding_frame_config(
     return mip_client_send(client, request, packet, &mip_aiding_frame_config_command, command,
                            &mip_aiding_frame_config_response_codec, response, now);
 }
+
+/** Frame configuration: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_aiding_frame_config_write(
+    struct mip_device *device, uint8_t frame_id, enum mip_aiding_frame_format format,
+    mip_bool tracking_enabled, const float translation[3],
+    const union mip_aiding_frame_config_rotation *rotation) {
+    struct mip_aiding_frame_config command;
+    return mip_device_call(device, &mip_aiding_frame_config_command,
+                           mip_aiding_frame_config_write(&command, frame_id, format,
+                                                         tracking_enabled, translation, rotation),
+                           NULL, NULL);
+}
+
+/** Frame configuration: read. Send the current setting back in a response. See mip_device_call. */
+static inline struct mip_result mip_call_aiding_frame_config_read(
+    struct mip_device *device, uint8_t frame_id, enum mip_aiding_frame_format format,
+    struct mip_aiding_frame_config_response *response) {
+    struct mip_aiding_frame_config command;
+    return mip_device_call(device, &mip_aiding_frame_config_command,
+                           mip_aiding_frame_config_read(&command, frame_id, format),
+                           &mip_aiding_frame_config_response_codec, response);
+}
+
+/**
+ * Frame configuration: save. Save the current setting to non-volatile memory. See mip_device_call.
+ */
+static inline struct mip_result mip_call_aiding_frame_config_save(struct mip_device *device,
+                                                                  uint8_t frame_id) {
+    struct mip_aiding_frame_config command;
+    return mip_device_call(device, &mip_aiding_frame_config_command,
+                           mip_aiding_frame_config_save(&command, frame_id), NULL, NULL);
+}
+
+/** Frame configuration: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_aiding_frame_config_load(struct mip_device *device,
+                                                                  uint8_t frame_id) {
+    struct mip_aiding_frame_config command;
+    return mip_device_call(device, &mip_aiding_frame_config_command,
+                           mip_aiding_frame_config_load(&command, frame_id), NULL, NULL);
+}
+
+/** Frame configuration: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result mip_call_aiding_frame_config_default(struct mip_device *device,
+                                                                     uint8_t frame_id) {
+    struct mip_aiding_frame_config command;
+    return mip_device_call(device, &mip_aiding_frame_config_command,
+                           mip_aiding_frame_config_default(&command, frame_id), NULL, NULL);
+}
+
+/**
+ * Frame configuration: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_aiding_frame_config_with(
+    struct mip_device *device, const struct mip_aiding_frame_config *command,
+    struct mip_aiding_frame_config_response *response) {
+    return mip_device_call(device, &mip_aiding_frame_config_command, command,
+                           &mip_aiding_frame_config_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_aiding_echo_control_command;
 
@@ -44,6 +104,55 @@ static inline mip_error mip_send_aiding_echo_control(
     return mip_client_send(client, request, packet, &mip_aiding_echo_control_command, command,
                            &mip_aiding_echo_control_response_codec, response, now);
 }
+
+/** Echo control: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_aiding_echo_control_write(struct mip_device *device,
+                                                                   enum mip_aiding_echo_mode mode) {
+    struct mip_aiding_echo_control command;
+    return mip_device_call(device, &mip_aiding_echo_control_command,
+                           mip_aiding_echo_control_write(&command, mode), NULL, NULL);
+}
+
+/** Echo control: read. Send the current setting back in a response. See mip_device_call. */
+static inline struct mip_result mip_call_aiding_echo_control_read(
+    struct mip_device *device, struct mip_aiding_echo_control_response *response) {
+    struct mip_aiding_echo_control command;
+    return mip_device_call(device, &mip_aiding_echo_control_command,
+                           mip_aiding_echo_control_read(&command),
+                           &mip_aiding_echo_control_response_codec, response);
+}
+
+/** Echo control: save. Save the current setting to non-volatile memory. See mip_device_call. */
+static inline struct mip_result mip_call_aiding_echo_control_save(struct mip_device *device) {
+    struct mip_aiding_echo_control command;
+    return mip_device_call(device, &mip_aiding_echo_control_command,
+                           mip_aiding_echo_control_save(&command), NULL, NULL);
+}
+
+/** Echo control: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_aiding_echo_control_load(struct mip_device *device) {
+    struct mip_aiding_echo_control command;
+    return mip_device_call(device, &mip_aiding_echo_control_command,
+                           mip_aiding_echo_control_load(&command), NULL, NULL);
+}
+
+/** Echo control: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result mip_call_aiding_echo_control_default(struct mip_device *device) {
+    struct mip_aiding_echo_control command;
+    return mip_device_call(device, &mip_aiding_echo_control_command,
+                           mip_aiding_echo_control_default(&command), NULL, NULL);
+}
+
+/**
+ * Echo control: calls the command with these values, optional parameters too. See mip_device_call.
+ */
+static inline struct mip_result mip_call_aiding_echo_control_with(
+    struct mip_device *device, const struct mip_aiding_echo_control *command,
+    struct mip_aiding_echo_control_response *response) {
+    return mip_device_call(device, &mip_aiding_echo_control_command, command,
+                           &mip_aiding_echo_control_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_aiding_ecef_position_command;
 
@@ -54,6 +163,26 @@ static inline mip_error mip_send_aiding_ecef_position(
     return mip_client_send(client, request, packet, &mip_aiding_ecef_position_command, command,
                            NULL, NULL, now);
 }
+
+/** ECEF position. See mip_device_call. */
+static inline struct mip_result mip_call_aiding_ecef_position(
+    struct mip_device *device, const struct mip_aiding_measurement_time *time, uint8_t frame_id,
+    const double position[3], const float uncertainty[3], mip_aiding_axis_flags valid_flags) {
+    struct mip_aiding_ecef_position command;
+    return mip_device_call(
+        device, &mip_aiding_ecef_position_command,
+        mip_aiding_ecef_position_make(&command, time, frame_id, position, uncertainty, valid_flags),
+        NULL, NULL);
+}
+
+/**
+ * ECEF position: calls the command with these values, optional parameters too. See mip_device_call.
+ */
+static inline struct mip_result mip_call_aiding_ecef_position_with(
+    struct mip_device *device, const struct mip_aiding_ecef_position *command) {
+    return mip_device_call(device, &mip_aiding_ecef_position_command, command, NULL, NULL);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_aiding_llh_position_command;
 
@@ -66,6 +195,28 @@ static inline mip_error mip_send_aiding_llh_position(struct mip_client *client,
     return mip_client_send(client, request, packet, &mip_aiding_llh_position_command, command, NULL,
                            NULL, now);
 }
+
+/** LLH position. See mip_device_call. */
+static inline struct mip_result mip_call_aiding_llh_position(
+    struct mip_device *device, const struct mip_aiding_measurement_time *time, uint8_t frame_id,
+    double latitude, double longitude, double height, const float uncertainty[3],
+    mip_aiding_llh_axis_flags valid_flags) {
+    struct mip_aiding_llh_position command;
+    return mip_device_call(device, &mip_aiding_llh_position_command,
+                           mip_aiding_llh_position_make(&command, time, frame_id, latitude,
+                                                        longitude, height, uncertainty,
+                                                        valid_flags),
+                           NULL, NULL);
+}
+
+/**
+ * LLH position: calls the command with these values, optional parameters too. See mip_device_call.
+ */
+static inline struct mip_result mip_call_aiding_llh_position_with(
+    struct mip_device *device, const struct mip_aiding_llh_position *command) {
+    return mip_device_call(device, &mip_aiding_llh_position_command, command, NULL, NULL);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_aiding_height_above_ellipsoid_command;
 
@@ -79,6 +230,27 @@ static inline mip_error mip_send_aiding_height_above_ellipsoid(
     return mip_client_send(client, request, packet, &mip_aiding_height_above_ellipsoid_command,
                            command, NULL, NULL, now);
 }
+
+/** Height above ellipsoid. See mip_device_call. */
+static inline struct mip_result mip_call_aiding_height_above_ellipsoid(
+    struct mip_device *device, const struct mip_aiding_measurement_time *time, uint8_t frame_id,
+    float height, float uncertainty, uint16_t valid_flags) {
+    struct mip_aiding_height_above_ellipsoid command;
+    return mip_device_call(device, &mip_aiding_height_above_ellipsoid_command,
+                           mip_aiding_height_above_ellipsoid_make(&command, time, frame_id, height,
+                                                                  uncertainty, valid_flags),
+                           NULL, NULL);
+}
+
+/**
+ * Height above ellipsoid: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_aiding_height_above_ellipsoid_with(
+    struct mip_device *device, const struct mip_aiding_height_above_ellipsoid *command) {
+    return mip_device_call(device, &mip_aiding_height_above_ellipsoid_command, command, NULL, NULL);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_aiding_ecef_velocity_command;
 
@@ -89,6 +261,26 @@ static inline mip_error mip_send_aiding_ecef_velocity(
     return mip_client_send(client, request, packet, &mip_aiding_ecef_velocity_command, command,
                            NULL, NULL, now);
 }
+
+/** ECEF velocity. See mip_device_call. */
+static inline struct mip_result mip_call_aiding_ecef_velocity(
+    struct mip_device *device, const struct mip_aiding_measurement_time *time, uint8_t frame_id,
+    const float velocity[3], const float uncertainty[3], mip_aiding_axis_flags valid_flags) {
+    struct mip_aiding_ecef_velocity command;
+    return mip_device_call(
+        device, &mip_aiding_ecef_velocity_command,
+        mip_aiding_ecef_velocity_make(&command, time, frame_id, velocity, uncertainty, valid_flags),
+        NULL, NULL);
+}
+
+/**
+ * ECEF velocity: calls the command with these values, optional parameters too. See mip_device_call.
+ */
+static inline struct mip_result mip_call_aiding_ecef_velocity_with(
+    struct mip_device *device, const struct mip_aiding_ecef_velocity *command) {
+    return mip_device_call(device, &mip_aiding_ecef_velocity_command, command, NULL, NULL);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_aiding_ned_velocity_command;
 
@@ -101,6 +293,26 @@ static inline mip_error mip_send_aiding_ned_velocity(struct mip_client *client,
     return mip_client_send(client, request, packet, &mip_aiding_ned_velocity_command, command, NULL,
                            NULL, now);
 }
+
+/** NED velocity. See mip_device_call. */
+static inline struct mip_result mip_call_aiding_ned_velocity(
+    struct mip_device *device, const struct mip_aiding_measurement_time *time, uint8_t frame_id,
+    const float velocity[3], const float uncertainty[3], mip_aiding_axis_flags valid_flags) {
+    struct mip_aiding_ned_velocity command;
+    return mip_device_call(
+        device, &mip_aiding_ned_velocity_command,
+        mip_aiding_ned_velocity_make(&command, time, frame_id, velocity, uncertainty, valid_flags),
+        NULL, NULL);
+}
+
+/**
+ * NED velocity: calls the command with these values, optional parameters too. See mip_device_call.
+ */
+static inline struct mip_result mip_call_aiding_ned_velocity_with(
+    struct mip_device *device, const struct mip_aiding_ned_velocity *command) {
+    return mip_device_call(device, &mip_aiding_ned_velocity_command, command, NULL, NULL);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_aiding_body_frame_velocity_command;
 
@@ -113,6 +325,27 @@ static inline mip_error mip_send_aiding_body_frame_velocity(
     return mip_client_send(client, request, packet, &mip_aiding_body_frame_velocity_command,
                            command, NULL, NULL, now);
 }
+
+/** Body frame velocity. See mip_device_call. */
+static inline struct mip_result mip_call_aiding_body_frame_velocity(
+    struct mip_device *device, const struct mip_aiding_measurement_time *time, uint8_t frame_id,
+    const float velocity[3], const float uncertainty[3], mip_aiding_axis_flags valid_flags) {
+    struct mip_aiding_body_frame_velocity command;
+    return mip_device_call(device, &mip_aiding_body_frame_velocity_command,
+                           mip_aiding_body_frame_velocity_make(&command, time, frame_id, velocity,
+                                                               uncertainty, valid_flags),
+                           NULL, NULL);
+}
+
+/**
+ * Body frame velocity: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_aiding_body_frame_velocity_with(
+    struct mip_device *device, const struct mip_aiding_body_frame_velocity *command) {
+    return mip_device_call(device, &mip_aiding_body_frame_velocity_command, command, NULL, NULL);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_aiding_true_heading_command;
 
@@ -125,6 +358,26 @@ static inline mip_error mip_send_aiding_true_heading(struct mip_client *client,
     return mip_client_send(client, request, packet, &mip_aiding_true_heading_command, command, NULL,
                            NULL, now);
 }
+
+/** True heading. See mip_device_call. */
+static inline struct mip_result mip_call_aiding_true_heading(
+    struct mip_device *device, const struct mip_aiding_measurement_time *time, uint8_t frame_id,
+    float heading, float uncertainty, uint16_t valid_flags) {
+    struct mip_aiding_true_heading command;
+    return mip_device_call(
+        device, &mip_aiding_true_heading_command,
+        mip_aiding_true_heading_make(&command, time, frame_id, heading, uncertainty, valid_flags),
+        NULL, NULL);
+}
+
+/**
+ * True heading: calls the command with these values, optional parameters too. See mip_device_call.
+ */
+static inline struct mip_result mip_call_aiding_true_heading_with(
+    struct mip_device *device, const struct mip_aiding_true_heading *command) {
+    return mip_device_call(device, &mip_aiding_true_heading_command, command, NULL, NULL);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_aiding_magnetic_field_command;
 
@@ -135,6 +388,27 @@ static inline mip_error mip_send_aiding_magnetic_field(
     return mip_client_send(client, request, packet, &mip_aiding_magnetic_field_command, command,
                            NULL, NULL, now);
 }
+
+/** Magnetic field. See mip_device_call. */
+static inline struct mip_result mip_call_aiding_magnetic_field(
+    struct mip_device *device, const struct mip_aiding_measurement_time *time, uint8_t frame_id,
+    const float magnetic_field[3], const float uncertainty[3], mip_aiding_axis_flags valid_flags) {
+    struct mip_aiding_magnetic_field command;
+    return mip_device_call(device, &mip_aiding_magnetic_field_command,
+                           mip_aiding_magnetic_field_make(&command, time, frame_id, magnetic_field,
+                                                          uncertainty, valid_flags),
+                           NULL, NULL);
+}
+
+/**
+ * Magnetic field: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_aiding_magnetic_field_with(
+    struct mip_device *device, const struct mip_aiding_magnetic_field *command) {
+    return mip_device_call(device, &mip_aiding_magnetic_field_command, command, NULL, NULL);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_aiding_pressure_command;
 
@@ -146,6 +420,23 @@ static inline mip_error mip_send_aiding_pressure(struct mip_client *client,
                                                  uint32_t now) {
     return mip_client_send(client, request, packet, &mip_aiding_pressure_command, command, NULL,
                            NULL, now);
+}
+
+/** Pressure. See mip_device_call. */
+static inline struct mip_result mip_call_aiding_pressure(
+    struct mip_device *device, const struct mip_aiding_measurement_time *time, uint8_t frame_id,
+    float pressure, float uncertainty, uint16_t valid_flags) {
+    struct mip_aiding_pressure command;
+    return mip_device_call(
+        device, &mip_aiding_pressure_command,
+        mip_aiding_pressure_make(&command, time, frame_id, pressure, uncertainty, valid_flags),
+        NULL, NULL);
+}
+
+/** Pressure: calls the command with these values, optional parameters too. See mip_device_call. */
+static inline struct mip_result mip_call_aiding_pressure_with(
+    struct mip_device *device, const struct mip_aiding_pressure *command) {
+    return mip_device_call(device, &mip_aiding_pressure_command, command, NULL, NULL);
 }
 
 #ifdef __cplusplus

@@ -6,7 +6,7 @@
 #define MIP_BASE_COMMANDS_H
 
 #include "mip/base.h"
-#include "mip/client.h"
+#include "mip/device.h"
 
 #if MIP_VERSION_NUMBER != 100
 #error "mip/base_commands.h and mip/constants.h are not of one version"
@@ -24,6 +24,12 @@ static inline mip_error mip_send_base_ping(struct mip_client *client, struct mip
                                            struct mip_builder *packet, uint32_t now) {
     return mip_client_send(client, request, packet, &mip_base_ping_command, NULL, NULL, NULL, now);
 }
+
+/** Ping. See mip_device_call. */
+static inline struct mip_result mip_call_base_ping(struct mip_device *device) {
+    return mip_device_call(device, &mip_base_ping_command, NULL, NULL, NULL);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_base_set_idle_command;
 
@@ -34,6 +40,12 @@ static inline mip_error mip_send_base_set_idle(struct mip_client *client,
     return mip_client_send(client, request, packet, &mip_base_set_idle_command, NULL, NULL, NULL,
                            now);
 }
+
+/** Set to idle. See mip_device_call. */
+static inline struct mip_result mip_call_base_set_idle(struct mip_device *device) {
+    return mip_device_call(device, &mip_base_set_idle_command, NULL, NULL, NULL);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_base_get_device_info_command;
 
@@ -47,6 +59,14 @@ static inline mip_error mip_send_base_get_device_info(
     return mip_client_send(client, request, packet, &mip_base_get_device_info_command, NULL,
                            &mip_base_get_device_info_response_codec, response, now);
 }
+
+/** Get device information. See mip_device_call. */
+static inline struct mip_result mip_call_base_get_device_info(
+    struct mip_device *device, struct mip_base_get_device_info_response *response) {
+    return mip_device_call(device, &mip_base_get_device_info_command, NULL,
+                           &mip_base_get_device_info_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_base_get_device_descriptors_command;
 
@@ -60,6 +80,14 @@ static inline mip_error mip_send_base_get_device_descriptors(
     return mip_client_send(client, request, packet, &mip_base_get_device_descriptors_command, NULL,
                            &mip_base_get_device_descriptors_response_codec, response, now);
 }
+
+/** Get device descriptors. See mip_device_call. */
+static inline struct mip_result mip_call_base_get_device_descriptors(
+    struct mip_device *device, struct mip_base_get_device_descriptors_response *response) {
+    return mip_device_call(device, &mip_base_get_device_descriptors_command, NULL,
+                           &mip_base_get_device_descriptors_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_base_built_in_test_command;
 
@@ -73,6 +101,14 @@ static inline mip_error mip_send_base_built_in_test(
     return mip_client_send(client, request, packet, &mip_base_built_in_test_command, NULL,
                            &mip_base_built_in_test_response_codec, response, now);
 }
+
+/** Built-in test. See mip_device_call. */
+static inline struct mip_result mip_call_base_built_in_test(
+    struct mip_device *device, struct mip_base_built_in_test_response *response) {
+    return mip_device_call(device, &mip_base_built_in_test_command, NULL,
+                           &mip_base_built_in_test_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_base_resume_command;
 
@@ -82,6 +118,12 @@ static inline mip_error mip_send_base_resume(struct mip_client *client, struct m
     return mip_client_send(client, request, packet, &mip_base_resume_command, NULL, NULL, NULL,
                            now);
 }
+
+/** Resume. See mip_device_call. */
+static inline struct mip_result mip_call_base_resume(struct mip_device *device) {
+    return mip_device_call(device, &mip_base_resume_command, NULL, NULL, NULL);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_base_get_extended_descriptors_command;
 
@@ -96,6 +138,14 @@ static inline mip_error mip_send_base_get_extended_descriptors(
     return mip_client_send(client, request, packet, &mip_base_get_extended_descriptors_command,
                            NULL, &mip_base_get_extended_descriptors_response_codec, response, now);
 }
+
+/** Get device descriptors (extended). See mip_device_call. */
+static inline struct mip_result mip_call_base_get_extended_descriptors(
+    struct mip_device *device, struct mip_base_get_extended_descriptors_response *response) {
+    return mip_device_call(device, &mip_base_get_extended_descriptors_command, NULL,
+                           &mip_base_get_extended_descriptors_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_base_continuous_built_in_test_command;
 
@@ -109,6 +159,14 @@ static inline mip_error mip_send_base_continuous_built_in_test(
     return mip_client_send(client, request, packet, &mip_base_continuous_built_in_test_command,
                            NULL, &mip_base_continuous_built_in_test_response_codec, response, now);
 }
+
+/** Continuous built-in test. See mip_device_call. */
+static inline struct mip_result mip_call_base_continuous_built_in_test(
+    struct mip_device *device, struct mip_base_continuous_built_in_test_response *response) {
+    return mip_device_call(device, &mip_base_continuous_built_in_test_command, NULL,
+                           &mip_base_continuous_built_in_test_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_base_comm_speed_command;
 
@@ -125,6 +183,59 @@ static inline mip_error mip_send_base_comm_speed(struct mip_client *client,
     return mip_client_send(client, request, packet, &mip_base_comm_speed_command, command,
                            &mip_base_comm_speed_response_codec, response, now);
 }
+
+/** Comm port speed: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_base_comm_speed_write(struct mip_device *device,
+                                                               uint8_t port, uint32_t baud) {
+    struct mip_base_comm_speed command;
+    return mip_device_call(device, &mip_base_comm_speed_command,
+                           mip_base_comm_speed_write(&command, port, baud), NULL, NULL);
+}
+
+/** Comm port speed: read. Send the current setting back in a response. See mip_device_call. */
+static inline struct mip_result mip_call_base_comm_speed_read(
+    struct mip_device *device, uint8_t port, struct mip_base_comm_speed_response *response) {
+    struct mip_base_comm_speed command;
+    return mip_device_call(device, &mip_base_comm_speed_command,
+                           mip_base_comm_speed_read(&command, port),
+                           &mip_base_comm_speed_response_codec, response);
+}
+
+/** Comm port speed: save. Save the current setting to non-volatile memory. See mip_device_call. */
+static inline struct mip_result mip_call_base_comm_speed_save(struct mip_device *device,
+                                                              uint8_t port) {
+    struct mip_base_comm_speed command;
+    return mip_device_call(device, &mip_base_comm_speed_command,
+                           mip_base_comm_speed_save(&command, port), NULL, NULL);
+}
+
+/** Comm port speed: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_base_comm_speed_load(struct mip_device *device,
+                                                              uint8_t port) {
+    struct mip_base_comm_speed command;
+    return mip_device_call(device, &mip_base_comm_speed_command,
+                           mip_base_comm_speed_load(&command, port), NULL, NULL);
+}
+
+/** Comm port speed: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result mip_call_base_comm_speed_default(struct mip_device *device,
+                                                                 uint8_t port) {
+    struct mip_base_comm_speed command;
+    return mip_device_call(device, &mip_base_comm_speed_command,
+                           mip_base_comm_speed_default(&command, port), NULL, NULL);
+}
+
+/**
+ * Comm port speed: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result
+mip_call_base_comm_speed_with(struct mip_device *device, const struct mip_base_comm_speed *command,
+                              struct mip_base_comm_speed_response *response) {
+    return mip_device_call(device, &mip_base_comm_speed_command, command,
+                           &mip_base_comm_speed_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_base_gps_time_update_command;
 
@@ -135,6 +246,7 @@ static inline mip_error mip_send_base_gps_time_update(
     return mip_client_send(client, request, packet, &mip_base_gps_time_update_command, command,
                            NULL, NULL, now);
 }
+
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. GPS time update. It
  * is answered by this response.
@@ -146,6 +258,7 @@ static inline mip_error mip_send_for_base_gps_time_update_week_number_response(
     return mip_client_send(client, request, packet, &mip_base_gps_time_update_command, command,
                            &mip_base_gps_time_update_week_number_response_codec, response, now);
 }
+
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. GPS time update. It
  * is answered by this response.
@@ -157,6 +270,68 @@ static inline mip_error mip_send_for_base_gps_time_update_tow_response(
     return mip_client_send(client, request, packet, &mip_base_gps_time_update_command, command,
                            &mip_base_gps_time_update_tow_response_codec, response, now);
 }
+
+/** GPS time update: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_base_gps_time_update_write(
+    struct mip_device *device, enum mip_base_gps_time_field field_id, uint32_t value) {
+    struct mip_base_gps_time_update command;
+    return mip_device_call(device, &mip_base_gps_time_update_command,
+                           mip_base_gps_time_update_write(&command, field_id, value), NULL, NULL);
+}
+
+/** GPS time update: read. Send the current setting back in a response. See mip_device_call. */
+static inline struct mip_result mip_call_base_gps_time_update_read(
+    struct mip_device *device, enum mip_base_gps_time_field field_id) {
+    struct mip_base_gps_time_update command;
+    return mip_device_call(device, &mip_base_gps_time_update_command,
+                           mip_base_gps_time_update_read(&command, field_id), NULL, NULL);
+}
+
+/**
+ * GPS time update: read. Send the current setting back in a response. The answer is decoded as this
+ * response. See mip_device_call.
+ */
+static inline struct mip_result mip_call_for_base_gps_time_update_week_number_response_read(
+    struct mip_device *device, struct mip_base_gps_time_update_week_number_response *response) {
+    struct mip_base_gps_time_update command;
+    return mip_device_call(
+        device, &mip_base_gps_time_update_command,
+        mip_base_gps_time_update_read(&command, MIP_BASE_GPS_TIME_FIELD_WEEK_NUMBER),
+        &mip_base_gps_time_update_week_number_response_codec, response);
+}
+
+/**
+ * GPS time update: read. Send the current setting back in a response. The answer is decoded as this
+ * response. See mip_device_call.
+ */
+static inline struct mip_result mip_call_for_base_gps_time_update_tow_response_read(
+    struct mip_device *device, struct mip_base_gps_time_update_tow_response *response) {
+    struct mip_base_gps_time_update command;
+    return mip_device_call(device, &mip_base_gps_time_update_command,
+                           mip_base_gps_time_update_read(&command, MIP_BASE_GPS_TIME_FIELD_TOW),
+                           &mip_base_gps_time_update_tow_response_codec, response);
+}
+
+/**
+ * GPS time update: apply. Apply the new setting and send no acknowledge (5-series devices). See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_base_gps_time_update_apply(
+    struct mip_device *device, enum mip_base_gps_time_field field_id, uint32_t value) {
+    struct mip_base_gps_time_update command;
+    return mip_device_call(device, &mip_base_gps_time_update_command,
+                           mip_base_gps_time_update_apply(&command, field_id, value), NULL, NULL);
+}
+
+/**
+ * GPS time update: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_base_gps_time_update_with(
+    struct mip_device *device, const struct mip_base_gps_time_update *command) {
+    return mip_device_call(device, &mip_base_gps_time_update_command, command, NULL, NULL);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_base_soft_reset_command;
 
@@ -166,6 +341,11 @@ static inline mip_error mip_send_base_soft_reset(struct mip_client *client,
                                                  struct mip_builder *packet, uint32_t now) {
     return mip_client_send(client, request, packet, &mip_base_soft_reset_command, NULL, NULL, NULL,
                            now);
+}
+
+/** Reset device. See mip_device_call. */
+static inline struct mip_result mip_call_base_soft_reset(struct mip_device *device) {
+    return mip_device_call(device, &mip_base_soft_reset_command, NULL, NULL, NULL);
 }
 
 #ifdef __cplusplus

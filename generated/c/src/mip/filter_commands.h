@@ -6,7 +6,7 @@
 #define MIP_FILTER_COMMANDS_H
 
 #include "mip/filter.h"
-#include "mip/client.h"
+#include "mip/device.h"
 
 #if MIP_VERSION_NUMBER != 100
 #error "mip/filter_commands.h and mip/constants.h are not of one version"
@@ -29,6 +29,12 @@ static inline mip_error mip_send_filter_reset(struct mip_client *client,
     return mip_client_send(client, request, packet, &mip_filter_reset_command, NULL, NULL, NULL,
                            now);
 }
+
+/** Reset navigation filter. See mip_device_call. */
+static inline struct mip_result mip_call_filter_reset(struct mip_device *device) {
+    return mip_device_call(device, &mip_filter_reset_command, NULL, NULL, NULL);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_set_initial_attitude_command;
 
@@ -41,6 +47,26 @@ static inline mip_error mip_send_filter_set_initial_attitude(
     return mip_client_send(client, request, packet, &mip_filter_set_initial_attitude_command,
                            command, NULL, NULL, now);
 }
+
+/** Set initial attitude. See mip_device_call. */
+static inline struct mip_result mip_call_filter_set_initial_attitude(struct mip_device *device,
+                                                                     float roll, float pitch,
+                                                                     float heading) {
+    struct mip_filter_set_initial_attitude command;
+    return mip_device_call(device, &mip_filter_set_initial_attitude_command,
+                           mip_filter_set_initial_attitude_make(&command, roll, pitch, heading),
+                           NULL, NULL);
+}
+
+/**
+ * Set initial attitude: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_set_initial_attitude_with(
+    struct mip_device *device, const struct mip_filter_set_initial_attitude *command) {
+    return mip_device_call(device, &mip_filter_set_initial_attitude_command, command, NULL, NULL);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_set_initial_heading_command;
 
@@ -53,6 +79,24 @@ static inline mip_error mip_send_filter_set_initial_heading(
     return mip_client_send(client, request, packet, &mip_filter_set_initial_heading_command,
                            command, NULL, NULL, now);
 }
+
+/** Set initial heading. See mip_device_call. */
+static inline struct mip_result mip_call_filter_set_initial_heading(struct mip_device *device,
+                                                                    float heading) {
+    struct mip_filter_set_initial_heading command;
+    return mip_device_call(device, &mip_filter_set_initial_heading_command,
+                           mip_filter_set_initial_heading_make(&command, heading), NULL, NULL);
+}
+
+/**
+ * Set initial heading: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_set_initial_heading_with(
+    struct mip_device *device, const struct mip_filter_set_initial_heading *command) {
+    return mip_device_call(device, &mip_filter_set_initial_heading_command, command, NULL, NULL);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_run_command;
 
@@ -64,6 +108,12 @@ static inline mip_error mip_send_filter_run(struct mip_client *client, struct mi
                                             struct mip_builder *packet, uint32_t now) {
     return mip_client_send(client, request, packet, &mip_filter_run_command, NULL, NULL, NULL, now);
 }
+
+/** Run navigation filter. See mip_device_call. */
+static inline struct mip_result mip_call_filter_run(struct mip_device *device) {
+    return mip_device_call(device, &mip_filter_run_command, NULL, NULL, NULL);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_vehicle_dynamics_mode_command;
 
@@ -79,6 +129,64 @@ static inline mip_error mip_send_filter_vehicle_dynamics_mode(
                            command, &mip_filter_vehicle_dynamics_mode_response_codec, response,
                            now);
 }
+
+/** Vehicle dynamics mode: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_vehicle_dynamics_mode_write(
+    struct mip_device *device, enum mip_filter_dynamics_mode mode) {
+    struct mip_filter_vehicle_dynamics_mode command;
+    return mip_device_call(device, &mip_filter_vehicle_dynamics_mode_command,
+                           mip_filter_vehicle_dynamics_mode_write(&command, mode), NULL, NULL);
+}
+
+/**
+ * Vehicle dynamics mode: read. Send the current setting back in a response. See mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_vehicle_dynamics_mode_read(
+    struct mip_device *device, struct mip_filter_vehicle_dynamics_mode_response *response) {
+    struct mip_filter_vehicle_dynamics_mode command;
+    return mip_device_call(device, &mip_filter_vehicle_dynamics_mode_command,
+                           mip_filter_vehicle_dynamics_mode_read(&command),
+                           &mip_filter_vehicle_dynamics_mode_response_codec, response);
+}
+
+/**
+ * Vehicle dynamics mode: save. Save the current setting to non-volatile memory. See
+ * mip_device_call.
+ */
+static inline struct mip_result
+mip_call_filter_vehicle_dynamics_mode_save(struct mip_device *device) {
+    struct mip_filter_vehicle_dynamics_mode command;
+    return mip_device_call(device, &mip_filter_vehicle_dynamics_mode_command,
+                           mip_filter_vehicle_dynamics_mode_save(&command), NULL, NULL);
+}
+
+/** Vehicle dynamics mode: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_filter_vehicle_dynamics_mode_load(struct mip_device *device) {
+    struct mip_filter_vehicle_dynamics_mode command;
+    return mip_device_call(device, &mip_filter_vehicle_dynamics_mode_command,
+                           mip_filter_vehicle_dynamics_mode_load(&command), NULL, NULL);
+}
+
+/** Vehicle dynamics mode: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_filter_vehicle_dynamics_mode_default(struct mip_device *device) {
+    struct mip_filter_vehicle_dynamics_mode command;
+    return mip_device_call(device, &mip_filter_vehicle_dynamics_mode_command,
+                           mip_filter_vehicle_dynamics_mode_default(&command), NULL, NULL);
+}
+
+/**
+ * Vehicle dynamics mode: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_vehicle_dynamics_mode_with(
+    struct mip_device *device, const struct mip_filter_vehicle_dynamics_mode *command,
+    struct mip_filter_vehicle_dynamics_mode_response *response) {
+    return mip_device_call(device, &mip_filter_vehicle_dynamics_mode_command, command,
+                           &mip_filter_vehicle_dynamics_mode_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_sensor_to_vehicle_euler_command;
 
@@ -95,6 +203,69 @@ static inline mip_error mip_send_filter_sensor_to_vehicle_euler(
                            command, &mip_filter_sensor_to_vehicle_euler_response_codec, response,
                            now);
 }
+
+/** Sensor to vehicle frame transformation: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_sensor_to_vehicle_euler_write(
+    struct mip_device *device, float roll, float pitch, float yaw) {
+    struct mip_filter_sensor_to_vehicle_euler command;
+    return mip_device_call(device, &mip_filter_sensor_to_vehicle_euler_command,
+                           mip_filter_sensor_to_vehicle_euler_write(&command, roll, pitch, yaw),
+                           NULL, NULL);
+}
+
+/**
+ * Sensor to vehicle frame transformation: read. Send the current setting back in a response. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_sensor_to_vehicle_euler_read(
+    struct mip_device *device, struct mip_filter_sensor_to_vehicle_euler_response *response) {
+    struct mip_filter_sensor_to_vehicle_euler command;
+    return mip_device_call(device, &mip_filter_sensor_to_vehicle_euler_command,
+                           mip_filter_sensor_to_vehicle_euler_read(&command),
+                           &mip_filter_sensor_to_vehicle_euler_response_codec, response);
+}
+
+/**
+ * Sensor to vehicle frame transformation: save. Save the current setting to non-volatile memory.
+ * See mip_device_call.
+ */
+static inline struct mip_result
+mip_call_filter_sensor_to_vehicle_euler_save(struct mip_device *device) {
+    struct mip_filter_sensor_to_vehicle_euler command;
+    return mip_device_call(device, &mip_filter_sensor_to_vehicle_euler_command,
+                           mip_filter_sensor_to_vehicle_euler_save(&command), NULL, NULL);
+}
+
+/** Sensor to vehicle frame transformation: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_filter_sensor_to_vehicle_euler_load(struct mip_device *device) {
+    struct mip_filter_sensor_to_vehicle_euler command;
+    return mip_device_call(device, &mip_filter_sensor_to_vehicle_euler_command,
+                           mip_filter_sensor_to_vehicle_euler_load(&command), NULL, NULL);
+}
+
+/**
+ * Sensor to vehicle frame transformation: default. Load the factory default setting. See
+ * mip_device_call.
+ */
+static inline struct mip_result
+mip_call_filter_sensor_to_vehicle_euler_default(struct mip_device *device) {
+    struct mip_filter_sensor_to_vehicle_euler command;
+    return mip_device_call(device, &mip_filter_sensor_to_vehicle_euler_command,
+                           mip_filter_sensor_to_vehicle_euler_default(&command), NULL, NULL);
+}
+
+/**
+ * Sensor to vehicle frame transformation: calls the command with these values, optional parameters
+ * too. See mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_sensor_to_vehicle_euler_with(
+    struct mip_device *device, const struct mip_filter_sensor_to_vehicle_euler *command,
+    struct mip_filter_sensor_to_vehicle_euler_response *response) {
+    return mip_device_call(device, &mip_filter_sensor_to_vehicle_euler_command, command,
+                           &mip_filter_sensor_to_vehicle_euler_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_sensor_to_vehicle_offset_command;
 
@@ -110,6 +281,64 @@ static inline mip_error mip_send_filter_sensor_to_vehicle_offset(
                            command, &mip_filter_sensor_to_vehicle_offset_response_codec, response,
                            now);
 }
+
+/** Sensor to vehicle offset: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_filter_sensor_to_vehicle_offset_write(struct mip_device *device, const float offset[3]) {
+    struct mip_filter_sensor_to_vehicle_offset command;
+    return mip_device_call(device, &mip_filter_sensor_to_vehicle_offset_command,
+                           mip_filter_sensor_to_vehicle_offset_write(&command, offset), NULL, NULL);
+}
+
+/**
+ * Sensor to vehicle offset: read. Send the current setting back in a response. See mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_sensor_to_vehicle_offset_read(
+    struct mip_device *device, struct mip_filter_sensor_to_vehicle_offset_response *response) {
+    struct mip_filter_sensor_to_vehicle_offset command;
+    return mip_device_call(device, &mip_filter_sensor_to_vehicle_offset_command,
+                           mip_filter_sensor_to_vehicle_offset_read(&command),
+                           &mip_filter_sensor_to_vehicle_offset_response_codec, response);
+}
+
+/**
+ * Sensor to vehicle offset: save. Save the current setting to non-volatile memory. See
+ * mip_device_call.
+ */
+static inline struct mip_result
+mip_call_filter_sensor_to_vehicle_offset_save(struct mip_device *device) {
+    struct mip_filter_sensor_to_vehicle_offset command;
+    return mip_device_call(device, &mip_filter_sensor_to_vehicle_offset_command,
+                           mip_filter_sensor_to_vehicle_offset_save(&command), NULL, NULL);
+}
+
+/** Sensor to vehicle offset: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_filter_sensor_to_vehicle_offset_load(struct mip_device *device) {
+    struct mip_filter_sensor_to_vehicle_offset command;
+    return mip_device_call(device, &mip_filter_sensor_to_vehicle_offset_command,
+                           mip_filter_sensor_to_vehicle_offset_load(&command), NULL, NULL);
+}
+
+/** Sensor to vehicle offset: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_filter_sensor_to_vehicle_offset_default(struct mip_device *device) {
+    struct mip_filter_sensor_to_vehicle_offset command;
+    return mip_device_call(device, &mip_filter_sensor_to_vehicle_offset_command,
+                           mip_filter_sensor_to_vehicle_offset_default(&command), NULL, NULL);
+}
+
+/**
+ * Sensor to vehicle offset: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_sensor_to_vehicle_offset_with(
+    struct mip_device *device, const struct mip_filter_sensor_to_vehicle_offset *command,
+    struct mip_filter_sensor_to_vehicle_offset_response *response) {
+    return mip_device_call(device, &mip_filter_sensor_to_vehicle_offset_command, command,
+                           &mip_filter_sensor_to_vehicle_offset_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_antenna_offset_command;
 
@@ -124,6 +353,58 @@ static inline mip_error mip_send_filter_antenna_offset(
     return mip_client_send(client, request, packet, &mip_filter_antenna_offset_command, command,
                            &mip_filter_antenna_offset_response_codec, response, now);
 }
+
+/** GNSS antenna offset: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_antenna_offset_write(struct mip_device *device,
+                                                                     const float offset[3]) {
+    struct mip_filter_antenna_offset command;
+    return mip_device_call(device, &mip_filter_antenna_offset_command,
+                           mip_filter_antenna_offset_write(&command, offset), NULL, NULL);
+}
+
+/** GNSS antenna offset: read. Send the current setting back in a response. See mip_device_call. */
+static inline struct mip_result mip_call_filter_antenna_offset_read(
+    struct mip_device *device, struct mip_filter_antenna_offset_response *response) {
+    struct mip_filter_antenna_offset command;
+    return mip_device_call(device, &mip_filter_antenna_offset_command,
+                           mip_filter_antenna_offset_read(&command),
+                           &mip_filter_antenna_offset_response_codec, response);
+}
+
+/**
+ * GNSS antenna offset: save. Save the current setting to non-volatile memory. See mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_antenna_offset_save(struct mip_device *device) {
+    struct mip_filter_antenna_offset command;
+    return mip_device_call(device, &mip_filter_antenna_offset_command,
+                           mip_filter_antenna_offset_save(&command), NULL, NULL);
+}
+
+/** GNSS antenna offset: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_antenna_offset_load(struct mip_device *device) {
+    struct mip_filter_antenna_offset command;
+    return mip_device_call(device, &mip_filter_antenna_offset_command,
+                           mip_filter_antenna_offset_load(&command), NULL, NULL);
+}
+
+/** GNSS antenna offset: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_antenna_offset_default(struct mip_device *device) {
+    struct mip_filter_antenna_offset command;
+    return mip_device_call(device, &mip_filter_antenna_offset_command,
+                           mip_filter_antenna_offset_default(&command), NULL, NULL);
+}
+
+/**
+ * GNSS antenna offset: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_antenna_offset_with(
+    struct mip_device *device, const struct mip_filter_antenna_offset *command,
+    struct mip_filter_antenna_offset_response *response) {
+    return mip_device_call(device, &mip_filter_antenna_offset_command, command,
+                           &mip_filter_antenna_offset_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_estimation_control_command;
 
@@ -138,6 +419,62 @@ static inline mip_error mip_send_filter_estimation_control(
     return mip_client_send(client, request, packet, &mip_filter_estimation_control_command, command,
                            &mip_filter_estimation_control_response_codec, response, now);
 }
+
+/** Estimation control flags: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_estimation_control_write(
+    struct mip_device *device, mip_filter_estimated_states flags) {
+    struct mip_filter_estimation_control command;
+    return mip_device_call(device, &mip_filter_estimation_control_command,
+                           mip_filter_estimation_control_write(&command, flags), NULL, NULL);
+}
+
+/**
+ * Estimation control flags: read. Send the current setting back in a response. See mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_estimation_control_read(
+    struct mip_device *device, struct mip_filter_estimation_control_response *response) {
+    struct mip_filter_estimation_control command;
+    return mip_device_call(device, &mip_filter_estimation_control_command,
+                           mip_filter_estimation_control_read(&command),
+                           &mip_filter_estimation_control_response_codec, response);
+}
+
+/**
+ * Estimation control flags: save. Save the current setting to non-volatile memory. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_estimation_control_save(struct mip_device *device) {
+    struct mip_filter_estimation_control command;
+    return mip_device_call(device, &mip_filter_estimation_control_command,
+                           mip_filter_estimation_control_save(&command), NULL, NULL);
+}
+
+/** Estimation control flags: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_estimation_control_load(struct mip_device *device) {
+    struct mip_filter_estimation_control command;
+    return mip_device_call(device, &mip_filter_estimation_control_command,
+                           mip_filter_estimation_control_load(&command), NULL, NULL);
+}
+
+/** Estimation control flags: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_filter_estimation_control_default(struct mip_device *device) {
+    struct mip_filter_estimation_control command;
+    return mip_device_call(device, &mip_filter_estimation_control_command,
+                           mip_filter_estimation_control_default(&command), NULL, NULL);
+}
+
+/**
+ * Estimation control flags: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_estimation_control_with(
+    struct mip_device *device, const struct mip_filter_estimation_control *command,
+    struct mip_filter_estimation_control_response *response) {
+    return mip_device_call(device, &mip_filter_estimation_control_command, command,
+                           &mip_filter_estimation_control_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_gnss_source_command;
 
@@ -152,6 +489,58 @@ static inline mip_error mip_send_filter_gnss_source(
     return mip_client_send(client, request, packet, &mip_filter_gnss_source_command, command,
                            &mip_filter_gnss_source_response_codec, response, now);
 }
+
+/** GNSS aiding source: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_gnss_source_write(
+    struct mip_device *device, enum mip_filter_gnss_aiding_source source) {
+    struct mip_filter_gnss_source command;
+    return mip_device_call(device, &mip_filter_gnss_source_command,
+                           mip_filter_gnss_source_write(&command, source), NULL, NULL);
+}
+
+/** GNSS aiding source: read. Send the current setting back in a response. See mip_device_call. */
+static inline struct mip_result mip_call_filter_gnss_source_read(
+    struct mip_device *device, struct mip_filter_gnss_source_response *response) {
+    struct mip_filter_gnss_source command;
+    return mip_device_call(device, &mip_filter_gnss_source_command,
+                           mip_filter_gnss_source_read(&command),
+                           &mip_filter_gnss_source_response_codec, response);
+}
+
+/**
+ * GNSS aiding source: save. Save the current setting to non-volatile memory. See mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_gnss_source_save(struct mip_device *device) {
+    struct mip_filter_gnss_source command;
+    return mip_device_call(device, &mip_filter_gnss_source_command,
+                           mip_filter_gnss_source_save(&command), NULL, NULL);
+}
+
+/** GNSS aiding source: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_gnss_source_load(struct mip_device *device) {
+    struct mip_filter_gnss_source command;
+    return mip_device_call(device, &mip_filter_gnss_source_command,
+                           mip_filter_gnss_source_load(&command), NULL, NULL);
+}
+
+/** GNSS aiding source: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_gnss_source_default(struct mip_device *device) {
+    struct mip_filter_gnss_source command;
+    return mip_device_call(device, &mip_filter_gnss_source_command,
+                           mip_filter_gnss_source_default(&command), NULL, NULL);
+}
+
+/**
+ * GNSS aiding source: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_gnss_source_with(
+    struct mip_device *device, const struct mip_filter_gnss_source *command,
+    struct mip_filter_gnss_source_response *response) {
+    return mip_device_call(device, &mip_filter_gnss_source_command, command,
+                           &mip_filter_gnss_source_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_external_gnss_update_command;
 
@@ -164,6 +553,29 @@ static inline mip_error mip_send_filter_external_gnss_update(
     return mip_client_send(client, request, packet, &mip_filter_external_gnss_update_command,
                            command, NULL, NULL, now);
 }
+
+/** External GNSS update. See mip_device_call. */
+static inline struct mip_result mip_call_filter_external_gnss_update(
+    struct mip_device *device, double tow, uint16_t week_number, double latitude, double longitude,
+    double height, const float velocity[3], const float position_uncertainty[3],
+    const float velocity_uncertainty[3]) {
+    struct mip_filter_external_gnss_update command;
+    return mip_device_call(device, &mip_filter_external_gnss_update_command,
+                           mip_filter_external_gnss_update_make(
+                               &command, tow, week_number, latitude, longitude, height, velocity,
+                               position_uncertainty, velocity_uncertainty),
+                           NULL, NULL);
+}
+
+/**
+ * External GNSS update: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_external_gnss_update_with(
+    struct mip_device *device, const struct mip_filter_external_gnss_update *command) {
+    return mip_device_call(device, &mip_filter_external_gnss_update_command, command, NULL, NULL);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_external_heading_update_command;
 
@@ -177,6 +589,28 @@ static inline mip_error mip_send_filter_external_heading_update(
     return mip_client_send(client, request, packet, &mip_filter_external_heading_update_command,
                            command, NULL, NULL, now);
 }
+
+/** External heading update. See mip_device_call. */
+static inline struct mip_result mip_call_filter_external_heading_update(
+    struct mip_device *device, float heading, float heading_uncertainty,
+    enum mip_filter_heading_type type) {
+    struct mip_filter_external_heading_update command;
+    return mip_device_call(
+        device, &mip_filter_external_heading_update_command,
+        mip_filter_external_heading_update_make(&command, heading, heading_uncertainty, type), NULL,
+        NULL);
+}
+
+/**
+ * External heading update: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_external_heading_update_with(
+    struct mip_device *device, const struct mip_filter_external_heading_update *command) {
+    return mip_device_call(device, &mip_filter_external_heading_update_command, command, NULL,
+                           NULL);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_heading_source_command;
 
@@ -191,6 +625,61 @@ static inline mip_error mip_send_filter_heading_source(
     return mip_client_send(client, request, packet, &mip_filter_heading_source_command, command,
                            &mip_filter_heading_source_response_codec, response, now);
 }
+
+/** Heading update control: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_heading_source_write(
+    struct mip_device *device, enum mip_filter_heading_update_source source) {
+    struct mip_filter_heading_source command;
+    return mip_device_call(device, &mip_filter_heading_source_command,
+                           mip_filter_heading_source_write(&command, source), NULL, NULL);
+}
+
+/**
+ * Heading update control: read. Send the current setting back in a response. See mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_heading_source_read(
+    struct mip_device *device, struct mip_filter_heading_source_response *response) {
+    struct mip_filter_heading_source command;
+    return mip_device_call(device, &mip_filter_heading_source_command,
+                           mip_filter_heading_source_read(&command),
+                           &mip_filter_heading_source_response_codec, response);
+}
+
+/**
+ * Heading update control: save. Save the current setting to non-volatile memory. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_heading_source_save(struct mip_device *device) {
+    struct mip_filter_heading_source command;
+    return mip_device_call(device, &mip_filter_heading_source_command,
+                           mip_filter_heading_source_save(&command), NULL, NULL);
+}
+
+/** Heading update control: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_heading_source_load(struct mip_device *device) {
+    struct mip_filter_heading_source command;
+    return mip_device_call(device, &mip_filter_heading_source_command,
+                           mip_filter_heading_source_load(&command), NULL, NULL);
+}
+
+/** Heading update control: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_heading_source_default(struct mip_device *device) {
+    struct mip_filter_heading_source command;
+    return mip_device_call(device, &mip_filter_heading_source_command,
+                           mip_filter_heading_source_default(&command), NULL, NULL);
+}
+
+/**
+ * Heading update control: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_heading_source_with(
+    struct mip_device *device, const struct mip_filter_heading_source *command,
+    struct mip_filter_heading_source_response *response) {
+    return mip_device_call(device, &mip_filter_heading_source_command, command,
+                           &mip_filter_heading_source_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_auto_initialization_control_command;
 
@@ -206,6 +695,65 @@ static inline mip_error mip_send_filter_auto_initialization_control(
                            command, &mip_filter_auto_initialization_control_response_codec,
                            response, now);
 }
+
+/** Automatic initialization: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_filter_auto_initialization_control_write(struct mip_device *device, uint8_t enable) {
+    struct mip_filter_auto_initialization_control command;
+    return mip_device_call(device, &mip_filter_auto_initialization_control_command,
+                           mip_filter_auto_initialization_control_write(&command, enable), NULL,
+                           NULL);
+}
+
+/**
+ * Automatic initialization: read. Send the current setting back in a response. See mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_auto_initialization_control_read(
+    struct mip_device *device, struct mip_filter_auto_initialization_control_response *response) {
+    struct mip_filter_auto_initialization_control command;
+    return mip_device_call(device, &mip_filter_auto_initialization_control_command,
+                           mip_filter_auto_initialization_control_read(&command),
+                           &mip_filter_auto_initialization_control_response_codec, response);
+}
+
+/**
+ * Automatic initialization: save. Save the current setting to non-volatile memory. See
+ * mip_device_call.
+ */
+static inline struct mip_result
+mip_call_filter_auto_initialization_control_save(struct mip_device *device) {
+    struct mip_filter_auto_initialization_control command;
+    return mip_device_call(device, &mip_filter_auto_initialization_control_command,
+                           mip_filter_auto_initialization_control_save(&command), NULL, NULL);
+}
+
+/** Automatic initialization: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_filter_auto_initialization_control_load(struct mip_device *device) {
+    struct mip_filter_auto_initialization_control command;
+    return mip_device_call(device, &mip_filter_auto_initialization_control_command,
+                           mip_filter_auto_initialization_control_load(&command), NULL, NULL);
+}
+
+/** Automatic initialization: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_filter_auto_initialization_control_default(struct mip_device *device) {
+    struct mip_filter_auto_initialization_control command;
+    return mip_device_call(device, &mip_filter_auto_initialization_control_command,
+                           mip_filter_auto_initialization_control_default(&command), NULL, NULL);
+}
+
+/**
+ * Automatic initialization: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_auto_initialization_control_with(
+    struct mip_device *device, const struct mip_filter_auto_initialization_control *command,
+    struct mip_filter_auto_initialization_control_response *response) {
+    return mip_device_call(device, &mip_filter_auto_initialization_control_command, command,
+                           &mip_filter_auto_initialization_control_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_accel_noise_command;
 
@@ -220,6 +768,58 @@ static inline mip_error mip_send_filter_accel_noise(
     return mip_client_send(client, request, packet, &mip_filter_accel_noise_command, command,
                            &mip_filter_accel_noise_response_codec, response, now);
 }
+
+/** Accelerometer noise: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_accel_noise_write(struct mip_device *device,
+                                                                  const float noise[3]) {
+    struct mip_filter_accel_noise command;
+    return mip_device_call(device, &mip_filter_accel_noise_command,
+                           mip_filter_accel_noise_write(&command, noise), NULL, NULL);
+}
+
+/** Accelerometer noise: read. Send the current setting back in a response. See mip_device_call. */
+static inline struct mip_result mip_call_filter_accel_noise_read(
+    struct mip_device *device, struct mip_filter_accel_noise_response *response) {
+    struct mip_filter_accel_noise command;
+    return mip_device_call(device, &mip_filter_accel_noise_command,
+                           mip_filter_accel_noise_read(&command),
+                           &mip_filter_accel_noise_response_codec, response);
+}
+
+/**
+ * Accelerometer noise: save. Save the current setting to non-volatile memory. See mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_accel_noise_save(struct mip_device *device) {
+    struct mip_filter_accel_noise command;
+    return mip_device_call(device, &mip_filter_accel_noise_command,
+                           mip_filter_accel_noise_save(&command), NULL, NULL);
+}
+
+/** Accelerometer noise: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_accel_noise_load(struct mip_device *device) {
+    struct mip_filter_accel_noise command;
+    return mip_device_call(device, &mip_filter_accel_noise_command,
+                           mip_filter_accel_noise_load(&command), NULL, NULL);
+}
+
+/** Accelerometer noise: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_accel_noise_default(struct mip_device *device) {
+    struct mip_filter_accel_noise command;
+    return mip_device_call(device, &mip_filter_accel_noise_command,
+                           mip_filter_accel_noise_default(&command), NULL, NULL);
+}
+
+/**
+ * Accelerometer noise: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_accel_noise_with(
+    struct mip_device *device, const struct mip_filter_accel_noise *command,
+    struct mip_filter_accel_noise_response *response) {
+    return mip_device_call(device, &mip_filter_accel_noise_command, command,
+                           &mip_filter_accel_noise_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_gyro_noise_command;
 
@@ -236,6 +836,56 @@ static inline mip_error mip_send_filter_gyro_noise(struct mip_client *client,
     return mip_client_send(client, request, packet, &mip_filter_gyro_noise_command, command,
                            &mip_filter_gyro_noise_response_codec, response, now);
 }
+
+/** Gyroscope noise: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_gyro_noise_write(struct mip_device *device,
+                                                                 const float noise[3]) {
+    struct mip_filter_gyro_noise command;
+    return mip_device_call(device, &mip_filter_gyro_noise_command,
+                           mip_filter_gyro_noise_write(&command, noise), NULL, NULL);
+}
+
+/** Gyroscope noise: read. Send the current setting back in a response. See mip_device_call. */
+static inline struct mip_result mip_call_filter_gyro_noise_read(
+    struct mip_device *device, struct mip_filter_gyro_noise_response *response) {
+    struct mip_filter_gyro_noise command;
+    return mip_device_call(device, &mip_filter_gyro_noise_command,
+                           mip_filter_gyro_noise_read(&command),
+                           &mip_filter_gyro_noise_response_codec, response);
+}
+
+/** Gyroscope noise: save. Save the current setting to non-volatile memory. See mip_device_call. */
+static inline struct mip_result mip_call_filter_gyro_noise_save(struct mip_device *device) {
+    struct mip_filter_gyro_noise command;
+    return mip_device_call(device, &mip_filter_gyro_noise_command,
+                           mip_filter_gyro_noise_save(&command), NULL, NULL);
+}
+
+/** Gyroscope noise: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_gyro_noise_load(struct mip_device *device) {
+    struct mip_filter_gyro_noise command;
+    return mip_device_call(device, &mip_filter_gyro_noise_command,
+                           mip_filter_gyro_noise_load(&command), NULL, NULL);
+}
+
+/** Gyroscope noise: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_gyro_noise_default(struct mip_device *device) {
+    struct mip_filter_gyro_noise command;
+    return mip_device_call(device, &mip_filter_gyro_noise_command,
+                           mip_filter_gyro_noise_default(&command), NULL, NULL);
+}
+
+/**
+ * Gyroscope noise: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_gyro_noise_with(
+    struct mip_device *device, const struct mip_filter_gyro_noise *command,
+    struct mip_filter_gyro_noise_response *response) {
+    return mip_device_call(device, &mip_filter_gyro_noise_command, command,
+                           &mip_filter_gyro_noise_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_accel_bias_model_command;
 
@@ -250,6 +900,63 @@ static inline mip_error mip_send_filter_accel_bias_model(
     return mip_client_send(client, request, packet, &mip_filter_accel_bias_model_command, command,
                            &mip_filter_accel_bias_model_response_codec, response, now);
 }
+
+/** Accelerometer bias model: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_accel_bias_model_write(struct mip_device *device,
+                                                                       const float beta[3],
+                                                                       const float noise[3]) {
+    struct mip_filter_accel_bias_model command;
+    return mip_device_call(device, &mip_filter_accel_bias_model_command,
+                           mip_filter_accel_bias_model_write(&command, beta, noise), NULL, NULL);
+}
+
+/**
+ * Accelerometer bias model: read. Send the current setting back in a response. See mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_accel_bias_model_read(
+    struct mip_device *device, struct mip_filter_accel_bias_model_response *response) {
+    struct mip_filter_accel_bias_model command;
+    return mip_device_call(device, &mip_filter_accel_bias_model_command,
+                           mip_filter_accel_bias_model_read(&command),
+                           &mip_filter_accel_bias_model_response_codec, response);
+}
+
+/**
+ * Accelerometer bias model: save. Save the current setting to non-volatile memory. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_accel_bias_model_save(struct mip_device *device) {
+    struct mip_filter_accel_bias_model command;
+    return mip_device_call(device, &mip_filter_accel_bias_model_command,
+                           mip_filter_accel_bias_model_save(&command), NULL, NULL);
+}
+
+/** Accelerometer bias model: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_accel_bias_model_load(struct mip_device *device) {
+    struct mip_filter_accel_bias_model command;
+    return mip_device_call(device, &mip_filter_accel_bias_model_command,
+                           mip_filter_accel_bias_model_load(&command), NULL, NULL);
+}
+
+/** Accelerometer bias model: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_filter_accel_bias_model_default(struct mip_device *device) {
+    struct mip_filter_accel_bias_model command;
+    return mip_device_call(device, &mip_filter_accel_bias_model_command,
+                           mip_filter_accel_bias_model_default(&command), NULL, NULL);
+}
+
+/**
+ * Accelerometer bias model: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_accel_bias_model_with(
+    struct mip_device *device, const struct mip_filter_accel_bias_model *command,
+    struct mip_filter_accel_bias_model_response *response) {
+    return mip_device_call(device, &mip_filter_accel_bias_model_command, command,
+                           &mip_filter_accel_bias_model_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_gyro_bias_model_command;
 
@@ -264,6 +971,59 @@ static inline mip_error mip_send_filter_gyro_bias_model(
     return mip_client_send(client, request, packet, &mip_filter_gyro_bias_model_command, command,
                            &mip_filter_gyro_bias_model_response_codec, response, now);
 }
+
+/** Gyroscope bias model: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_gyro_bias_model_write(struct mip_device *device,
+                                                                      const float beta[3],
+                                                                      const float noise[3]) {
+    struct mip_filter_gyro_bias_model command;
+    return mip_device_call(device, &mip_filter_gyro_bias_model_command,
+                           mip_filter_gyro_bias_model_write(&command, beta, noise), NULL, NULL);
+}
+
+/** Gyroscope bias model: read. Send the current setting back in a response. See mip_device_call. */
+static inline struct mip_result mip_call_filter_gyro_bias_model_read(
+    struct mip_device *device, struct mip_filter_gyro_bias_model_response *response) {
+    struct mip_filter_gyro_bias_model command;
+    return mip_device_call(device, &mip_filter_gyro_bias_model_command,
+                           mip_filter_gyro_bias_model_read(&command),
+                           &mip_filter_gyro_bias_model_response_codec, response);
+}
+
+/**
+ * Gyroscope bias model: save. Save the current setting to non-volatile memory. See mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_gyro_bias_model_save(struct mip_device *device) {
+    struct mip_filter_gyro_bias_model command;
+    return mip_device_call(device, &mip_filter_gyro_bias_model_command,
+                           mip_filter_gyro_bias_model_save(&command), NULL, NULL);
+}
+
+/** Gyroscope bias model: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_gyro_bias_model_load(struct mip_device *device) {
+    struct mip_filter_gyro_bias_model command;
+    return mip_device_call(device, &mip_filter_gyro_bias_model_command,
+                           mip_filter_gyro_bias_model_load(&command), NULL, NULL);
+}
+
+/** Gyroscope bias model: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_gyro_bias_model_default(struct mip_device *device) {
+    struct mip_filter_gyro_bias_model command;
+    return mip_device_call(device, &mip_filter_gyro_bias_model_command,
+                           mip_filter_gyro_bias_model_default(&command), NULL, NULL);
+}
+
+/**
+ * Gyroscope bias model: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_gyro_bias_model_with(
+    struct mip_device *device, const struct mip_filter_gyro_bias_model *command,
+    struct mip_filter_gyro_bias_model_response *response) {
+    return mip_device_call(device, &mip_filter_gyro_bias_model_command, command,
+                           &mip_filter_gyro_bias_model_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_auto_zupt_command;
 
@@ -280,6 +1040,64 @@ static inline mip_error mip_send_filter_auto_zupt(struct mip_client *client,
     return mip_client_send(client, request, packet, &mip_filter_auto_zupt_command, command,
                            &mip_filter_auto_zupt_response_codec, response, now);
 }
+
+/** Automatic zero velocity update: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_auto_zupt_write(struct mip_device *device,
+                                                                uint8_t enable, float threshold) {
+    struct mip_filter_auto_zupt command;
+    return mip_device_call(device, &mip_filter_auto_zupt_command,
+                           mip_filter_auto_zupt_write(&command, enable, threshold), NULL, NULL);
+}
+
+/**
+ * Automatic zero velocity update: read. Send the current setting back in a response. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_auto_zupt_read(
+    struct mip_device *device, struct mip_filter_auto_zupt_response *response) {
+    struct mip_filter_auto_zupt command;
+    return mip_device_call(device, &mip_filter_auto_zupt_command,
+                           mip_filter_auto_zupt_read(&command),
+                           &mip_filter_auto_zupt_response_codec, response);
+}
+
+/**
+ * Automatic zero velocity update: save. Save the current setting to non-volatile memory. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_auto_zupt_save(struct mip_device *device) {
+    struct mip_filter_auto_zupt command;
+    return mip_device_call(device, &mip_filter_auto_zupt_command,
+                           mip_filter_auto_zupt_save(&command), NULL, NULL);
+}
+
+/** Automatic zero velocity update: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_auto_zupt_load(struct mip_device *device) {
+    struct mip_filter_auto_zupt command;
+    return mip_device_call(device, &mip_filter_auto_zupt_command,
+                           mip_filter_auto_zupt_load(&command), NULL, NULL);
+}
+
+/**
+ * Automatic zero velocity update: default. Load the factory default setting. See mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_auto_zupt_default(struct mip_device *device) {
+    struct mip_filter_auto_zupt command;
+    return mip_device_call(device, &mip_filter_auto_zupt_command,
+                           mip_filter_auto_zupt_default(&command), NULL, NULL);
+}
+
+/**
+ * Automatic zero velocity update: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_auto_zupt_with(
+    struct mip_device *device, const struct mip_filter_auto_zupt *command,
+    struct mip_filter_auto_zupt_response *response) {
+    return mip_device_call(device, &mip_filter_auto_zupt_command, command,
+                           &mip_filter_auto_zupt_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_external_heading_update_with_time_command;
 
@@ -294,6 +1112,28 @@ static inline mip_error mip_send_filter_external_heading_update_with_time(
                            &mip_filter_external_heading_update_with_time_command, command, NULL,
                            NULL, now);
 }
+
+/** External heading update with time. See mip_device_call. */
+static inline struct mip_result mip_call_filter_external_heading_update_with_time(
+    struct mip_device *device, double tow, uint16_t week_number, float heading,
+    float heading_uncertainty, enum mip_filter_heading_type type) {
+    struct mip_filter_external_heading_update_with_time command;
+    return mip_device_call(device, &mip_filter_external_heading_update_with_time_command,
+                           mip_filter_external_heading_update_with_time_make(
+                               &command, tow, week_number, heading, heading_uncertainty, type),
+                           NULL, NULL);
+}
+
+/**
+ * External heading update with time: calls the command with these values, optional parameters too.
+ * See mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_external_heading_update_with_time_with(
+    struct mip_device *device, const struct mip_filter_external_heading_update_with_time *command) {
+    return mip_device_call(device, &mip_filter_external_heading_update_with_time_command, command,
+                           NULL, NULL);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_auto_angular_zupt_command;
 
@@ -308,6 +1148,64 @@ static inline mip_error mip_send_filter_auto_angular_zupt(
     return mip_client_send(client, request, packet, &mip_filter_auto_angular_zupt_command, command,
                            &mip_filter_auto_angular_zupt_response_codec, response, now);
 }
+
+/** Zero angular rate update: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_auto_angular_zupt_write(struct mip_device *device,
+                                                                        uint8_t enable,
+                                                                        float threshold) {
+    struct mip_filter_auto_angular_zupt command;
+    return mip_device_call(device, &mip_filter_auto_angular_zupt_command,
+                           mip_filter_auto_angular_zupt_write(&command, enable, threshold), NULL,
+                           NULL);
+}
+
+/**
+ * Zero angular rate update: read. Send the current setting back in a response. See mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_auto_angular_zupt_read(
+    struct mip_device *device, struct mip_filter_auto_angular_zupt_response *response) {
+    struct mip_filter_auto_angular_zupt command;
+    return mip_device_call(device, &mip_filter_auto_angular_zupt_command,
+                           mip_filter_auto_angular_zupt_read(&command),
+                           &mip_filter_auto_angular_zupt_response_codec, response);
+}
+
+/**
+ * Zero angular rate update: save. Save the current setting to non-volatile memory. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_auto_angular_zupt_save(struct mip_device *device) {
+    struct mip_filter_auto_angular_zupt command;
+    return mip_device_call(device, &mip_filter_auto_angular_zupt_command,
+                           mip_filter_auto_angular_zupt_save(&command), NULL, NULL);
+}
+
+/** Zero angular rate update: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_auto_angular_zupt_load(struct mip_device *device) {
+    struct mip_filter_auto_angular_zupt command;
+    return mip_device_call(device, &mip_filter_auto_angular_zupt_command,
+                           mip_filter_auto_angular_zupt_load(&command), NULL, NULL);
+}
+
+/** Zero angular rate update: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_filter_auto_angular_zupt_default(struct mip_device *device) {
+    struct mip_filter_auto_angular_zupt command;
+    return mip_device_call(device, &mip_filter_auto_angular_zupt_command,
+                           mip_filter_auto_angular_zupt_default(&command), NULL, NULL);
+}
+
+/**
+ * Zero angular rate update: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_auto_angular_zupt_with(
+    struct mip_device *device, const struct mip_filter_auto_angular_zupt *command,
+    struct mip_filter_auto_angular_zupt_response *response) {
+    return mip_device_call(device, &mip_filter_auto_angular_zupt_command, command,
+                           &mip_filter_auto_angular_zupt_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_tare_orientation_command;
 
@@ -322,6 +1220,57 @@ static inline mip_error mip_send_filter_tare_orientation(
     return mip_client_send(client, request, packet, &mip_filter_tare_orientation_command, command,
                            &mip_filter_tare_orientation_response_codec, response, now);
 }
+
+/** Tare orientation: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_tare_orientation_write(struct mip_device *device,
+                                                                       mip_filter_tare_axes axes) {
+    struct mip_filter_tare_orientation command;
+    return mip_device_call(device, &mip_filter_tare_orientation_command,
+                           mip_filter_tare_orientation_write(&command, axes), NULL, NULL);
+}
+
+/** Tare orientation: read. Send the current setting back in a response. See mip_device_call. */
+static inline struct mip_result mip_call_filter_tare_orientation_read(
+    struct mip_device *device, struct mip_filter_tare_orientation_response *response) {
+    struct mip_filter_tare_orientation command;
+    return mip_device_call(device, &mip_filter_tare_orientation_command,
+                           mip_filter_tare_orientation_read(&command),
+                           &mip_filter_tare_orientation_response_codec, response);
+}
+
+/** Tare orientation: save. Save the current setting to non-volatile memory. See mip_device_call. */
+static inline struct mip_result mip_call_filter_tare_orientation_save(struct mip_device *device) {
+    struct mip_filter_tare_orientation command;
+    return mip_device_call(device, &mip_filter_tare_orientation_command,
+                           mip_filter_tare_orientation_save(&command), NULL, NULL);
+}
+
+/** Tare orientation: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_tare_orientation_load(struct mip_device *device) {
+    struct mip_filter_tare_orientation command;
+    return mip_device_call(device, &mip_filter_tare_orientation_command,
+                           mip_filter_tare_orientation_load(&command), NULL, NULL);
+}
+
+/** Tare orientation: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_filter_tare_orientation_default(struct mip_device *device) {
+    struct mip_filter_tare_orientation command;
+    return mip_device_call(device, &mip_filter_tare_orientation_command,
+                           mip_filter_tare_orientation_default(&command), NULL, NULL);
+}
+
+/**
+ * Tare orientation: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_tare_orientation_with(
+    struct mip_device *device, const struct mip_filter_tare_orientation *command,
+    struct mip_filter_tare_orientation_response *response) {
+    return mip_device_call(device, &mip_filter_tare_orientation_command, command,
+                           &mip_filter_tare_orientation_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_commanded_zupt_command;
 
@@ -335,6 +1284,12 @@ static inline mip_error mip_send_filter_commanded_zupt(struct mip_client *client
     return mip_client_send(client, request, packet, &mip_filter_commanded_zupt_command, NULL, NULL,
                            NULL, now);
 }
+
+/** Commanded zero velocity update. See mip_device_call. */
+static inline struct mip_result mip_call_filter_commanded_zupt(struct mip_device *device) {
+    return mip_device_call(device, &mip_filter_commanded_zupt_command, NULL, NULL, NULL);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_commanded_angular_zupt_command;
 
@@ -349,6 +1304,12 @@ static inline mip_error mip_send_filter_commanded_angular_zupt(struct mip_client
     return mip_client_send(client, request, packet, &mip_filter_commanded_angular_zupt_command,
                            NULL, NULL, NULL, now);
 }
+
+/** Commanded zero angular rate update. See mip_device_call. */
+static inline struct mip_result mip_call_filter_commanded_angular_zupt(struct mip_device *device) {
+    return mip_device_call(device, &mip_filter_commanded_angular_zupt_command, NULL, NULL, NULL);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_reference_position_command;
 
@@ -363,6 +1324,64 @@ static inline mip_error mip_send_filter_reference_position(
     return mip_client_send(client, request, packet, &mip_filter_reference_position_command, command,
                            &mip_filter_reference_position_response_codec, response, now);
 }
+
+/** Set reference position: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_reference_position_write(
+    struct mip_device *device, uint8_t enable, double latitude, double longitude, double altitude) {
+    struct mip_filter_reference_position command;
+    return mip_device_call(
+        device, &mip_filter_reference_position_command,
+        mip_filter_reference_position_write(&command, enable, latitude, longitude, altitude), NULL,
+        NULL);
+}
+
+/**
+ * Set reference position: read. Send the current setting back in a response. See mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_reference_position_read(
+    struct mip_device *device, struct mip_filter_reference_position_response *response) {
+    struct mip_filter_reference_position command;
+    return mip_device_call(device, &mip_filter_reference_position_command,
+                           mip_filter_reference_position_read(&command),
+                           &mip_filter_reference_position_response_codec, response);
+}
+
+/**
+ * Set reference position: save. Save the current setting to non-volatile memory. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_reference_position_save(struct mip_device *device) {
+    struct mip_filter_reference_position command;
+    return mip_device_call(device, &mip_filter_reference_position_command,
+                           mip_filter_reference_position_save(&command), NULL, NULL);
+}
+
+/** Set reference position: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_reference_position_load(struct mip_device *device) {
+    struct mip_filter_reference_position command;
+    return mip_device_call(device, &mip_filter_reference_position_command,
+                           mip_filter_reference_position_load(&command), NULL, NULL);
+}
+
+/** Set reference position: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_filter_reference_position_default(struct mip_device *device) {
+    struct mip_filter_reference_position command;
+    return mip_device_call(device, &mip_filter_reference_position_command,
+                           mip_filter_reference_position_default(&command), NULL, NULL);
+}
+
+/**
+ * Set reference position: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_reference_position_with(
+    struct mip_device *device, const struct mip_filter_reference_position *command,
+    struct mip_filter_reference_position_response *response) {
+    return mip_device_call(device, &mip_filter_reference_position_command, command,
+                           &mip_filter_reference_position_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_mag_capture_auto_calibration_command;
 
@@ -377,6 +1396,38 @@ static inline mip_error mip_send_filter_mag_capture_auto_calibration(
                            &mip_filter_mag_capture_auto_calibration_command, command, NULL, NULL,
                            now);
 }
+
+/**
+ * Capture automatic magnetometer calibration: write. Apply the new setting. See mip_device_call.
+ */
+static inline struct mip_result
+mip_call_filter_mag_capture_auto_calibration_write(struct mip_device *device) {
+    struct mip_filter_mag_capture_auto_calibration command;
+    return mip_device_call(device, &mip_filter_mag_capture_auto_calibration_command,
+                           mip_filter_mag_capture_auto_calibration_write(&command), NULL, NULL);
+}
+
+/**
+ * Capture automatic magnetometer calibration: save. Save the current setting to non-volatile
+ * memory. See mip_device_call.
+ */
+static inline struct mip_result
+mip_call_filter_mag_capture_auto_calibration_save(struct mip_device *device) {
+    struct mip_filter_mag_capture_auto_calibration command;
+    return mip_device_call(device, &mip_filter_mag_capture_auto_calibration_command,
+                           mip_filter_mag_capture_auto_calibration_save(&command), NULL, NULL);
+}
+
+/**
+ * Capture automatic magnetometer calibration: calls the command with these values, optional
+ * parameters too. See mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_mag_capture_auto_calibration_with(
+    struct mip_device *device, const struct mip_filter_mag_capture_auto_calibration *command) {
+    return mip_device_call(device, &mip_filter_mag_capture_auto_calibration_command, command, NULL,
+                           NULL);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_gravity_noise_command;
 
@@ -391,6 +1442,55 @@ static inline mip_error mip_send_filter_gravity_noise(
     return mip_client_send(client, request, packet, &mip_filter_gravity_noise_command, command,
                            &mip_filter_gravity_noise_response_codec, response, now);
 }
+
+/** Gravity noise: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_gravity_noise_write(struct mip_device *device,
+                                                                    const float noise[3]) {
+    struct mip_filter_gravity_noise command;
+    return mip_device_call(device, &mip_filter_gravity_noise_command,
+                           mip_filter_gravity_noise_write(&command, noise), NULL, NULL);
+}
+
+/** Gravity noise: read. Send the current setting back in a response. See mip_device_call. */
+static inline struct mip_result mip_call_filter_gravity_noise_read(
+    struct mip_device *device, struct mip_filter_gravity_noise_response *response) {
+    struct mip_filter_gravity_noise command;
+    return mip_device_call(device, &mip_filter_gravity_noise_command,
+                           mip_filter_gravity_noise_read(&command),
+                           &mip_filter_gravity_noise_response_codec, response);
+}
+
+/** Gravity noise: save. Save the current setting to non-volatile memory. See mip_device_call. */
+static inline struct mip_result mip_call_filter_gravity_noise_save(struct mip_device *device) {
+    struct mip_filter_gravity_noise command;
+    return mip_device_call(device, &mip_filter_gravity_noise_command,
+                           mip_filter_gravity_noise_save(&command), NULL, NULL);
+}
+
+/** Gravity noise: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_gravity_noise_load(struct mip_device *device) {
+    struct mip_filter_gravity_noise command;
+    return mip_device_call(device, &mip_filter_gravity_noise_command,
+                           mip_filter_gravity_noise_load(&command), NULL, NULL);
+}
+
+/** Gravity noise: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_gravity_noise_default(struct mip_device *device) {
+    struct mip_filter_gravity_noise command;
+    return mip_device_call(device, &mip_filter_gravity_noise_command,
+                           mip_filter_gravity_noise_default(&command), NULL, NULL);
+}
+
+/**
+ * Gravity noise: calls the command with these values, optional parameters too. See mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_gravity_noise_with(
+    struct mip_device *device, const struct mip_filter_gravity_noise *command,
+    struct mip_filter_gravity_noise_response *response) {
+    return mip_device_call(device, &mip_filter_gravity_noise_command, command,
+                           &mip_filter_gravity_noise_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_pressure_altitude_noise_command;
 
@@ -406,6 +1506,64 @@ static inline mip_error mip_send_filter_pressure_altitude_noise(
                            command, &mip_filter_pressure_altitude_noise_response_codec, response,
                            now);
 }
+
+/** Pressure altitude noise: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_filter_pressure_altitude_noise_write(struct mip_device *device, float noise) {
+    struct mip_filter_pressure_altitude_noise command;
+    return mip_device_call(device, &mip_filter_pressure_altitude_noise_command,
+                           mip_filter_pressure_altitude_noise_write(&command, noise), NULL, NULL);
+}
+
+/**
+ * Pressure altitude noise: read. Send the current setting back in a response. See mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_pressure_altitude_noise_read(
+    struct mip_device *device, struct mip_filter_pressure_altitude_noise_response *response) {
+    struct mip_filter_pressure_altitude_noise command;
+    return mip_device_call(device, &mip_filter_pressure_altitude_noise_command,
+                           mip_filter_pressure_altitude_noise_read(&command),
+                           &mip_filter_pressure_altitude_noise_response_codec, response);
+}
+
+/**
+ * Pressure altitude noise: save. Save the current setting to non-volatile memory. See
+ * mip_device_call.
+ */
+static inline struct mip_result
+mip_call_filter_pressure_altitude_noise_save(struct mip_device *device) {
+    struct mip_filter_pressure_altitude_noise command;
+    return mip_device_call(device, &mip_filter_pressure_altitude_noise_command,
+                           mip_filter_pressure_altitude_noise_save(&command), NULL, NULL);
+}
+
+/** Pressure altitude noise: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_filter_pressure_altitude_noise_load(struct mip_device *device) {
+    struct mip_filter_pressure_altitude_noise command;
+    return mip_device_call(device, &mip_filter_pressure_altitude_noise_command,
+                           mip_filter_pressure_altitude_noise_load(&command), NULL, NULL);
+}
+
+/** Pressure altitude noise: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_filter_pressure_altitude_noise_default(struct mip_device *device) {
+    struct mip_filter_pressure_altitude_noise command;
+    return mip_device_call(device, &mip_filter_pressure_altitude_noise_command,
+                           mip_filter_pressure_altitude_noise_default(&command), NULL, NULL);
+}
+
+/**
+ * Pressure altitude noise: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_pressure_altitude_noise_with(
+    struct mip_device *device, const struct mip_filter_pressure_altitude_noise *command,
+    struct mip_filter_pressure_altitude_noise_response *response) {
+    return mip_device_call(device, &mip_filter_pressure_altitude_noise_command, command,
+                           &mip_filter_pressure_altitude_noise_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_hard_iron_offset_noise_command;
 
@@ -421,6 +1579,64 @@ static inline mip_error mip_send_filter_hard_iron_offset_noise(
                            command, &mip_filter_hard_iron_offset_noise_response_codec, response,
                            now);
 }
+
+/** Hard iron offset noise: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_filter_hard_iron_offset_noise_write(struct mip_device *device, const float noise[3]) {
+    struct mip_filter_hard_iron_offset_noise command;
+    return mip_device_call(device, &mip_filter_hard_iron_offset_noise_command,
+                           mip_filter_hard_iron_offset_noise_write(&command, noise), NULL, NULL);
+}
+
+/**
+ * Hard iron offset noise: read. Send the current setting back in a response. See mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_hard_iron_offset_noise_read(
+    struct mip_device *device, struct mip_filter_hard_iron_offset_noise_response *response) {
+    struct mip_filter_hard_iron_offset_noise command;
+    return mip_device_call(device, &mip_filter_hard_iron_offset_noise_command,
+                           mip_filter_hard_iron_offset_noise_read(&command),
+                           &mip_filter_hard_iron_offset_noise_response_codec, response);
+}
+
+/**
+ * Hard iron offset noise: save. Save the current setting to non-volatile memory. See
+ * mip_device_call.
+ */
+static inline struct mip_result
+mip_call_filter_hard_iron_offset_noise_save(struct mip_device *device) {
+    struct mip_filter_hard_iron_offset_noise command;
+    return mip_device_call(device, &mip_filter_hard_iron_offset_noise_command,
+                           mip_filter_hard_iron_offset_noise_save(&command), NULL, NULL);
+}
+
+/** Hard iron offset noise: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_filter_hard_iron_offset_noise_load(struct mip_device *device) {
+    struct mip_filter_hard_iron_offset_noise command;
+    return mip_device_call(device, &mip_filter_hard_iron_offset_noise_command,
+                           mip_filter_hard_iron_offset_noise_load(&command), NULL, NULL);
+}
+
+/** Hard iron offset noise: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_filter_hard_iron_offset_noise_default(struct mip_device *device) {
+    struct mip_filter_hard_iron_offset_noise command;
+    return mip_device_call(device, &mip_filter_hard_iron_offset_noise_command,
+                           mip_filter_hard_iron_offset_noise_default(&command), NULL, NULL);
+}
+
+/**
+ * Hard iron offset noise: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_hard_iron_offset_noise_with(
+    struct mip_device *device, const struct mip_filter_hard_iron_offset_noise *command,
+    struct mip_filter_hard_iron_offset_noise_response *response) {
+    return mip_device_call(device, &mip_filter_hard_iron_offset_noise_command, command,
+                           &mip_filter_hard_iron_offset_noise_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_soft_iron_matrix_noise_command;
 
@@ -436,6 +1652,64 @@ static inline mip_error mip_send_filter_soft_iron_matrix_noise(
                            command, &mip_filter_soft_iron_matrix_noise_response_codec, response,
                            now);
 }
+
+/** Soft iron matrix noise: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_filter_soft_iron_matrix_noise_write(struct mip_device *device, const float noise[9]) {
+    struct mip_filter_soft_iron_matrix_noise command;
+    return mip_device_call(device, &mip_filter_soft_iron_matrix_noise_command,
+                           mip_filter_soft_iron_matrix_noise_write(&command, noise), NULL, NULL);
+}
+
+/**
+ * Soft iron matrix noise: read. Send the current setting back in a response. See mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_soft_iron_matrix_noise_read(
+    struct mip_device *device, struct mip_filter_soft_iron_matrix_noise_response *response) {
+    struct mip_filter_soft_iron_matrix_noise command;
+    return mip_device_call(device, &mip_filter_soft_iron_matrix_noise_command,
+                           mip_filter_soft_iron_matrix_noise_read(&command),
+                           &mip_filter_soft_iron_matrix_noise_response_codec, response);
+}
+
+/**
+ * Soft iron matrix noise: save. Save the current setting to non-volatile memory. See
+ * mip_device_call.
+ */
+static inline struct mip_result
+mip_call_filter_soft_iron_matrix_noise_save(struct mip_device *device) {
+    struct mip_filter_soft_iron_matrix_noise command;
+    return mip_device_call(device, &mip_filter_soft_iron_matrix_noise_command,
+                           mip_filter_soft_iron_matrix_noise_save(&command), NULL, NULL);
+}
+
+/** Soft iron matrix noise: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_filter_soft_iron_matrix_noise_load(struct mip_device *device) {
+    struct mip_filter_soft_iron_matrix_noise command;
+    return mip_device_call(device, &mip_filter_soft_iron_matrix_noise_command,
+                           mip_filter_soft_iron_matrix_noise_load(&command), NULL, NULL);
+}
+
+/** Soft iron matrix noise: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_filter_soft_iron_matrix_noise_default(struct mip_device *device) {
+    struct mip_filter_soft_iron_matrix_noise command;
+    return mip_device_call(device, &mip_filter_soft_iron_matrix_noise_command,
+                           mip_filter_soft_iron_matrix_noise_default(&command), NULL, NULL);
+}
+
+/**
+ * Soft iron matrix noise: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_soft_iron_matrix_noise_with(
+    struct mip_device *device, const struct mip_filter_soft_iron_matrix_noise *command,
+    struct mip_filter_soft_iron_matrix_noise_response *response) {
+    return mip_device_call(device, &mip_filter_soft_iron_matrix_noise_command, command,
+                           &mip_filter_soft_iron_matrix_noise_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_enable_measurements_command;
 
@@ -450,6 +1724,67 @@ static inline mip_error mip_send_filter_enable_measurements(
     return mip_client_send(client, request, packet, &mip_filter_enable_measurements_command,
                            command, &mip_filter_enable_measurements_response_codec, response, now);
 }
+
+/** Enable or disable measurements: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_enable_measurements_write(
+    struct mip_device *device, mip_filter_measurement_flags control) {
+    struct mip_filter_enable_measurements command;
+    return mip_device_call(device, &mip_filter_enable_measurements_command,
+                           mip_filter_enable_measurements_write(&command, control), NULL, NULL);
+}
+
+/**
+ * Enable or disable measurements: read. Send the current setting back in a response. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_enable_measurements_read(
+    struct mip_device *device, struct mip_filter_enable_measurements_response *response) {
+    struct mip_filter_enable_measurements command;
+    return mip_device_call(device, &mip_filter_enable_measurements_command,
+                           mip_filter_enable_measurements_read(&command),
+                           &mip_filter_enable_measurements_response_codec, response);
+}
+
+/**
+ * Enable or disable measurements: save. Save the current setting to non-volatile memory. See
+ * mip_device_call.
+ */
+static inline struct mip_result
+mip_call_filter_enable_measurements_save(struct mip_device *device) {
+    struct mip_filter_enable_measurements command;
+    return mip_device_call(device, &mip_filter_enable_measurements_command,
+                           mip_filter_enable_measurements_save(&command), NULL, NULL);
+}
+
+/** Enable or disable measurements: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_filter_enable_measurements_load(struct mip_device *device) {
+    struct mip_filter_enable_measurements command;
+    return mip_device_call(device, &mip_filter_enable_measurements_command,
+                           mip_filter_enable_measurements_load(&command), NULL, NULL);
+}
+
+/**
+ * Enable or disable measurements: default. Load the factory default setting. See mip_device_call.
+ */
+static inline struct mip_result
+mip_call_filter_enable_measurements_default(struct mip_device *device) {
+    struct mip_filter_enable_measurements command;
+    return mip_device_call(device, &mip_filter_enable_measurements_command,
+                           mip_filter_enable_measurements_default(&command), NULL, NULL);
+}
+
+/**
+ * Enable or disable measurements: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_enable_measurements_with(
+    struct mip_device *device, const struct mip_filter_enable_measurements *command,
+    struct mip_filter_enable_measurements_response *response) {
+    return mip_device_call(device, &mip_filter_enable_measurements_command, command,
+                           &mip_filter_enable_measurements_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_mag_noise_command;
 
@@ -466,6 +1801,58 @@ static inline mip_error mip_send_filter_mag_noise(struct mip_client *client,
     return mip_client_send(client, request, packet, &mip_filter_mag_noise_command, command,
                            &mip_filter_mag_noise_response_codec, response, now);
 }
+
+/** Magnetometer noise: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_mag_noise_write(struct mip_device *device,
+                                                                const float noise[3]) {
+    struct mip_filter_mag_noise command;
+    return mip_device_call(device, &mip_filter_mag_noise_command,
+                           mip_filter_mag_noise_write(&command, noise), NULL, NULL);
+}
+
+/** Magnetometer noise: read. Send the current setting back in a response. See mip_device_call. */
+static inline struct mip_result mip_call_filter_mag_noise_read(
+    struct mip_device *device, struct mip_filter_mag_noise_response *response) {
+    struct mip_filter_mag_noise command;
+    return mip_device_call(device, &mip_filter_mag_noise_command,
+                           mip_filter_mag_noise_read(&command),
+                           &mip_filter_mag_noise_response_codec, response);
+}
+
+/**
+ * Magnetometer noise: save. Save the current setting to non-volatile memory. See mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_mag_noise_save(struct mip_device *device) {
+    struct mip_filter_mag_noise command;
+    return mip_device_call(device, &mip_filter_mag_noise_command,
+                           mip_filter_mag_noise_save(&command), NULL, NULL);
+}
+
+/** Magnetometer noise: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_mag_noise_load(struct mip_device *device) {
+    struct mip_filter_mag_noise command;
+    return mip_device_call(device, &mip_filter_mag_noise_command,
+                           mip_filter_mag_noise_load(&command), NULL, NULL);
+}
+
+/** Magnetometer noise: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_mag_noise_default(struct mip_device *device) {
+    struct mip_filter_mag_noise command;
+    return mip_device_call(device, &mip_filter_mag_noise_command,
+                           mip_filter_mag_noise_default(&command), NULL, NULL);
+}
+
+/**
+ * Magnetometer noise: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_mag_noise_with(
+    struct mip_device *device, const struct mip_filter_mag_noise *command,
+    struct mip_filter_mag_noise_response *response) {
+    return mip_device_call(device, &mip_filter_mag_noise_command, command,
+                           &mip_filter_mag_noise_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_magnetic_declination_source_command;
 
@@ -481,6 +1868,66 @@ static inline mip_error mip_send_filter_magnetic_declination_source(
                            command, &mip_filter_magnetic_declination_source_response_codec,
                            response, now);
 }
+
+/** Magnetic declination source: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_magnetic_declination_source_write(
+    struct mip_device *device, enum mip_filter_mag_parameter_source source, float declination) {
+    struct mip_filter_magnetic_declination_source command;
+    return mip_device_call(
+        device, &mip_filter_magnetic_declination_source_command,
+        mip_filter_magnetic_declination_source_write(&command, source, declination), NULL, NULL);
+}
+
+/**
+ * Magnetic declination source: read. Send the current setting back in a response. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_magnetic_declination_source_read(
+    struct mip_device *device, struct mip_filter_magnetic_declination_source_response *response) {
+    struct mip_filter_magnetic_declination_source command;
+    return mip_device_call(device, &mip_filter_magnetic_declination_source_command,
+                           mip_filter_magnetic_declination_source_read(&command),
+                           &mip_filter_magnetic_declination_source_response_codec, response);
+}
+
+/**
+ * Magnetic declination source: save. Save the current setting to non-volatile memory. See
+ * mip_device_call.
+ */
+static inline struct mip_result
+mip_call_filter_magnetic_declination_source_save(struct mip_device *device) {
+    struct mip_filter_magnetic_declination_source command;
+    return mip_device_call(device, &mip_filter_magnetic_declination_source_command,
+                           mip_filter_magnetic_declination_source_save(&command), NULL, NULL);
+}
+
+/** Magnetic declination source: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_filter_magnetic_declination_source_load(struct mip_device *device) {
+    struct mip_filter_magnetic_declination_source command;
+    return mip_device_call(device, &mip_filter_magnetic_declination_source_command,
+                           mip_filter_magnetic_declination_source_load(&command), NULL, NULL);
+}
+
+/** Magnetic declination source: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_filter_magnetic_declination_source_default(struct mip_device *device) {
+    struct mip_filter_magnetic_declination_source command;
+    return mip_device_call(device, &mip_filter_magnetic_declination_source_command,
+                           mip_filter_magnetic_declination_source_default(&command), NULL, NULL);
+}
+
+/**
+ * Magnetic declination source: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_magnetic_declination_source_with(
+    struct mip_device *device, const struct mip_filter_magnetic_declination_source *command,
+    struct mip_filter_magnetic_declination_source_response *response) {
+    return mip_device_call(device, &mip_filter_magnetic_declination_source_command, command,
+                           &mip_filter_magnetic_declination_source_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_accel_magnitude_adaptive_command;
 
@@ -497,6 +1944,73 @@ static inline mip_error mip_send_filter_accel_magnitude_adaptive(
                            command, &mip_filter_accel_magnitude_adaptive_response_codec, response,
                            now);
 }
+
+/**
+ * Gravity magnitude error adaptive measurement: write. Apply the new setting. See mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_accel_magnitude_adaptive_write(
+    struct mip_device *device, enum mip_filter_adaptive_measurement_selector adaptive_measurement) {
+    struct mip_filter_accel_magnitude_adaptive command;
+    return mip_device_call(
+        device, &mip_filter_accel_magnitude_adaptive_command,
+        mip_filter_accel_magnitude_adaptive_write(&command, adaptive_measurement), NULL, NULL);
+}
+
+/**
+ * Gravity magnitude error adaptive measurement: read. Send the current setting back in a response.
+ * See mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_accel_magnitude_adaptive_read(
+    struct mip_device *device, struct mip_filter_accel_magnitude_adaptive_response *response) {
+    struct mip_filter_accel_magnitude_adaptive command;
+    return mip_device_call(device, &mip_filter_accel_magnitude_adaptive_command,
+                           mip_filter_accel_magnitude_adaptive_read(&command),
+                           &mip_filter_accel_magnitude_adaptive_response_codec, response);
+}
+
+/**
+ * Gravity magnitude error adaptive measurement: save. Save the current setting to non-volatile
+ * memory. See mip_device_call.
+ */
+static inline struct mip_result
+mip_call_filter_accel_magnitude_adaptive_save(struct mip_device *device) {
+    struct mip_filter_accel_magnitude_adaptive command;
+    return mip_device_call(device, &mip_filter_accel_magnitude_adaptive_command,
+                           mip_filter_accel_magnitude_adaptive_save(&command), NULL, NULL);
+}
+
+/**
+ * Gravity magnitude error adaptive measurement: load. Load the saved setting. See mip_device_call.
+ */
+static inline struct mip_result
+mip_call_filter_accel_magnitude_adaptive_load(struct mip_device *device) {
+    struct mip_filter_accel_magnitude_adaptive command;
+    return mip_device_call(device, &mip_filter_accel_magnitude_adaptive_command,
+                           mip_filter_accel_magnitude_adaptive_load(&command), NULL, NULL);
+}
+
+/**
+ * Gravity magnitude error adaptive measurement: default. Load the factory default setting. See
+ * mip_device_call.
+ */
+static inline struct mip_result
+mip_call_filter_accel_magnitude_adaptive_default(struct mip_device *device) {
+    struct mip_filter_accel_magnitude_adaptive command;
+    return mip_device_call(device, &mip_filter_accel_magnitude_adaptive_command,
+                           mip_filter_accel_magnitude_adaptive_default(&command), NULL, NULL);
+}
+
+/**
+ * Gravity magnitude error adaptive measurement: calls the command with these values, optional
+ * parameters too. See mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_accel_magnitude_adaptive_with(
+    struct mip_device *device, const struct mip_filter_accel_magnitude_adaptive *command,
+    struct mip_filter_accel_magnitude_adaptive_response *response) {
+    return mip_device_call(device, &mip_filter_accel_magnitude_adaptive_command, command,
+                           &mip_filter_accel_magnitude_adaptive_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_mag_magnitude_adaptive_command;
 
@@ -513,6 +2027,79 @@ static inline mip_error mip_send_filter_mag_magnitude_adaptive(
                            command, &mip_filter_mag_magnitude_adaptive_response_codec, response,
                            now);
 }
+
+/**
+ * Magnetometer magnitude error adaptive measurement: write. Apply the new setting. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_mag_magnitude_adaptive_write(
+    struct mip_device *device, enum mip_filter_adaptive_measurement_selector adaptive_measurement,
+    float frequency, float low_limit, float high_limit, float low_limit_uncertainty,
+    float high_limit_uncertainty, float minimum_uncertainty) {
+    struct mip_filter_mag_magnitude_adaptive command;
+    return mip_device_call(device, &mip_filter_mag_magnitude_adaptive_command,
+                           mip_filter_mag_magnitude_adaptive_write(
+                               &command, adaptive_measurement, frequency, low_limit, high_limit,
+                               low_limit_uncertainty, high_limit_uncertainty, minimum_uncertainty),
+                           NULL, NULL);
+}
+
+/**
+ * Magnetometer magnitude error adaptive measurement: read. Send the current setting back in a
+ * response. See mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_mag_magnitude_adaptive_read(
+    struct mip_device *device, struct mip_filter_mag_magnitude_adaptive_response *response) {
+    struct mip_filter_mag_magnitude_adaptive command;
+    return mip_device_call(device, &mip_filter_mag_magnitude_adaptive_command,
+                           mip_filter_mag_magnitude_adaptive_read(&command),
+                           &mip_filter_mag_magnitude_adaptive_response_codec, response);
+}
+
+/**
+ * Magnetometer magnitude error adaptive measurement: save. Save the current setting to non-volatile
+ * memory. See mip_device_call.
+ */
+static inline struct mip_result
+mip_call_filter_mag_magnitude_adaptive_save(struct mip_device *device) {
+    struct mip_filter_mag_magnitude_adaptive command;
+    return mip_device_call(device, &mip_filter_mag_magnitude_adaptive_command,
+                           mip_filter_mag_magnitude_adaptive_save(&command), NULL, NULL);
+}
+
+/**
+ * Magnetometer magnitude error adaptive measurement: load. Load the saved setting. See
+ * mip_device_call.
+ */
+static inline struct mip_result
+mip_call_filter_mag_magnitude_adaptive_load(struct mip_device *device) {
+    struct mip_filter_mag_magnitude_adaptive command;
+    return mip_device_call(device, &mip_filter_mag_magnitude_adaptive_command,
+                           mip_filter_mag_magnitude_adaptive_load(&command), NULL, NULL);
+}
+
+/**
+ * Magnetometer magnitude error adaptive measurement: default. Load the factory default setting. See
+ * mip_device_call.
+ */
+static inline struct mip_result
+mip_call_filter_mag_magnitude_adaptive_default(struct mip_device *device) {
+    struct mip_filter_mag_magnitude_adaptive command;
+    return mip_device_call(device, &mip_filter_mag_magnitude_adaptive_command,
+                           mip_filter_mag_magnitude_adaptive_default(&command), NULL, NULL);
+}
+
+/**
+ * Magnetometer magnitude error adaptive measurement: calls the command with these values, optional
+ * parameters too. See mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_mag_magnitude_adaptive_with(
+    struct mip_device *device, const struct mip_filter_mag_magnitude_adaptive *command,
+    struct mip_filter_mag_magnitude_adaptive_response *response) {
+    return mip_device_call(device, &mip_filter_mag_magnitude_adaptive_command, command,
+                           &mip_filter_mag_magnitude_adaptive_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_mag_dip_angle_adaptive_command;
 
@@ -529,6 +2116,78 @@ static inline mip_error mip_send_filter_mag_dip_angle_adaptive(
                            command, &mip_filter_mag_dip_angle_adaptive_response_codec, response,
                            now);
 }
+
+/**
+ * Magnetometer dip angle error adaptive measurement: write. Apply the new setting. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_mag_dip_angle_adaptive_write(
+    struct mip_device *device, mip_bool enable, float frequency, float high_limit,
+    float high_limit_uncertainty, float minimum_uncertainty) {
+    struct mip_filter_mag_dip_angle_adaptive command;
+    return mip_device_call(
+        device, &mip_filter_mag_dip_angle_adaptive_command,
+        mip_filter_mag_dip_angle_adaptive_write(&command, enable, frequency, high_limit,
+                                                high_limit_uncertainty, minimum_uncertainty),
+        NULL, NULL);
+}
+
+/**
+ * Magnetometer dip angle error adaptive measurement: read. Send the current setting back in a
+ * response. See mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_mag_dip_angle_adaptive_read(
+    struct mip_device *device, struct mip_filter_mag_dip_angle_adaptive_response *response) {
+    struct mip_filter_mag_dip_angle_adaptive command;
+    return mip_device_call(device, &mip_filter_mag_dip_angle_adaptive_command,
+                           mip_filter_mag_dip_angle_adaptive_read(&command),
+                           &mip_filter_mag_dip_angle_adaptive_response_codec, response);
+}
+
+/**
+ * Magnetometer dip angle error adaptive measurement: save. Save the current setting to non-volatile
+ * memory. See mip_device_call.
+ */
+static inline struct mip_result
+mip_call_filter_mag_dip_angle_adaptive_save(struct mip_device *device) {
+    struct mip_filter_mag_dip_angle_adaptive command;
+    return mip_device_call(device, &mip_filter_mag_dip_angle_adaptive_command,
+                           mip_filter_mag_dip_angle_adaptive_save(&command), NULL, NULL);
+}
+
+/**
+ * Magnetometer dip angle error adaptive measurement: load. Load the saved setting. See
+ * mip_device_call.
+ */
+static inline struct mip_result
+mip_call_filter_mag_dip_angle_adaptive_load(struct mip_device *device) {
+    struct mip_filter_mag_dip_angle_adaptive command;
+    return mip_device_call(device, &mip_filter_mag_dip_angle_adaptive_command,
+                           mip_filter_mag_dip_angle_adaptive_load(&command), NULL, NULL);
+}
+
+/**
+ * Magnetometer dip angle error adaptive measurement: default. Load the factory default setting. See
+ * mip_device_call.
+ */
+static inline struct mip_result
+mip_call_filter_mag_dip_angle_adaptive_default(struct mip_device *device) {
+    struct mip_filter_mag_dip_angle_adaptive command;
+    return mip_device_call(device, &mip_filter_mag_dip_angle_adaptive_command,
+                           mip_filter_mag_dip_angle_adaptive_default(&command), NULL, NULL);
+}
+
+/**
+ * Magnetometer dip angle error adaptive measurement: calls the command with these values, optional
+ * parameters too. See mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_mag_dip_angle_adaptive_with(
+    struct mip_device *device, const struct mip_filter_mag_dip_angle_adaptive *command,
+    struct mip_filter_mag_dip_angle_adaptive_response *response) {
+    return mip_device_call(device, &mip_filter_mag_dip_angle_adaptive_command, command,
+                           &mip_filter_mag_dip_angle_adaptive_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_altitude_aiding_command;
 
@@ -543,6 +2202,56 @@ static inline mip_error mip_send_filter_altitude_aiding(
     return mip_client_send(client, request, packet, &mip_filter_altitude_aiding_command, command,
                            &mip_filter_altitude_aiding_response_codec, response, now);
 }
+
+/** Altitude aiding: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_altitude_aiding_write(
+    struct mip_device *device, enum mip_filter_altitude_aiding_source selector) {
+    struct mip_filter_altitude_aiding command;
+    return mip_device_call(device, &mip_filter_altitude_aiding_command,
+                           mip_filter_altitude_aiding_write(&command, selector), NULL, NULL);
+}
+
+/** Altitude aiding: read. Send the current setting back in a response. See mip_device_call. */
+static inline struct mip_result mip_call_filter_altitude_aiding_read(
+    struct mip_device *device, struct mip_filter_altitude_aiding_response *response) {
+    struct mip_filter_altitude_aiding command;
+    return mip_device_call(device, &mip_filter_altitude_aiding_command,
+                           mip_filter_altitude_aiding_read(&command),
+                           &mip_filter_altitude_aiding_response_codec, response);
+}
+
+/** Altitude aiding: save. Save the current setting to non-volatile memory. See mip_device_call. */
+static inline struct mip_result mip_call_filter_altitude_aiding_save(struct mip_device *device) {
+    struct mip_filter_altitude_aiding command;
+    return mip_device_call(device, &mip_filter_altitude_aiding_command,
+                           mip_filter_altitude_aiding_save(&command), NULL, NULL);
+}
+
+/** Altitude aiding: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_altitude_aiding_load(struct mip_device *device) {
+    struct mip_filter_altitude_aiding command;
+    return mip_device_call(device, &mip_filter_altitude_aiding_command,
+                           mip_filter_altitude_aiding_load(&command), NULL, NULL);
+}
+
+/** Altitude aiding: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_altitude_aiding_default(struct mip_device *device) {
+    struct mip_filter_altitude_aiding command;
+    return mip_device_call(device, &mip_filter_altitude_aiding_command,
+                           mip_filter_altitude_aiding_default(&command), NULL, NULL);
+}
+
+/**
+ * Altitude aiding: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_altitude_aiding_with(
+    struct mip_device *device, const struct mip_filter_altitude_aiding *command,
+    struct mip_filter_altitude_aiding_response *response) {
+    return mip_device_call(device, &mip_filter_altitude_aiding_command, command,
+                           &mip_filter_altitude_aiding_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_pitch_roll_aiding_command;
 
@@ -557,6 +2266,62 @@ static inline mip_error mip_send_filter_pitch_roll_aiding(
     return mip_client_send(client, request, packet, &mip_filter_pitch_roll_aiding_command, command,
                            &mip_filter_pitch_roll_aiding_response_codec, response, now);
 }
+
+/** Pitch and roll aiding: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_pitch_roll_aiding_write(
+    struct mip_device *device, enum mip_filter_pitch_roll_aiding_source aiding) {
+    struct mip_filter_pitch_roll_aiding command;
+    return mip_device_call(device, &mip_filter_pitch_roll_aiding_command,
+                           mip_filter_pitch_roll_aiding_write(&command, aiding), NULL, NULL);
+}
+
+/**
+ * Pitch and roll aiding: read. Send the current setting back in a response. See mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_pitch_roll_aiding_read(
+    struct mip_device *device, struct mip_filter_pitch_roll_aiding_response *response) {
+    struct mip_filter_pitch_roll_aiding command;
+    return mip_device_call(device, &mip_filter_pitch_roll_aiding_command,
+                           mip_filter_pitch_roll_aiding_read(&command),
+                           &mip_filter_pitch_roll_aiding_response_codec, response);
+}
+
+/**
+ * Pitch and roll aiding: save. Save the current setting to non-volatile memory. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_pitch_roll_aiding_save(struct mip_device *device) {
+    struct mip_filter_pitch_roll_aiding command;
+    return mip_device_call(device, &mip_filter_pitch_roll_aiding_command,
+                           mip_filter_pitch_roll_aiding_save(&command), NULL, NULL);
+}
+
+/** Pitch and roll aiding: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_pitch_roll_aiding_load(struct mip_device *device) {
+    struct mip_filter_pitch_roll_aiding command;
+    return mip_device_call(device, &mip_filter_pitch_roll_aiding_command,
+                           mip_filter_pitch_roll_aiding_load(&command), NULL, NULL);
+}
+
+/** Pitch and roll aiding: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_filter_pitch_roll_aiding_default(struct mip_device *device) {
+    struct mip_filter_pitch_roll_aiding command;
+    return mip_device_call(device, &mip_filter_pitch_roll_aiding_command,
+                           mip_filter_pitch_roll_aiding_default(&command), NULL, NULL);
+}
+
+/**
+ * Pitch and roll aiding: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_pitch_roll_aiding_with(
+    struct mip_device *device, const struct mip_filter_pitch_roll_aiding *command,
+    struct mip_filter_pitch_roll_aiding_response *response) {
+    return mip_device_call(device, &mip_filter_pitch_roll_aiding_command, command,
+                           &mip_filter_pitch_roll_aiding_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_magnetic_inclination_source_command;
 
@@ -572,6 +2337,66 @@ static inline mip_error mip_send_filter_magnetic_inclination_source(
                            command, &mip_filter_magnetic_inclination_source_response_codec,
                            response, now);
 }
+
+/** Magnetic inclination source: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_magnetic_inclination_source_write(
+    struct mip_device *device, enum mip_filter_mag_parameter_source source, float inclination) {
+    struct mip_filter_magnetic_inclination_source command;
+    return mip_device_call(
+        device, &mip_filter_magnetic_inclination_source_command,
+        mip_filter_magnetic_inclination_source_write(&command, source, inclination), NULL, NULL);
+}
+
+/**
+ * Magnetic inclination source: read. Send the current setting back in a response. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_magnetic_inclination_source_read(
+    struct mip_device *device, struct mip_filter_magnetic_inclination_source_response *response) {
+    struct mip_filter_magnetic_inclination_source command;
+    return mip_device_call(device, &mip_filter_magnetic_inclination_source_command,
+                           mip_filter_magnetic_inclination_source_read(&command),
+                           &mip_filter_magnetic_inclination_source_response_codec, response);
+}
+
+/**
+ * Magnetic inclination source: save. Save the current setting to non-volatile memory. See
+ * mip_device_call.
+ */
+static inline struct mip_result
+mip_call_filter_magnetic_inclination_source_save(struct mip_device *device) {
+    struct mip_filter_magnetic_inclination_source command;
+    return mip_device_call(device, &mip_filter_magnetic_inclination_source_command,
+                           mip_filter_magnetic_inclination_source_save(&command), NULL, NULL);
+}
+
+/** Magnetic inclination source: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_filter_magnetic_inclination_source_load(struct mip_device *device) {
+    struct mip_filter_magnetic_inclination_source command;
+    return mip_device_call(device, &mip_filter_magnetic_inclination_source_command,
+                           mip_filter_magnetic_inclination_source_load(&command), NULL, NULL);
+}
+
+/** Magnetic inclination source: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_filter_magnetic_inclination_source_default(struct mip_device *device) {
+    struct mip_filter_magnetic_inclination_source command;
+    return mip_device_call(device, &mip_filter_magnetic_inclination_source_command,
+                           mip_filter_magnetic_inclination_source_default(&command), NULL, NULL);
+}
+
+/**
+ * Magnetic inclination source: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_magnetic_inclination_source_with(
+    struct mip_device *device, const struct mip_filter_magnetic_inclination_source *command,
+    struct mip_filter_magnetic_inclination_source_response *response) {
+    return mip_device_call(device, &mip_filter_magnetic_inclination_source_command, command,
+                           &mip_filter_magnetic_inclination_source_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_magnetic_magnitude_source_command;
 
@@ -587,6 +2412,68 @@ static inline mip_error mip_send_filter_magnetic_magnitude_source(
                            command, &mip_filter_magnetic_magnitude_source_response_codec, response,
                            now);
 }
+
+/** Magnetic field magnitude source: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_magnetic_magnitude_source_write(
+    struct mip_device *device, enum mip_filter_mag_parameter_source source, float magnitude) {
+    struct mip_filter_magnetic_magnitude_source command;
+    return mip_device_call(device, &mip_filter_magnetic_magnitude_source_command,
+                           mip_filter_magnetic_magnitude_source_write(&command, source, magnitude),
+                           NULL, NULL);
+}
+
+/**
+ * Magnetic field magnitude source: read. Send the current setting back in a response. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_magnetic_magnitude_source_read(
+    struct mip_device *device, struct mip_filter_magnetic_magnitude_source_response *response) {
+    struct mip_filter_magnetic_magnitude_source command;
+    return mip_device_call(device, &mip_filter_magnetic_magnitude_source_command,
+                           mip_filter_magnetic_magnitude_source_read(&command),
+                           &mip_filter_magnetic_magnitude_source_response_codec, response);
+}
+
+/**
+ * Magnetic field magnitude source: save. Save the current setting to non-volatile memory. See
+ * mip_device_call.
+ */
+static inline struct mip_result
+mip_call_filter_magnetic_magnitude_source_save(struct mip_device *device) {
+    struct mip_filter_magnetic_magnitude_source command;
+    return mip_device_call(device, &mip_filter_magnetic_magnitude_source_command,
+                           mip_filter_magnetic_magnitude_source_save(&command), NULL, NULL);
+}
+
+/** Magnetic field magnitude source: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_filter_magnetic_magnitude_source_load(struct mip_device *device) {
+    struct mip_filter_magnetic_magnitude_source command;
+    return mip_device_call(device, &mip_filter_magnetic_magnitude_source_command,
+                           mip_filter_magnetic_magnitude_source_load(&command), NULL, NULL);
+}
+
+/**
+ * Magnetic field magnitude source: default. Load the factory default setting. See mip_device_call.
+ */
+static inline struct mip_result
+mip_call_filter_magnetic_magnitude_source_default(struct mip_device *device) {
+    struct mip_filter_magnetic_magnitude_source command;
+    return mip_device_call(device, &mip_filter_magnetic_magnitude_source_command,
+                           mip_filter_magnetic_magnitude_source_default(&command), NULL, NULL);
+}
+
+/**
+ * Magnetic field magnitude source: calls the command with these values, optional parameters too.
+ * See mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_magnetic_magnitude_source_with(
+    struct mip_device *device, const struct mip_filter_magnetic_magnitude_source *command,
+    struct mip_filter_magnetic_magnitude_source_response *response) {
+    return mip_device_call(device, &mip_filter_magnetic_magnitude_source_command, command,
+                           &mip_filter_magnetic_magnitude_source_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_sensor_to_vehicle_dcm_command;
 
@@ -602,6 +2489,68 @@ static inline mip_error mip_send_filter_sensor_to_vehicle_dcm(
                            command, &mip_filter_sensor_to_vehicle_dcm_response_codec, response,
                            now);
 }
+
+/** Sensor to vehicle rotation, matrix: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_filter_sensor_to_vehicle_dcm_write(struct mip_device *device, const float dcm[9]) {
+    struct mip_filter_sensor_to_vehicle_dcm command;
+    return mip_device_call(device, &mip_filter_sensor_to_vehicle_dcm_command,
+                           mip_filter_sensor_to_vehicle_dcm_write(&command, dcm), NULL, NULL);
+}
+
+/**
+ * Sensor to vehicle rotation, matrix: read. Send the current setting back in a response. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_sensor_to_vehicle_dcm_read(
+    struct mip_device *device, struct mip_filter_sensor_to_vehicle_dcm_response *response) {
+    struct mip_filter_sensor_to_vehicle_dcm command;
+    return mip_device_call(device, &mip_filter_sensor_to_vehicle_dcm_command,
+                           mip_filter_sensor_to_vehicle_dcm_read(&command),
+                           &mip_filter_sensor_to_vehicle_dcm_response_codec, response);
+}
+
+/**
+ * Sensor to vehicle rotation, matrix: save. Save the current setting to non-volatile memory. See
+ * mip_device_call.
+ */
+static inline struct mip_result
+mip_call_filter_sensor_to_vehicle_dcm_save(struct mip_device *device) {
+    struct mip_filter_sensor_to_vehicle_dcm command;
+    return mip_device_call(device, &mip_filter_sensor_to_vehicle_dcm_command,
+                           mip_filter_sensor_to_vehicle_dcm_save(&command), NULL, NULL);
+}
+
+/** Sensor to vehicle rotation, matrix: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_filter_sensor_to_vehicle_dcm_load(struct mip_device *device) {
+    struct mip_filter_sensor_to_vehicle_dcm command;
+    return mip_device_call(device, &mip_filter_sensor_to_vehicle_dcm_command,
+                           mip_filter_sensor_to_vehicle_dcm_load(&command), NULL, NULL);
+}
+
+/**
+ * Sensor to vehicle rotation, matrix: default. Load the factory default setting. See
+ * mip_device_call.
+ */
+static inline struct mip_result
+mip_call_filter_sensor_to_vehicle_dcm_default(struct mip_device *device) {
+    struct mip_filter_sensor_to_vehicle_dcm command;
+    return mip_device_call(device, &mip_filter_sensor_to_vehicle_dcm_command,
+                           mip_filter_sensor_to_vehicle_dcm_default(&command), NULL, NULL);
+}
+
+/**
+ * Sensor to vehicle rotation, matrix: calls the command with these values, optional parameters too.
+ * See mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_sensor_to_vehicle_dcm_with(
+    struct mip_device *device, const struct mip_filter_sensor_to_vehicle_dcm *command,
+    struct mip_filter_sensor_to_vehicle_dcm_response *response) {
+    return mip_device_call(device, &mip_filter_sensor_to_vehicle_dcm_command, command,
+                           &mip_filter_sensor_to_vehicle_dcm_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_sensor_to_vehicle_quaternion_command;
 
@@ -618,6 +2567,68 @@ static inline mip_error mip_send_filter_sensor_to_vehicle_quaternion(
                            &mip_filter_sensor_to_vehicle_quaternion_command, command,
                            &mip_filter_sensor_to_vehicle_quaternion_response_codec, response, now);
 }
+
+/** Sensor to vehicle rotation, quaternion: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_filter_sensor_to_vehicle_quaternion_write(struct mip_device *device, const float q[4]) {
+    struct mip_filter_sensor_to_vehicle_quaternion command;
+    return mip_device_call(device, &mip_filter_sensor_to_vehicle_quaternion_command,
+                           mip_filter_sensor_to_vehicle_quaternion_write(&command, q), NULL, NULL);
+}
+
+/**
+ * Sensor to vehicle rotation, quaternion: read. Send the current setting back in a response. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_sensor_to_vehicle_quaternion_read(
+    struct mip_device *device, struct mip_filter_sensor_to_vehicle_quaternion_response *response) {
+    struct mip_filter_sensor_to_vehicle_quaternion command;
+    return mip_device_call(device, &mip_filter_sensor_to_vehicle_quaternion_command,
+                           mip_filter_sensor_to_vehicle_quaternion_read(&command),
+                           &mip_filter_sensor_to_vehicle_quaternion_response_codec, response);
+}
+
+/**
+ * Sensor to vehicle rotation, quaternion: save. Save the current setting to non-volatile memory.
+ * See mip_device_call.
+ */
+static inline struct mip_result
+mip_call_filter_sensor_to_vehicle_quaternion_save(struct mip_device *device) {
+    struct mip_filter_sensor_to_vehicle_quaternion command;
+    return mip_device_call(device, &mip_filter_sensor_to_vehicle_quaternion_command,
+                           mip_filter_sensor_to_vehicle_quaternion_save(&command), NULL, NULL);
+}
+
+/** Sensor to vehicle rotation, quaternion: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_filter_sensor_to_vehicle_quaternion_load(struct mip_device *device) {
+    struct mip_filter_sensor_to_vehicle_quaternion command;
+    return mip_device_call(device, &mip_filter_sensor_to_vehicle_quaternion_command,
+                           mip_filter_sensor_to_vehicle_quaternion_load(&command), NULL, NULL);
+}
+
+/**
+ * Sensor to vehicle rotation, quaternion: default. Load the factory default setting. See
+ * mip_device_call.
+ */
+static inline struct mip_result
+mip_call_filter_sensor_to_vehicle_quaternion_default(struct mip_device *device) {
+    struct mip_filter_sensor_to_vehicle_quaternion command;
+    return mip_device_call(device, &mip_filter_sensor_to_vehicle_quaternion_command,
+                           mip_filter_sensor_to_vehicle_quaternion_default(&command), NULL, NULL);
+}
+
+/**
+ * Sensor to vehicle rotation, quaternion: calls the command with these values, optional parameters
+ * too. See mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_sensor_to_vehicle_quaternion_with(
+    struct mip_device *device, const struct mip_filter_sensor_to_vehicle_quaternion *command,
+    struct mip_filter_sensor_to_vehicle_quaternion_response *response) {
+    return mip_device_call(device, &mip_filter_sensor_to_vehicle_quaternion_command, command,
+                           &mip_filter_sensor_to_vehicle_quaternion_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_aiding_measurement_enable_command;
 
@@ -633,6 +2644,70 @@ static inline mip_error mip_send_filter_aiding_measurement_enable(
                            command, &mip_filter_aiding_measurement_enable_response_codec, response,
                            now);
 }
+
+/** Aiding measurement control: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_aiding_measurement_enable_write(
+    struct mip_device *device, uint16_t aiding_source, mip_bool enable) {
+    struct mip_filter_aiding_measurement_enable command;
+    return mip_device_call(
+        device, &mip_filter_aiding_measurement_enable_command,
+        mip_filter_aiding_measurement_enable_write(&command, aiding_source, enable), NULL, NULL);
+}
+
+/**
+ * Aiding measurement control: read. Send the current setting back in a response. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_aiding_measurement_enable_read(
+    struct mip_device *device, uint16_t aiding_source,
+    struct mip_filter_aiding_measurement_enable_response *response) {
+    struct mip_filter_aiding_measurement_enable command;
+    return mip_device_call(device, &mip_filter_aiding_measurement_enable_command,
+                           mip_filter_aiding_measurement_enable_read(&command, aiding_source),
+                           &mip_filter_aiding_measurement_enable_response_codec, response);
+}
+
+/**
+ * Aiding measurement control: save. Save the current setting to non-volatile memory. See
+ * mip_device_call.
+ */
+static inline struct mip_result
+mip_call_filter_aiding_measurement_enable_save(struct mip_device *device, uint16_t aiding_source) {
+    struct mip_filter_aiding_measurement_enable command;
+    return mip_device_call(device, &mip_filter_aiding_measurement_enable_command,
+                           mip_filter_aiding_measurement_enable_save(&command, aiding_source), NULL,
+                           NULL);
+}
+
+/** Aiding measurement control: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_filter_aiding_measurement_enable_load(struct mip_device *device, uint16_t aiding_source) {
+    struct mip_filter_aiding_measurement_enable command;
+    return mip_device_call(device, &mip_filter_aiding_measurement_enable_command,
+                           mip_filter_aiding_measurement_enable_load(&command, aiding_source), NULL,
+                           NULL);
+}
+
+/** Aiding measurement control: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_aiding_measurement_enable_default(
+    struct mip_device *device, uint16_t aiding_source) {
+    struct mip_filter_aiding_measurement_enable command;
+    return mip_device_call(device, &mip_filter_aiding_measurement_enable_command,
+                           mip_filter_aiding_measurement_enable_default(&command, aiding_source),
+                           NULL, NULL);
+}
+
+/**
+ * Aiding measurement control: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_aiding_measurement_enable_with(
+    struct mip_device *device, const struct mip_filter_aiding_measurement_enable *command,
+    struct mip_filter_aiding_measurement_enable_response *response) {
+    return mip_device_call(device, &mip_filter_aiding_measurement_enable_command, command,
+                           &mip_filter_aiding_measurement_enable_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_kinematic_constraint_command;
 
@@ -647,6 +2722,65 @@ static inline mip_error mip_send_filter_kinematic_constraint(
     return mip_client_send(client, request, packet, &mip_filter_kinematic_constraint_command,
                            command, &mip_filter_kinematic_constraint_response_codec, response, now);
 }
+
+/** Kinematic constraint: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_kinematic_constraint_write(
+    struct mip_device *device, enum mip_filter_accel_constraint accel_constraint,
+    enum mip_filter_velocity_constraint velocity_constraint,
+    enum mip_filter_angular_constraint angular_constraint) {
+    struct mip_filter_kinematic_constraint command;
+    return mip_device_call(device, &mip_filter_kinematic_constraint_command,
+                           mip_filter_kinematic_constraint_write(
+                               &command, accel_constraint, velocity_constraint, angular_constraint),
+                           NULL, NULL);
+}
+
+/** Kinematic constraint: read. Send the current setting back in a response. See mip_device_call. */
+static inline struct mip_result mip_call_filter_kinematic_constraint_read(
+    struct mip_device *device, struct mip_filter_kinematic_constraint_response *response) {
+    struct mip_filter_kinematic_constraint command;
+    return mip_device_call(device, &mip_filter_kinematic_constraint_command,
+                           mip_filter_kinematic_constraint_read(&command),
+                           &mip_filter_kinematic_constraint_response_codec, response);
+}
+
+/**
+ * Kinematic constraint: save. Save the current setting to non-volatile memory. See mip_device_call.
+ */
+static inline struct mip_result
+mip_call_filter_kinematic_constraint_save(struct mip_device *device) {
+    struct mip_filter_kinematic_constraint command;
+    return mip_device_call(device, &mip_filter_kinematic_constraint_command,
+                           mip_filter_kinematic_constraint_save(&command), NULL, NULL);
+}
+
+/** Kinematic constraint: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_filter_kinematic_constraint_load(struct mip_device *device) {
+    struct mip_filter_kinematic_constraint command;
+    return mip_device_call(device, &mip_filter_kinematic_constraint_command,
+                           mip_filter_kinematic_constraint_load(&command), NULL, NULL);
+}
+
+/** Kinematic constraint: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_filter_kinematic_constraint_default(struct mip_device *device) {
+    struct mip_filter_kinematic_constraint command;
+    return mip_device_call(device, &mip_filter_kinematic_constraint_command,
+                           mip_filter_kinematic_constraint_default(&command), NULL, NULL);
+}
+
+/**
+ * Kinematic constraint: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_kinematic_constraint_with(
+    struct mip_device *device, const struct mip_filter_kinematic_constraint *command,
+    struct mip_filter_kinematic_constraint_response *response) {
+    return mip_device_call(device, &mip_filter_kinematic_constraint_command, command,
+                           &mip_filter_kinematic_constraint_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_initialization_config_command;
 
@@ -662,6 +2796,76 @@ static inline mip_error mip_send_filter_initialization_config(
                            command, &mip_filter_initialization_config_response_codec, response,
                            now);
 }
+
+/** Navigation filter initialization: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_initialization_config_write(
+    struct mip_device *device, uint8_t wait_for_run_command,
+    enum mip_filter_initial_condition_source initial_condition_source,
+    mip_filter_heading_alignment auto_heading_alignment_selector, float initial_heading,
+    float initial_pitch, float initial_roll, const float initial_position[3],
+    const float initial_velocity[3], enum mip_filter_reference_frame reference_frame_selector) {
+    struct mip_filter_initialization_config command;
+    return mip_device_call(device, &mip_filter_initialization_config_command,
+                           mip_filter_initialization_config_write(
+                               &command, wait_for_run_command, initial_condition_source,
+                               auto_heading_alignment_selector, initial_heading, initial_pitch,
+                               initial_roll, initial_position, initial_velocity,
+                               reference_frame_selector),
+                           NULL, NULL);
+}
+
+/**
+ * Navigation filter initialization: read. Send the current setting back in a response. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_initialization_config_read(
+    struct mip_device *device, struct mip_filter_initialization_config_response *response) {
+    struct mip_filter_initialization_config command;
+    return mip_device_call(device, &mip_filter_initialization_config_command,
+                           mip_filter_initialization_config_read(&command),
+                           &mip_filter_initialization_config_response_codec, response);
+}
+
+/**
+ * Navigation filter initialization: save. Save the current setting to non-volatile memory. See
+ * mip_device_call.
+ */
+static inline struct mip_result
+mip_call_filter_initialization_config_save(struct mip_device *device) {
+    struct mip_filter_initialization_config command;
+    return mip_device_call(device, &mip_filter_initialization_config_command,
+                           mip_filter_initialization_config_save(&command), NULL, NULL);
+}
+
+/** Navigation filter initialization: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_filter_initialization_config_load(struct mip_device *device) {
+    struct mip_filter_initialization_config command;
+    return mip_device_call(device, &mip_filter_initialization_config_command,
+                           mip_filter_initialization_config_load(&command), NULL, NULL);
+}
+
+/**
+ * Navigation filter initialization: default. Load the factory default setting. See mip_device_call.
+ */
+static inline struct mip_result
+mip_call_filter_initialization_config_default(struct mip_device *device) {
+    struct mip_filter_initialization_config command;
+    return mip_device_call(device, &mip_filter_initialization_config_command,
+                           mip_filter_initialization_config_default(&command), NULL, NULL);
+}
+
+/**
+ * Navigation filter initialization: calls the command with these values, optional parameters too.
+ * See mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_initialization_config_with(
+    struct mip_device *device, const struct mip_filter_initialization_config *command,
+    struct mip_filter_initialization_config_response *response) {
+    return mip_device_call(device, &mip_filter_initialization_config_command, command,
+                           &mip_filter_initialization_config_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_adaptive_filter_options_command;
 
@@ -677,6 +2881,65 @@ static inline mip_error mip_send_filter_adaptive_filter_options(
                            command, &mip_filter_adaptive_filter_options_response_codec, response,
                            now);
 }
+
+/** Adaptive filter control: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_adaptive_filter_options_write(
+    struct mip_device *device, enum mip_filter_adaptive_level level, uint16_t time_limit) {
+    struct mip_filter_adaptive_filter_options command;
+    return mip_device_call(device, &mip_filter_adaptive_filter_options_command,
+                           mip_filter_adaptive_filter_options_write(&command, level, time_limit),
+                           NULL, NULL);
+}
+
+/**
+ * Adaptive filter control: read. Send the current setting back in a response. See mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_adaptive_filter_options_read(
+    struct mip_device *device, struct mip_filter_adaptive_filter_options_response *response) {
+    struct mip_filter_adaptive_filter_options command;
+    return mip_device_call(device, &mip_filter_adaptive_filter_options_command,
+                           mip_filter_adaptive_filter_options_read(&command),
+                           &mip_filter_adaptive_filter_options_response_codec, response);
+}
+
+/**
+ * Adaptive filter control: save. Save the current setting to non-volatile memory. See
+ * mip_device_call.
+ */
+static inline struct mip_result
+mip_call_filter_adaptive_filter_options_save(struct mip_device *device) {
+    struct mip_filter_adaptive_filter_options command;
+    return mip_device_call(device, &mip_filter_adaptive_filter_options_command,
+                           mip_filter_adaptive_filter_options_save(&command), NULL, NULL);
+}
+
+/** Adaptive filter control: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_filter_adaptive_filter_options_load(struct mip_device *device) {
+    struct mip_filter_adaptive_filter_options command;
+    return mip_device_call(device, &mip_filter_adaptive_filter_options_command,
+                           mip_filter_adaptive_filter_options_load(&command), NULL, NULL);
+}
+
+/** Adaptive filter control: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_filter_adaptive_filter_options_default(struct mip_device *device) {
+    struct mip_filter_adaptive_filter_options command;
+    return mip_device_call(device, &mip_filter_adaptive_filter_options_command,
+                           mip_filter_adaptive_filter_options_default(&command), NULL, NULL);
+}
+
+/**
+ * Adaptive filter control: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_adaptive_filter_options_with(
+    struct mip_device *device, const struct mip_filter_adaptive_filter_options *command,
+    struct mip_filter_adaptive_filter_options_response *response) {
+    return mip_device_call(device, &mip_filter_adaptive_filter_options_command, command,
+                           &mip_filter_adaptive_filter_options_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_multi_antenna_offset_command;
 
@@ -691,6 +2954,68 @@ static inline mip_error mip_send_filter_multi_antenna_offset(
     return mip_client_send(client, request, packet, &mip_filter_multi_antenna_offset_command,
                            command, &mip_filter_multi_antenna_offset_response_codec, response, now);
 }
+
+/** GNSS multi-antenna offset: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_multi_antenna_offset_write(
+    struct mip_device *device, uint8_t receiver_id, const float antenna_offset[3]) {
+    struct mip_filter_multi_antenna_offset command;
+    return mip_device_call(
+        device, &mip_filter_multi_antenna_offset_command,
+        mip_filter_multi_antenna_offset_write(&command, receiver_id, antenna_offset), NULL, NULL);
+}
+
+/**
+ * GNSS multi-antenna offset: read. Send the current setting back in a response. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_multi_antenna_offset_read(
+    struct mip_device *device, uint8_t receiver_id,
+    struct mip_filter_multi_antenna_offset_response *response) {
+    struct mip_filter_multi_antenna_offset command;
+    return mip_device_call(device, &mip_filter_multi_antenna_offset_command,
+                           mip_filter_multi_antenna_offset_read(&command, receiver_id),
+                           &mip_filter_multi_antenna_offset_response_codec, response);
+}
+
+/**
+ * GNSS multi-antenna offset: save. Save the current setting to non-volatile memory. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_multi_antenna_offset_save(struct mip_device *device,
+                                                                          uint8_t receiver_id) {
+    struct mip_filter_multi_antenna_offset command;
+    return mip_device_call(device, &mip_filter_multi_antenna_offset_command,
+                           mip_filter_multi_antenna_offset_save(&command, receiver_id), NULL, NULL);
+}
+
+/** GNSS multi-antenna offset: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_multi_antenna_offset_load(struct mip_device *device,
+                                                                          uint8_t receiver_id) {
+    struct mip_filter_multi_antenna_offset command;
+    return mip_device_call(device, &mip_filter_multi_antenna_offset_command,
+                           mip_filter_multi_antenna_offset_load(&command, receiver_id), NULL, NULL);
+}
+
+/** GNSS multi-antenna offset: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_filter_multi_antenna_offset_default(struct mip_device *device, uint8_t receiver_id) {
+    struct mip_filter_multi_antenna_offset command;
+    return mip_device_call(device, &mip_filter_multi_antenna_offset_command,
+                           mip_filter_multi_antenna_offset_default(&command, receiver_id), NULL,
+                           NULL);
+}
+
+/**
+ * GNSS multi-antenna offset: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_multi_antenna_offset_with(
+    struct mip_device *device, const struct mip_filter_multi_antenna_offset *command,
+    struct mip_filter_multi_antenna_offset_response *response) {
+    return mip_device_call(device, &mip_filter_multi_antenna_offset_command, command,
+                           &mip_filter_multi_antenna_offset_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_relative_position_config_command;
 
@@ -706,6 +3031,71 @@ static inline mip_error mip_send_filter_relative_position_config(
                            command, &mip_filter_relative_position_config_response_codec, response,
                            now);
 }
+
+/** Relative position configuration: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_relative_position_config_write(
+    struct mip_device *device, enum mip_filter_relative_position_source source,
+    enum mip_filter_reference_frame reference_frame_selector,
+    const double reference_coordinates[3]) {
+    struct mip_filter_relative_position_config command;
+    return mip_device_call(device, &mip_filter_relative_position_config_command,
+                           mip_filter_relative_position_config_write(
+                               &command, source, reference_frame_selector, reference_coordinates),
+                           NULL, NULL);
+}
+
+/**
+ * Relative position configuration: read. Send the current setting back in a response. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_relative_position_config_read(
+    struct mip_device *device, struct mip_filter_relative_position_config_response *response) {
+    struct mip_filter_relative_position_config command;
+    return mip_device_call(device, &mip_filter_relative_position_config_command,
+                           mip_filter_relative_position_config_read(&command),
+                           &mip_filter_relative_position_config_response_codec, response);
+}
+
+/**
+ * Relative position configuration: save. Save the current setting to non-volatile memory. See
+ * mip_device_call.
+ */
+static inline struct mip_result
+mip_call_filter_relative_position_config_save(struct mip_device *device) {
+    struct mip_filter_relative_position_config command;
+    return mip_device_call(device, &mip_filter_relative_position_config_command,
+                           mip_filter_relative_position_config_save(&command), NULL, NULL);
+}
+
+/** Relative position configuration: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_filter_relative_position_config_load(struct mip_device *device) {
+    struct mip_filter_relative_position_config command;
+    return mip_device_call(device, &mip_filter_relative_position_config_command,
+                           mip_filter_relative_position_config_load(&command), NULL, NULL);
+}
+
+/**
+ * Relative position configuration: default. Load the factory default setting. See mip_device_call.
+ */
+static inline struct mip_result
+mip_call_filter_relative_position_config_default(struct mip_device *device) {
+    struct mip_filter_relative_position_config command;
+    return mip_device_call(device, &mip_filter_relative_position_config_command,
+                           mip_filter_relative_position_config_default(&command), NULL, NULL);
+}
+
+/**
+ * Relative position configuration: calls the command with these values, optional parameters too.
+ * See mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_relative_position_config_with(
+    struct mip_device *device, const struct mip_filter_relative_position_config *command,
+    struct mip_filter_relative_position_config_response *response) {
+    return mip_device_call(device, &mip_filter_relative_position_config_command, command,
+                           &mip_filter_relative_position_config_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_reference_point_lever_arm_command;
 
@@ -721,6 +3111,68 @@ static inline mip_error mip_send_filter_reference_point_lever_arm(
                            command, &mip_filter_reference_point_lever_arm_response_codec, response,
                            now);
 }
+
+/** Reference point lever arm: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_reference_point_lever_arm_write(
+    struct mip_device *device, enum mip_filter_reference_point reference_point,
+    const float lever_arm_offset[3]) {
+    struct mip_filter_reference_point_lever_arm command;
+    return mip_device_call(
+        device, &mip_filter_reference_point_lever_arm_command,
+        mip_filter_reference_point_lever_arm_write(&command, reference_point, lever_arm_offset),
+        NULL, NULL);
+}
+
+/**
+ * Reference point lever arm: read. Send the current setting back in a response. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_reference_point_lever_arm_read(
+    struct mip_device *device, struct mip_filter_reference_point_lever_arm_response *response) {
+    struct mip_filter_reference_point_lever_arm command;
+    return mip_device_call(device, &mip_filter_reference_point_lever_arm_command,
+                           mip_filter_reference_point_lever_arm_read(&command),
+                           &mip_filter_reference_point_lever_arm_response_codec, response);
+}
+
+/**
+ * Reference point lever arm: save. Save the current setting to non-volatile memory. See
+ * mip_device_call.
+ */
+static inline struct mip_result
+mip_call_filter_reference_point_lever_arm_save(struct mip_device *device) {
+    struct mip_filter_reference_point_lever_arm command;
+    return mip_device_call(device, &mip_filter_reference_point_lever_arm_command,
+                           mip_filter_reference_point_lever_arm_save(&command), NULL, NULL);
+}
+
+/** Reference point lever arm: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_filter_reference_point_lever_arm_load(struct mip_device *device) {
+    struct mip_filter_reference_point_lever_arm command;
+    return mip_device_call(device, &mip_filter_reference_point_lever_arm_command,
+                           mip_filter_reference_point_lever_arm_load(&command), NULL, NULL);
+}
+
+/** Reference point lever arm: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_filter_reference_point_lever_arm_default(struct mip_device *device) {
+    struct mip_filter_reference_point_lever_arm command;
+    return mip_device_call(device, &mip_filter_reference_point_lever_arm_command,
+                           mip_filter_reference_point_lever_arm_default(&command), NULL, NULL);
+}
+
+/**
+ * Reference point lever arm: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_reference_point_lever_arm_with(
+    struct mip_device *device, const struct mip_filter_reference_point_lever_arm *command,
+    struct mip_filter_reference_point_lever_arm_response *response) {
+    return mip_device_call(device, &mip_filter_reference_point_lever_arm_command, command,
+                           &mip_filter_reference_point_lever_arm_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_speed_measurement_command;
 
@@ -733,6 +3185,26 @@ static inline mip_error mip_send_filter_speed_measurement(
     return mip_client_send(client, request, packet, &mip_filter_speed_measurement_command, command,
                            NULL, NULL, now);
 }
+
+/** Speed measurement. See mip_device_call. */
+static inline struct mip_result mip_call_filter_speed_measurement(struct mip_device *device,
+                                                                  float tow, float speed,
+                                                                  float speed_uncertainty) {
+    struct mip_filter_speed_measurement command;
+    return mip_device_call(
+        device, &mip_filter_speed_measurement_command,
+        mip_filter_speed_measurement_make(&command, tow, speed, speed_uncertainty), NULL, NULL);
+}
+
+/**
+ * Speed measurement: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_speed_measurement_with(
+    struct mip_device *device, const struct mip_filter_speed_measurement *command) {
+    return mip_device_call(device, &mip_filter_speed_measurement_command, command, NULL, NULL);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_speed_lever_arm_command;
 
@@ -747,6 +3219,63 @@ static inline mip_error mip_send_filter_speed_lever_arm(
     return mip_client_send(client, request, packet, &mip_filter_speed_lever_arm_command, command,
                            &mip_filter_speed_lever_arm_response_codec, response, now);
 }
+
+/** Speed measurement lever arm: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_filter_speed_lever_arm_write(struct mip_device *device, const float lever_arm_offset[3]) {
+    struct mip_filter_speed_lever_arm command;
+    return mip_device_call(device, &mip_filter_speed_lever_arm_command,
+                           mip_filter_speed_lever_arm_write(&command, lever_arm_offset), NULL,
+                           NULL);
+}
+
+/**
+ * Speed measurement lever arm: read. Send the current setting back in a response. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_speed_lever_arm_read(
+    struct mip_device *device, struct mip_filter_speed_lever_arm_response *response) {
+    struct mip_filter_speed_lever_arm command;
+    return mip_device_call(device, &mip_filter_speed_lever_arm_command,
+                           mip_filter_speed_lever_arm_read(&command),
+                           &mip_filter_speed_lever_arm_response_codec, response);
+}
+
+/**
+ * Speed measurement lever arm: save. Save the current setting to non-volatile memory. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_speed_lever_arm_save(struct mip_device *device) {
+    struct mip_filter_speed_lever_arm command;
+    return mip_device_call(device, &mip_filter_speed_lever_arm_command,
+                           mip_filter_speed_lever_arm_save(&command), NULL, NULL);
+}
+
+/** Speed measurement lever arm: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_speed_lever_arm_load(struct mip_device *device) {
+    struct mip_filter_speed_lever_arm command;
+    return mip_device_call(device, &mip_filter_speed_lever_arm_command,
+                           mip_filter_speed_lever_arm_load(&command), NULL, NULL);
+}
+
+/** Speed measurement lever arm: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_speed_lever_arm_default(struct mip_device *device) {
+    struct mip_filter_speed_lever_arm command;
+    return mip_device_call(device, &mip_filter_speed_lever_arm_command,
+                           mip_filter_speed_lever_arm_default(&command), NULL, NULL);
+}
+
+/**
+ * Speed measurement lever arm: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_speed_lever_arm_with(
+    struct mip_device *device, const struct mip_filter_speed_lever_arm *command,
+    struct mip_filter_speed_lever_arm_response *response) {
+    return mip_device_call(device, &mip_filter_speed_lever_arm_command, command,
+                           &mip_filter_speed_lever_arm_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_vertical_gyro_constraint_command;
 
@@ -762,6 +3291,64 @@ static inline mip_error mip_send_filter_vertical_gyro_constraint(
                            command, &mip_filter_vertical_gyro_constraint_response_codec, response,
                            now);
 }
+
+/** Vertical gyro constraint: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_filter_vertical_gyro_constraint_write(struct mip_device *device, uint8_t enable) {
+    struct mip_filter_vertical_gyro_constraint command;
+    return mip_device_call(device, &mip_filter_vertical_gyro_constraint_command,
+                           mip_filter_vertical_gyro_constraint_write(&command, enable), NULL, NULL);
+}
+
+/**
+ * Vertical gyro constraint: read. Send the current setting back in a response. See mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_vertical_gyro_constraint_read(
+    struct mip_device *device, struct mip_filter_vertical_gyro_constraint_response *response) {
+    struct mip_filter_vertical_gyro_constraint command;
+    return mip_device_call(device, &mip_filter_vertical_gyro_constraint_command,
+                           mip_filter_vertical_gyro_constraint_read(&command),
+                           &mip_filter_vertical_gyro_constraint_response_codec, response);
+}
+
+/**
+ * Vertical gyro constraint: save. Save the current setting to non-volatile memory. See
+ * mip_device_call.
+ */
+static inline struct mip_result
+mip_call_filter_vertical_gyro_constraint_save(struct mip_device *device) {
+    struct mip_filter_vertical_gyro_constraint command;
+    return mip_device_call(device, &mip_filter_vertical_gyro_constraint_command,
+                           mip_filter_vertical_gyro_constraint_save(&command), NULL, NULL);
+}
+
+/** Vertical gyro constraint: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_filter_vertical_gyro_constraint_load(struct mip_device *device) {
+    struct mip_filter_vertical_gyro_constraint command;
+    return mip_device_call(device, &mip_filter_vertical_gyro_constraint_command,
+                           mip_filter_vertical_gyro_constraint_load(&command), NULL, NULL);
+}
+
+/** Vertical gyro constraint: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_filter_vertical_gyro_constraint_default(struct mip_device *device) {
+    struct mip_filter_vertical_gyro_constraint command;
+    return mip_device_call(device, &mip_filter_vertical_gyro_constraint_command,
+                           mip_filter_vertical_gyro_constraint_default(&command), NULL, NULL);
+}
+
+/**
+ * Vertical gyro constraint: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_vertical_gyro_constraint_with(
+    struct mip_device *device, const struct mip_filter_vertical_gyro_constraint *command,
+    struct mip_filter_vertical_gyro_constraint_response *response) {
+    return mip_device_call(device, &mip_filter_vertical_gyro_constraint_command, command,
+                           &mip_filter_vertical_gyro_constraint_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_wheeled_vehicle_constraint_command;
 
@@ -777,6 +3364,66 @@ static inline mip_error mip_send_filter_wheeled_vehicle_constraint(
                            command, &mip_filter_wheeled_vehicle_constraint_response_codec, response,
                            now);
 }
+
+/** Wheeled vehicle constraint: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_filter_wheeled_vehicle_constraint_write(struct mip_device *device, uint8_t enable) {
+    struct mip_filter_wheeled_vehicle_constraint command;
+    return mip_device_call(device, &mip_filter_wheeled_vehicle_constraint_command,
+                           mip_filter_wheeled_vehicle_constraint_write(&command, enable), NULL,
+                           NULL);
+}
+
+/**
+ * Wheeled vehicle constraint: read. Send the current setting back in a response. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_wheeled_vehicle_constraint_read(
+    struct mip_device *device, struct mip_filter_wheeled_vehicle_constraint_response *response) {
+    struct mip_filter_wheeled_vehicle_constraint command;
+    return mip_device_call(device, &mip_filter_wheeled_vehicle_constraint_command,
+                           mip_filter_wheeled_vehicle_constraint_read(&command),
+                           &mip_filter_wheeled_vehicle_constraint_response_codec, response);
+}
+
+/**
+ * Wheeled vehicle constraint: save. Save the current setting to non-volatile memory. See
+ * mip_device_call.
+ */
+static inline struct mip_result
+mip_call_filter_wheeled_vehicle_constraint_save(struct mip_device *device) {
+    struct mip_filter_wheeled_vehicle_constraint command;
+    return mip_device_call(device, &mip_filter_wheeled_vehicle_constraint_command,
+                           mip_filter_wheeled_vehicle_constraint_save(&command), NULL, NULL);
+}
+
+/** Wheeled vehicle constraint: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_filter_wheeled_vehicle_constraint_load(struct mip_device *device) {
+    struct mip_filter_wheeled_vehicle_constraint command;
+    return mip_device_call(device, &mip_filter_wheeled_vehicle_constraint_command,
+                           mip_filter_wheeled_vehicle_constraint_load(&command), NULL, NULL);
+}
+
+/** Wheeled vehicle constraint: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_filter_wheeled_vehicle_constraint_default(struct mip_device *device) {
+    struct mip_filter_wheeled_vehicle_constraint command;
+    return mip_device_call(device, &mip_filter_wheeled_vehicle_constraint_command,
+                           mip_filter_wheeled_vehicle_constraint_default(&command), NULL, NULL);
+}
+
+/**
+ * Wheeled vehicle constraint: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_wheeled_vehicle_constraint_with(
+    struct mip_device *device, const struct mip_filter_wheeled_vehicle_constraint *command,
+    struct mip_filter_wheeled_vehicle_constraint_response *response) {
+    return mip_device_call(device, &mip_filter_wheeled_vehicle_constraint_command, command,
+                           &mip_filter_wheeled_vehicle_constraint_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_filter_gnss_antenna_calibration_command;
 
@@ -791,6 +3438,67 @@ static inline mip_error mip_send_filter_gnss_antenna_calibration(
     return mip_client_send(client, request, packet, &mip_filter_gnss_antenna_calibration_command,
                            command, &mip_filter_gnss_antenna_calibration_response_codec, response,
                            now);
+}
+
+/** GNSS antenna offset calibration: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_filter_gnss_antenna_calibration_write(
+    struct mip_device *device, uint8_t enable, float max_offset) {
+    struct mip_filter_gnss_antenna_calibration command;
+    return mip_device_call(device, &mip_filter_gnss_antenna_calibration_command,
+                           mip_filter_gnss_antenna_calibration_write(&command, enable, max_offset),
+                           NULL, NULL);
+}
+
+/**
+ * GNSS antenna offset calibration: read. Send the current setting back in a response. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_gnss_antenna_calibration_read(
+    struct mip_device *device, struct mip_filter_gnss_antenna_calibration_response *response) {
+    struct mip_filter_gnss_antenna_calibration command;
+    return mip_device_call(device, &mip_filter_gnss_antenna_calibration_command,
+                           mip_filter_gnss_antenna_calibration_read(&command),
+                           &mip_filter_gnss_antenna_calibration_response_codec, response);
+}
+
+/**
+ * GNSS antenna offset calibration: save. Save the current setting to non-volatile memory. See
+ * mip_device_call.
+ */
+static inline struct mip_result
+mip_call_filter_gnss_antenna_calibration_save(struct mip_device *device) {
+    struct mip_filter_gnss_antenna_calibration command;
+    return mip_device_call(device, &mip_filter_gnss_antenna_calibration_command,
+                           mip_filter_gnss_antenna_calibration_save(&command), NULL, NULL);
+}
+
+/** GNSS antenna offset calibration: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_filter_gnss_antenna_calibration_load(struct mip_device *device) {
+    struct mip_filter_gnss_antenna_calibration command;
+    return mip_device_call(device, &mip_filter_gnss_antenna_calibration_command,
+                           mip_filter_gnss_antenna_calibration_load(&command), NULL, NULL);
+}
+
+/**
+ * GNSS antenna offset calibration: default. Load the factory default setting. See mip_device_call.
+ */
+static inline struct mip_result
+mip_call_filter_gnss_antenna_calibration_default(struct mip_device *device) {
+    struct mip_filter_gnss_antenna_calibration command;
+    return mip_device_call(device, &mip_filter_gnss_antenna_calibration_command,
+                           mip_filter_gnss_antenna_calibration_default(&command), NULL, NULL);
+}
+
+/**
+ * GNSS antenna offset calibration: calls the command with these values, optional parameters too.
+ * See mip_device_call.
+ */
+static inline struct mip_result mip_call_filter_gnss_antenna_calibration_with(
+    struct mip_device *device, const struct mip_filter_gnss_antenna_calibration *command,
+    struct mip_filter_gnss_antenna_calibration_response *response) {
+    return mip_device_call(device, &mip_filter_gnss_antenna_calibration_command, command,
+                           &mip_filter_gnss_antenna_calibration_response_codec, response);
 }
 
 #ifdef __cplusplus

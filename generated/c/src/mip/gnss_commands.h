@@ -6,7 +6,7 @@
 #define MIP_GNSS_COMMANDS_H
 
 #include "mip/gnss.h"
-#include "mip/client.h"
+#include "mip/device.h"
 
 #if MIP_VERSION_NUMBER != 100
 #error "mip/gnss_commands.h and mip/constants.h are not of one version"
@@ -29,6 +29,14 @@ static inline mip_error mip_send_gnss_receiver_info(
     return mip_client_send(client, request, packet, &mip_gnss_receiver_info_command, NULL,
                            &mip_gnss_receiver_info_response_codec, response, now);
 }
+
+/** Receiver info. See mip_device_call. */
+static inline struct mip_result mip_call_gnss_receiver_info(
+    struct mip_device *device, struct mip_gnss_receiver_info_response *response) {
+    return mip_device_call(device, &mip_gnss_receiver_info_command, NULL,
+                           &mip_gnss_receiver_info_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_gnss_signal_config_command;
 
@@ -43,6 +51,62 @@ static inline mip_error mip_send_gnss_signal_config(
     return mip_client_send(client, request, packet, &mip_gnss_signal_config_command, command,
                            &mip_gnss_signal_config_response_codec, response, now);
 }
+
+/** Signal configuration: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_gnss_signal_config_write(
+    struct mip_device *device, mip_gnss_gps_signals gps_enable,
+    mip_gnss_glonass_signals glonass_enable, mip_gnss_galileo_signals galileo_enable,
+    mip_gnss_beidou_signals beidou_enable) {
+    struct mip_gnss_signal_config command;
+    return mip_device_call(device, &mip_gnss_signal_config_command,
+                           mip_gnss_signal_config_write(&command, gps_enable, glonass_enable,
+                                                        galileo_enable, beidou_enable),
+                           NULL, NULL);
+}
+
+/** Signal configuration: read. Send the current setting back in a response. See mip_device_call. */
+static inline struct mip_result mip_call_gnss_signal_config_read(
+    struct mip_device *device, struct mip_gnss_signal_config_response *response) {
+    struct mip_gnss_signal_config command;
+    return mip_device_call(device, &mip_gnss_signal_config_command,
+                           mip_gnss_signal_config_read(&command),
+                           &mip_gnss_signal_config_response_codec, response);
+}
+
+/**
+ * Signal configuration: save. Save the current setting to non-volatile memory. See mip_device_call.
+ */
+static inline struct mip_result mip_call_gnss_signal_config_save(struct mip_device *device) {
+    struct mip_gnss_signal_config command;
+    return mip_device_call(device, &mip_gnss_signal_config_command,
+                           mip_gnss_signal_config_save(&command), NULL, NULL);
+}
+
+/** Signal configuration: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_gnss_signal_config_load(struct mip_device *device) {
+    struct mip_gnss_signal_config command;
+    return mip_device_call(device, &mip_gnss_signal_config_command,
+                           mip_gnss_signal_config_load(&command), NULL, NULL);
+}
+
+/** Signal configuration: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result mip_call_gnss_signal_config_default(struct mip_device *device) {
+    struct mip_gnss_signal_config command;
+    return mip_device_call(device, &mip_gnss_signal_config_command,
+                           mip_gnss_signal_config_default(&command), NULL, NULL);
+}
+
+/**
+ * Signal configuration: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_gnss_signal_config_with(
+    struct mip_device *device, const struct mip_gnss_signal_config *command,
+    struct mip_gnss_signal_config_response *response) {
+    return mip_device_call(device, &mip_gnss_signal_config_command, command,
+                           &mip_gnss_signal_config_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_gnss_rtk_dongle_config_command;
 
@@ -57,6 +121,61 @@ static inline mip_error mip_send_gnss_rtk_dongle_config(
     return mip_client_send(client, request, packet, &mip_gnss_rtk_dongle_config_command, command,
                            &mip_gnss_rtk_dongle_config_response_codec, response, now);
 }
+
+/** RTK dongle configuration: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_gnss_rtk_dongle_config_write(struct mip_device *device,
+                                                                      uint8_t enable) {
+    struct mip_gnss_rtk_dongle_config command;
+    return mip_device_call(device, &mip_gnss_rtk_dongle_config_command,
+                           mip_gnss_rtk_dongle_config_write(&command, enable), NULL, NULL);
+}
+
+/**
+ * RTK dongle configuration: read. Send the current setting back in a response. See mip_device_call.
+ */
+static inline struct mip_result mip_call_gnss_rtk_dongle_config_read(
+    struct mip_device *device, struct mip_gnss_rtk_dongle_config_response *response) {
+    struct mip_gnss_rtk_dongle_config command;
+    return mip_device_call(device, &mip_gnss_rtk_dongle_config_command,
+                           mip_gnss_rtk_dongle_config_read(&command),
+                           &mip_gnss_rtk_dongle_config_response_codec, response);
+}
+
+/**
+ * RTK dongle configuration: save. Save the current setting to non-volatile memory. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_gnss_rtk_dongle_config_save(struct mip_device *device) {
+    struct mip_gnss_rtk_dongle_config command;
+    return mip_device_call(device, &mip_gnss_rtk_dongle_config_command,
+                           mip_gnss_rtk_dongle_config_save(&command), NULL, NULL);
+}
+
+/** RTK dongle configuration: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_gnss_rtk_dongle_config_load(struct mip_device *device) {
+    struct mip_gnss_rtk_dongle_config command;
+    return mip_device_call(device, &mip_gnss_rtk_dongle_config_command,
+                           mip_gnss_rtk_dongle_config_load(&command), NULL, NULL);
+}
+
+/** RTK dongle configuration: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result mip_call_gnss_rtk_dongle_config_default(struct mip_device *device) {
+    struct mip_gnss_rtk_dongle_config command;
+    return mip_device_call(device, &mip_gnss_rtk_dongle_config_command,
+                           mip_gnss_rtk_dongle_config_default(&command), NULL, NULL);
+}
+
+/**
+ * RTK dongle configuration: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_gnss_rtk_dongle_config_with(
+    struct mip_device *device, const struct mip_gnss_rtk_dongle_config *command,
+    struct mip_gnss_rtk_dongle_config_response *response) {
+    return mip_device_call(device, &mip_gnss_rtk_dongle_config_command, command,
+                           &mip_gnss_rtk_dongle_config_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_gnss_spartn_config_command;
 
@@ -70,6 +189,62 @@ static inline mip_error mip_send_gnss_spartn_config(
     uint32_t now) {
     return mip_client_send(client, request, packet, &mip_gnss_spartn_config_command, command,
                            &mip_gnss_spartn_config_response_codec, response, now);
+}
+
+/** SPARTN configuration: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_gnss_spartn_config_write(
+    struct mip_device *device, uint8_t enable, enum mip_gnss_spartn_connection type,
+    uint32_t current_key_tow, uint16_t current_key_week, const uint8_t current_key[32],
+    uint32_t next_key_tow, uint16_t next_key_week, const uint8_t next_key[32]) {
+    struct mip_gnss_spartn_config command;
+    return mip_device_call(device, &mip_gnss_spartn_config_command,
+                           mip_gnss_spartn_config_write(&command, enable, type, current_key_tow,
+                                                        current_key_week, current_key, next_key_tow,
+                                                        next_key_week, next_key),
+                           NULL, NULL);
+}
+
+/** SPARTN configuration: read. Send the current setting back in a response. See mip_device_call. */
+static inline struct mip_result mip_call_gnss_spartn_config_read(
+    struct mip_device *device, struct mip_gnss_spartn_config_response *response) {
+    struct mip_gnss_spartn_config command;
+    return mip_device_call(device, &mip_gnss_spartn_config_command,
+                           mip_gnss_spartn_config_read(&command),
+                           &mip_gnss_spartn_config_response_codec, response);
+}
+
+/**
+ * SPARTN configuration: save. Save the current setting to non-volatile memory. See mip_device_call.
+ */
+static inline struct mip_result mip_call_gnss_spartn_config_save(struct mip_device *device) {
+    struct mip_gnss_spartn_config command;
+    return mip_device_call(device, &mip_gnss_spartn_config_command,
+                           mip_gnss_spartn_config_save(&command), NULL, NULL);
+}
+
+/** SPARTN configuration: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_gnss_spartn_config_load(struct mip_device *device) {
+    struct mip_gnss_spartn_config command;
+    return mip_device_call(device, &mip_gnss_spartn_config_command,
+                           mip_gnss_spartn_config_load(&command), NULL, NULL);
+}
+
+/** SPARTN configuration: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result mip_call_gnss_spartn_config_default(struct mip_device *device) {
+    struct mip_gnss_spartn_config command;
+    return mip_device_call(device, &mip_gnss_spartn_config_command,
+                           mip_gnss_spartn_config_default(&command), NULL, NULL);
+}
+
+/**
+ * SPARTN configuration: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_gnss_spartn_config_with(
+    struct mip_device *device, const struct mip_gnss_spartn_config *command,
+    struct mip_gnss_spartn_config_response *response) {
+    return mip_device_call(device, &mip_gnss_spartn_config_command, command,
+                           &mip_gnss_spartn_config_response_codec, response);
 }
 
 #ifdef __cplusplus

@@ -15,6 +15,7 @@
 #include "mip/client.h"
 #include "mip/constants.h"
 #include "mip/core.h"
+#include "mip/device.h"
 #include "mip/filter.h"
 #include "mip/filter_commands.h"
 #include "mip/filter_data.h"

@@ -6,7 +6,7 @@
 #define MIP_RTK_COMMANDS_H
 
 #include "mip/rtk.h"
-#include "mip/client.h"
+#include "mip/device.h"
 
 #if MIP_VERSION_NUMBER != 100
 #error "mip/rtk_commands.h and mip/constants.h are not of one version"
@@ -29,6 +29,14 @@ static inline mip_error mip_send_rtk_get_status_flags(
     return mip_client_send(client, request, packet, &mip_rtk_get_status_flags_command, NULL,
                            &mip_rtk_get_status_flags_response_codec, response, now);
 }
+
+/** Get status flags. See mip_device_call. */
+static inline struct mip_result mip_call_rtk_get_status_flags(
+    struct mip_device *device, struct mip_rtk_get_status_flags_response *response) {
+    return mip_device_call(device, &mip_rtk_get_status_flags_command, NULL,
+                           &mip_rtk_get_status_flags_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_rtk_get_imei_command;
 
@@ -44,6 +52,14 @@ static inline mip_error mip_send_rtk_get_imei(struct mip_client *client,
     return mip_client_send(client, request, packet, &mip_rtk_get_imei_command, NULL,
                            &mip_rtk_get_imei_response_codec, response, now);
 }
+
+/** Get IMEI. See mip_device_call. */
+static inline struct mip_result mip_call_rtk_get_imei(struct mip_device *device,
+                                                      struct mip_rtk_get_imei_response *response) {
+    return mip_device_call(device, &mip_rtk_get_imei_command, NULL,
+                           &mip_rtk_get_imei_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_rtk_get_imsi_command;
 
@@ -59,6 +75,14 @@ static inline mip_error mip_send_rtk_get_imsi(struct mip_client *client,
     return mip_client_send(client, request, packet, &mip_rtk_get_imsi_command, NULL,
                            &mip_rtk_get_imsi_response_codec, response, now);
 }
+
+/** Get IMSI. See mip_device_call. */
+static inline struct mip_result mip_call_rtk_get_imsi(struct mip_device *device,
+                                                      struct mip_rtk_get_imsi_response *response) {
+    return mip_device_call(device, &mip_rtk_get_imsi_command, NULL,
+                           &mip_rtk_get_imsi_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_rtk_get_iccid_command;
 
@@ -74,6 +98,14 @@ static inline mip_error mip_send_rtk_get_iccid(struct mip_client *client,
     return mip_client_send(client, request, packet, &mip_rtk_get_iccid_command, NULL,
                            &mip_rtk_get_iccid_response_codec, response, now);
 }
+
+/** Get ICCID. See mip_device_call. */
+static inline struct mip_result
+mip_call_rtk_get_iccid(struct mip_device *device, struct mip_rtk_get_iccid_response *response) {
+    return mip_device_call(device, &mip_rtk_get_iccid_command, NULL,
+                           &mip_rtk_get_iccid_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_rtk_get_rssi_command;
 
@@ -89,6 +121,14 @@ static inline mip_error mip_send_rtk_get_rssi(struct mip_client *client,
     return mip_client_send(client, request, packet, &mip_rtk_get_rssi_command, NULL,
                            &mip_rtk_get_rssi_response_codec, response, now);
 }
+
+/** Get RSSI. See mip_device_call. */
+static inline struct mip_result mip_call_rtk_get_rssi(struct mip_device *device,
+                                                      struct mip_rtk_get_rssi_response *response) {
+    return mip_device_call(device, &mip_rtk_get_rssi_command, NULL,
+                           &mip_rtk_get_rssi_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_rtk_connected_device_type_command;
 
@@ -103,6 +143,62 @@ static inline mip_error mip_send_rtk_connected_device_type(
     return mip_client_send(client, request, packet, &mip_rtk_connected_device_type_command, command,
                            &mip_rtk_connected_device_type_response_codec, response, now);
 }
+
+/** Connected device type: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_rtk_connected_device_type_write(
+    struct mip_device *device, enum mip_rtk_connected_device device_type) {
+    struct mip_rtk_connected_device_type command;
+    return mip_device_call(device, &mip_rtk_connected_device_type_command,
+                           mip_rtk_connected_device_type_write(&command, device_type), NULL, NULL);
+}
+
+/**
+ * Connected device type: read. Send the current setting back in a response. See mip_device_call.
+ */
+static inline struct mip_result mip_call_rtk_connected_device_type_read(
+    struct mip_device *device, struct mip_rtk_connected_device_type_response *response) {
+    struct mip_rtk_connected_device_type command;
+    return mip_device_call(device, &mip_rtk_connected_device_type_command,
+                           mip_rtk_connected_device_type_read(&command),
+                           &mip_rtk_connected_device_type_response_codec, response);
+}
+
+/**
+ * Connected device type: save. Save the current setting to non-volatile memory. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_rtk_connected_device_type_save(struct mip_device *device) {
+    struct mip_rtk_connected_device_type command;
+    return mip_device_call(device, &mip_rtk_connected_device_type_command,
+                           mip_rtk_connected_device_type_save(&command), NULL, NULL);
+}
+
+/** Connected device type: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_rtk_connected_device_type_load(struct mip_device *device) {
+    struct mip_rtk_connected_device_type command;
+    return mip_device_call(device, &mip_rtk_connected_device_type_command,
+                           mip_rtk_connected_device_type_load(&command), NULL, NULL);
+}
+
+/** Connected device type: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_rtk_connected_device_type_default(struct mip_device *device) {
+    struct mip_rtk_connected_device_type command;
+    return mip_device_call(device, &mip_rtk_connected_device_type_command,
+                           mip_rtk_connected_device_type_default(&command), NULL, NULL);
+}
+
+/**
+ * Connected device type: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_rtk_connected_device_type_with(
+    struct mip_device *device, const struct mip_rtk_connected_device_type *command,
+    struct mip_rtk_connected_device_type_response *response) {
+    return mip_device_call(device, &mip_rtk_connected_device_type_command, command,
+                           &mip_rtk_connected_device_type_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_rtk_get_activation_code_command;
 
@@ -116,6 +212,14 @@ static inline mip_error mip_send_rtk_get_activation_code(
     return mip_client_send(client, request, packet, &mip_rtk_get_activation_code_command, NULL,
                            &mip_rtk_get_activation_code_response_codec, response, now);
 }
+
+/** Get activation code. See mip_device_call. */
+static inline struct mip_result mip_call_rtk_get_activation_code(
+    struct mip_device *device, struct mip_rtk_get_activation_code_response *response) {
+    return mip_device_call(device, &mip_rtk_get_activation_code_command, NULL,
+                           &mip_rtk_get_activation_code_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_rtk_get_modem_firmware_version_command;
 
@@ -129,6 +233,14 @@ static inline mip_error mip_send_rtk_get_modem_firmware_version(
     return mip_client_send(client, request, packet, &mip_rtk_get_modem_firmware_version_command,
                            NULL, &mip_rtk_get_modem_firmware_version_response_codec, response, now);
 }
+
+/** Get modem firmware version. See mip_device_call. */
+static inline struct mip_result mip_call_rtk_get_modem_firmware_version(
+    struct mip_device *device, struct mip_rtk_get_modem_firmware_version_response *response) {
+    return mip_device_call(device, &mip_rtk_get_modem_firmware_version_command, NULL,
+                           &mip_rtk_get_modem_firmware_version_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_rtk_service_status_command;
 
@@ -143,6 +255,18 @@ static inline mip_error mip_send_rtk_service_status(
     return mip_client_send(client, request, packet, &mip_rtk_service_status_command, command,
                            &mip_rtk_service_status_response_codec, response, now);
 }
+
+/**
+ * Service status: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_rtk_service_status_with(
+    struct mip_device *device, const struct mip_rtk_service_status *command,
+    struct mip_rtk_service_status_response *response) {
+    return mip_device_call(device, &mip_rtk_service_status_command, command,
+                           &mip_rtk_service_status_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_rtk_erase_storage_command;
 
@@ -155,6 +279,23 @@ static inline mip_error mip_send_rtk_erase_storage(struct mip_client *client,
     return mip_client_send(client, request, packet, &mip_rtk_erase_storage_command, command, NULL,
                            NULL, now);
 }
+
+/** Erase storage. See mip_device_call. */
+static inline struct mip_result mip_call_rtk_erase_storage(struct mip_device *device,
+                                                           enum mip_rtk_storage_medium media) {
+    struct mip_rtk_erase_storage command;
+    return mip_device_call(device, &mip_rtk_erase_storage_command,
+                           mip_rtk_erase_storage_make(&command, media), NULL, NULL);
+}
+
+/**
+ * Erase storage: calls the command with these values, optional parameters too. See mip_device_call.
+ */
+static inline struct mip_result mip_call_rtk_erase_storage_with(
+    struct mip_device *device, const struct mip_rtk_erase_storage *command) {
+    return mip_device_call(device, &mip_rtk_erase_storage_command, command, NULL, NULL);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_rtk_led_control_command;
 
@@ -167,6 +308,28 @@ static inline mip_error mip_send_rtk_led_control(struct mip_client *client,
     return mip_client_send(client, request, packet, &mip_rtk_led_control_command, command, NULL,
                            NULL, now);
 }
+
+/** LED control. See mip_device_call. */
+static inline struct mip_result mip_call_rtk_led_control(struct mip_device *device,
+                                                         const uint8_t primary_color[3],
+                                                         const uint8_t alternate_color[3],
+                                                         enum mip_rtk_led_action action,
+                                                         uint32_t period) {
+    struct mip_rtk_led_control command;
+    return mip_device_call(
+        device, &mip_rtk_led_control_command,
+        mip_rtk_led_control_make(&command, primary_color, alternate_color, action, period), NULL,
+        NULL);
+}
+
+/**
+ * LED control: calls the command with these values, optional parameters too. See mip_device_call.
+ */
+static inline struct mip_result mip_call_rtk_led_control_with(
+    struct mip_device *device, const struct mip_rtk_led_control *command) {
+    return mip_device_call(device, &mip_rtk_led_control_command, command, NULL, NULL);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_rtk_modem_hard_reset_command;
 
@@ -176,6 +339,11 @@ static inline mip_error mip_send_rtk_modem_hard_reset(struct mip_client *client,
                                                       struct mip_builder *packet, uint32_t now) {
     return mip_client_send(client, request, packet, &mip_rtk_modem_hard_reset_command, NULL, NULL,
                            NULL, now);
+}
+
+/** Modem hard reset. See mip_device_call. */
+static inline struct mip_result mip_call_rtk_modem_hard_reset(struct mip_device *device) {
+    return mip_device_call(device, &mip_rtk_modem_hard_reset_command, NULL, NULL, NULL);
 }
 
 #ifdef __cplusplus

@@ -6,7 +6,7 @@
 #define MIP_SYSTEM_COMMANDS_H
 
 #include "mip/system.h"
-#include "mip/client.h"
+#include "mip/device.h"
 
 #if MIP_VERSION_NUMBER != 100
 #error "mip/system_commands.h and mip/constants.h are not of one version"
@@ -30,6 +30,65 @@ static inline mip_error mip_send_system_interface_control(
     return mip_client_send(client, request, packet, &mip_system_interface_control_command, command,
                            &mip_system_interface_control_response_codec, response, now);
 }
+
+/** Interface control: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_system_interface_control_write(
+    struct mip_device *device, enum mip_system_comm_interface port,
+    mip_system_comm_protocols protocols_incoming, mip_system_comm_protocols protocols_outgoing) {
+    struct mip_system_interface_control command;
+    return mip_device_call(
+        device, &mip_system_interface_control_command,
+        mip_system_interface_control_write(&command, port, protocols_incoming, protocols_outgoing),
+        NULL, NULL);
+}
+
+/** Interface control: read. Send the current setting back in a response. See mip_device_call. */
+static inline struct mip_result mip_call_system_interface_control_read(
+    struct mip_device *device, enum mip_system_comm_interface port,
+    struct mip_system_interface_control_response *response) {
+    struct mip_system_interface_control command;
+    return mip_device_call(device, &mip_system_interface_control_command,
+                           mip_system_interface_control_read(&command, port),
+                           &mip_system_interface_control_response_codec, response);
+}
+
+/**
+ * Interface control: save. Save the current setting to non-volatile memory. See mip_device_call.
+ */
+static inline struct mip_result mip_call_system_interface_control_save(
+    struct mip_device *device, enum mip_system_comm_interface port) {
+    struct mip_system_interface_control command;
+    return mip_device_call(device, &mip_system_interface_control_command,
+                           mip_system_interface_control_save(&command, port), NULL, NULL);
+}
+
+/** Interface control: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_system_interface_control_load(
+    struct mip_device *device, enum mip_system_comm_interface port) {
+    struct mip_system_interface_control command;
+    return mip_device_call(device, &mip_system_interface_control_command,
+                           mip_system_interface_control_load(&command, port), NULL, NULL);
+}
+
+/** Interface control: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result mip_call_system_interface_control_default(
+    struct mip_device *device, enum mip_system_comm_interface port) {
+    struct mip_system_interface_control command;
+    return mip_device_call(device, &mip_system_interface_control_command,
+                           mip_system_interface_control_default(&command, port), NULL, NULL);
+}
+
+/**
+ * Interface control: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_system_interface_control_with(
+    struct mip_device *device, const struct mip_system_interface_control *command,
+    struct mip_system_interface_control_response *response) {
+    return mip_device_call(device, &mip_system_interface_control_command, command,
+                           &mip_system_interface_control_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_system_comm_mode_command;
 
@@ -45,6 +104,57 @@ static inline mip_error mip_send_system_comm_mode(struct mip_client *client,
                                                   uint32_t now) {
     return mip_client_send(client, request, packet, &mip_system_comm_mode_command, command,
                            &mip_system_comm_mode_response_codec, response, now);
+}
+
+/** Communication mode: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_system_comm_mode_write(struct mip_device *device, enum mip_system_protocol_mode mode) {
+    struct mip_system_comm_mode command;
+    return mip_device_call(device, &mip_system_comm_mode_command,
+                           mip_system_comm_mode_write(&command, mode), NULL, NULL);
+}
+
+/** Communication mode: read. Send the current setting back in a response. See mip_device_call. */
+static inline struct mip_result mip_call_system_comm_mode_read(
+    struct mip_device *device, struct mip_system_comm_mode_response *response) {
+    struct mip_system_comm_mode command;
+    return mip_device_call(device, &mip_system_comm_mode_command,
+                           mip_system_comm_mode_read(&command),
+                           &mip_system_comm_mode_response_codec, response);
+}
+
+/**
+ * Communication mode: save. Save the current setting to non-volatile memory. See mip_device_call.
+ */
+static inline struct mip_result mip_call_system_comm_mode_save(struct mip_device *device) {
+    struct mip_system_comm_mode command;
+    return mip_device_call(device, &mip_system_comm_mode_command,
+                           mip_system_comm_mode_save(&command), NULL, NULL);
+}
+
+/** Communication mode: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_system_comm_mode_load(struct mip_device *device) {
+    struct mip_system_comm_mode command;
+    return mip_device_call(device, &mip_system_comm_mode_command,
+                           mip_system_comm_mode_load(&command), NULL, NULL);
+}
+
+/** Communication mode: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result mip_call_system_comm_mode_default(struct mip_device *device) {
+    struct mip_system_comm_mode command;
+    return mip_device_call(device, &mip_system_comm_mode_command,
+                           mip_system_comm_mode_default(&command), NULL, NULL);
+}
+
+/**
+ * Communication mode: calls the command with these values, optional parameters too. See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_system_comm_mode_with(
+    struct mip_device *device, const struct mip_system_comm_mode *command,
+    struct mip_system_comm_mode_response *response) {
+    return mip_device_call(device, &mip_system_comm_mode_command, command,
+                           &mip_system_comm_mode_response_codec, response);
 }
 
 #ifdef __cplusplus

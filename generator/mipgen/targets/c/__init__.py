@@ -18,6 +18,8 @@ __all__ = ["CONFORMANCE", "FORMATTER", "MAX_IDENTIFIER", "TITLE", "files", "filt
 TITLE = "C99, library mip"
 CONFORMANCE = ("parse", "decode", "encode", "client", "live")
 FORMATTER = formatting.CLANG_FORMAT
+#: Programs for three kinds of systems, on mip/device.h.
+EXAMPLES = ("posix.c", "bare_metal.c", "cplusplus.cpp")
 
 
 def files(model: m.Model) -> Iterator[File]:
@@ -28,8 +30,11 @@ def files(model: m.Model) -> Iterator[File]:
     taste = model.taste("taste.c")
     if taste:
         yield File("taste.c", "verbatim.j2", {"text": taste})
-    shown = {"taste": taste.partition("*/\n")[2].rstrip(), "client": model.taste("client.c").rstrip()}
-    shown["present"] = model.taste("present.c").rstrip()
+    for name in EXAMPLES:
+        if example := model.taste(name):
+            yield File(f"examples/{name}", "verbatim.j2", {"text": example})
+    shown = {name: model.taste(f"{name}.c").rstrip() for name in ("device", "client", "present")}
+    shown["taste"] = taste.partition("*/\n")[2].rstrip()
     yield File("README.md", "README.md.j2", shown)
 
 
@@ -96,6 +101,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "module": names.module,
         "macro": names.macro,
         "member": names.member,
+        "argument": names.argument_name,
         "type": names.type_name,
         "c_type": names.c_type,
         "field": names.field_name,
@@ -132,6 +138,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "responses": lambda f: members.responses(f, model),
         "commands": calls.commands,
         "sends": lambda f: calls.sends(f, model),
+        "calls": lambda f: calls.calls(f, model),
         "bits_type": members.bits_type,
         "has_accessor": members.has_accessor,
         # layouts

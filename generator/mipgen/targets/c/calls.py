@@ -1,4 +1,4 @@
-"""What a program does with a command: send it, and get its response."""
+"""What a program does with a command: send it, or call it, and get its response."""
 
 from __future__ import annotations
 
@@ -6,7 +6,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from ... import model as m
-from .names import field_name
+from .members import Constructor, argument, constructors, members, takes_enum
+from .names import argument_name, constant, field_name, short, type_name
 
 
 @dataclass(frozen=True, slots=True)
@@ -14,6 +15,18 @@ class Send:
     """A function of the client that sends a command."""
 
     name: str
+    response: m.Field | None
+    doc: list[str]
+
+
+@dataclass(frozen=True, slots=True)
+class Call:
+    """A function that sends a command and waits for its answer."""
+
+    name: str
+    arguments: tuple[str, ...]
+    value: str  # an expression: the address of the command's structure
+    makes: bool  # does it make that structure?
     response: m.Field | None
     doc: list[str]
 
@@ -28,20 +41,77 @@ def sends(f: m.Field, model: m.Model) -> list[Send]:
     found = model.responses(f)
     if len(found) == 1:
         where = "The response goes to `response`, which may be NULL, if the command asks for it."
-        return [Send(_sent(field_name(f)), found[0], [f"{what} {where}"])]
-    plain = Send(_sent(field_name(f)), None, [what])
-    return [plain, *(Send(_sent(f"for_{_bare(r)}"), r, [f"{what} It is answered by this response."]) for r in found)]
+        return [Send(_name("send", f), found[0], [f"{what} {where}"])]
+    plain = Send(_name("send", f), None, [what])
+    return [plain, *(Send(_name("send_for", r), r, [f"{what} It is answered by this response."]) for r in found)]
+
+
+# --------------------------------------------------------------------------- calls
+
+
+def calls(f: m.Field, model: m.Model) -> list[Call]:
+    """One for each function of a command, and for each of its responses; one with its structure, if it has any."""
+    if not members(f):
+        return list(_ways(f, None, model))
+    made = [c for way in constructors(f) for c in _ways(f, way, model)]
+    found = model.responses(f)
+    doc = f"{f.title}: calls the command with these values, optional parameters too. See mip_device_call."
+    name, arguments = f"{_name('call', f)}_with", (f"const struct {field_name(f)} *command",)
+    return [*made, Call(name, arguments, "command", False, found[0] if len(found) == 1 else None, [doc])]
+
+
+def _ways(f: m.Field, way: Constructor | None, model: m.Model) -> Iterator[Call]:
+    """The calls of one function of a command. Where it is answered by one of several responses, each has its own, which
+    fixes the parameters that decide on it; their first one asks for nothing else than to be acknowledged."""
+    function = way.function if way else None
+    replies = [r for r in model.replies(f) if function is None or function in r.functions]
+    layouts = [(layout, r) for r in replies for layout in r.layouts]
+    end = f"_{function.name}" if function else ""
+    if len(layouts) == 1:
+        yield _call(f, f"{_name('call', f)}{end}", way, *layouts[0], fixed=False)
+        return
+    yield _call(f, f"{_name('call', f)}{end}", way, None, None, fixed=False)
+    for layout, reply in layouts:
+        yield _call(f, f"{_name('call_for', layout)}{end}", way, layout, reply, fixed=True)
+
+
+def _call(
+    f: m.Field, name: str, way: Constructor | None, response: m.Field | None, reply: m.Reply | None, fixed: bool
+) -> Call:
+    values = {c.parameter: c.value for c in reply.when} if reply and fixed else {}
+    function = way.function if way else None
+    doc = f"{f.title}: {function.name}. {function.description}" if function else f"{f.title}."
+    doc += " The answer is decoded as this response." if fixed else ""
+    doc += " See mip_device_call."
+    if way is None:
+        return Call(name, (), "NULL", False, response, [doc])
+    given = tuple(argument(p, f) for p in way.asked if p.name not in values)
+    passed = ["&command"]
+    for p in way.asked:
+        passed += [_literal(p, values[p.name])] if p.name in values else _passed(p)
+    return Call(name, given, f"{field_name(f)}_{way.name}({', '.join(passed)})", True, response, [doc])
+
+
+def _passed(p: m.Parameter) -> list[str]:
+    """The names of the arguments for a parameter."""
+    name = argument_name(p.name)
+    return [f"{name}_count", name] if p.length == "rest" else [name]
+
+
+def _literal(p: m.Parameter, value: int) -> str:
+    """A value of a parameter that decides on the response."""
+    if not isinstance(p.element, m.Enum) or not takes_enum(p):
+        return str(value)
+    named = next((v for v in p.element.values if v.value == value), None)
+    return constant(p.element, named) if named else f"(enum {type_name(p.element)}){value}"
 
 
 def identifiers(f: m.Field, model: m.Model) -> Iterator[str]:
     if f.role == m.COMMAND:
         yield f"{field_name(f)}_command"
         yield from (s.name for s in sends(f, model))
+        yield from (c.name for c in calls(f, model))
 
 
-def _bare(f: m.Field) -> str:
-    return field_name(f).removeprefix("mip_")
-
-
-def _sent(name: str) -> str:
-    return f"mip_send_{name.removeprefix('mip_')}"
+def _name(verb: str, f: m.Field) -> str:
+    return f"mip_{verb}_{f.set_name}_{short(f)}"

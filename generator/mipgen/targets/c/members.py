@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from ... import model as m
-from .names import Record, c_type, is_enum, is_struct, macro, member, type_name, union_name
+from .names import Record, argument_name, c_type, is_enum, is_struct, macro, member, type_name, union_name
 
 
 def members(record: Record) -> list[m.Parameter]:
@@ -72,14 +72,15 @@ def _constructor(f: m.Field, call: m.Call) -> Constructor:
         name=call.function.name if call.function else "make",
         function=call.function,
         description=call.function.description if call.function else f"{f.title}.",
-        arguments=", ".join(_argument(p, f) for p in asked),
+        arguments=", ".join(argument(p, f) for p in asked),
         asked=asked,
         assigned=tuple(p for p in members(f) if p in asked or p.reserved),
     )
 
 
-def _argument(p: m.Parameter, f: m.Field) -> str:
-    name, op = member(p.name), p.operation
+def argument(p: m.Parameter, f: m.Field) -> str:
+    """What a function takes for a parameter: one argument, or a count and the elements."""
+    name, op = argument_name(p.name), p.operation
     if p.element is None:
         return f"const union {union_name(p, f)} *{name}"
     one = c_type(p.element)

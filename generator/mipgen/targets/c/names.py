@@ -18,6 +18,12 @@ Record = m.Field | m.Struct
 member = Escape(_KEYWORDS | frozenset(LANGUAGE["members"]), digit_prefix="n")
 module = Escape(frozenset(LANGUAGE["modules"]), digit_prefix="")
 macro = upper
+_argument = Escape(frozenset(LANGUAGE["arguments"]), digit_prefix="n")
+
+
+def argument_name(name: str) -> str:
+    """What a function calls the value for a member."""
+    return _argument(member(name))
 
 
 def short(thing: m.Field | m.Enum | m.Bitfield | m.Struct | m.EnumValue | m.Bits) -> str:

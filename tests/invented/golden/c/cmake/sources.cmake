@@ -8,6 +8,7 @@ set(MIP_SOURCES
   ${MIP_FOLDER}/src/mip/codec.c
   ${MIP_FOLDER}/src/mip/copy.c
   ${MIP_FOLDER}/src/mip/core.c
+  ${MIP_FOLDER}/src/mip/device.c
   ${MIP_FOLDER}/src/mip/double.c
   ${MIP_FOLDER}/src/mip/error.c
   ${MIP_FOLDER}/src/mip/label.c
@@ -16,6 +17,7 @@ set(MIP_SOURCES
   ${MIP_FOLDER}/src/mip/more.c
   ${MIP_FOLDER}/src/mip/names.c
   ${MIP_FOLDER}/src/mip/number.c
+  ${MIP_FOLDER}/src/mip/outcome.c
   ${MIP_FOLDER}/src/mip/parser.c
   ${MIP_FOLDER}/src/mip/print.c
   ${MIP_FOLDER}/src/mip/profile.c

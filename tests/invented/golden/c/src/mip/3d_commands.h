@@ -6,7 +6,7 @@
 #define MIP_3D_COMMANDS_H
 
 #include "mip/3d.h"
-#include "mip/client.h"
+#include "mip/device.h"
 
 #if MIP_VERSION_NUMBER != 100
 #error "mip/3d_commands.h and mip/constants.h are not of one version"
@@ -25,6 +25,22 @@ static inline mip_error mip_send_3d_default(struct mip_client *client, struct mi
                                             const struct mip_3d_default *command, uint32_t now) {
     return mip_client_send(client, request, packet, &mip_3d_default_command, command, NULL, NULL,
                            now);
+}
+
+/** Default. See mip_device_call. */
+static inline struct mip_result mip_call_3d_default(struct mip_device *device, uint8_t class_,
+                                                    uint8_t type, uint8_t register_, uint8_t self,
+                                                    uint8_t present_) {
+    struct mip_3d_default command;
+    return mip_device_call(device, &mip_3d_default_command,
+                           mip_3d_default_make(&command, class_, type, register_, self, present_),
+                           NULL, NULL);
+}
+
+/** Default: calls the command with these values, optional parameters too. See mip_device_call. */
+static inline struct mip_result mip_call_3d_default_with(struct mip_device *device,
+                                                         const struct mip_3d_default *command) {
+    return mip_device_call(device, &mip_3d_default_command, command, NULL, NULL);
 }
 
 #ifdef __cplusplus

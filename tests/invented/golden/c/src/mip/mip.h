@@ -12,6 +12,7 @@
 #include "mip/constants.h"
 #include "mip/copy.h"
 #include "mip/core.h"
+#include "mip/device.h"
 #include "mip/measurements.h"
 #include "mip/more.h"
 #include "mip/names.h"

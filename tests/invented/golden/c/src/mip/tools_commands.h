@@ -6,7 +6,7 @@
 #define MIP_TOOLS_COMMANDS_H
 
 #include "mip/tools.h"
-#include "mip/client.h"
+#include "mip/device.h"
 
 #if MIP_VERSION_NUMBER != 100
 #error "mip/tools_commands.h and mip/constants.h are not of one version"
@@ -24,6 +24,12 @@ static inline mip_error mip_send_tools_ping(struct mip_client *client, struct mi
                                             struct mip_builder *packet, uint32_t now) {
     return mip_client_send(client, request, packet, &mip_tools_ping_command, NULL, NULL, NULL, now);
 }
+
+/** Ping. See mip_device_call. */
+static inline struct mip_result mip_call_tools_ping(struct mip_device *device) {
+    return mip_device_call(device, &mip_tools_ping_command, NULL, NULL, NULL);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_tools_settings_command;
 
@@ -40,6 +46,70 @@ static inline mip_error mip_send_tools_settings(struct mip_client *client,
     return mip_client_send(client, request, packet, &mip_tools_settings_command, command,
                            &mip_tools_settings_response_codec, response, now);
 }
+
+/** Settings: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_tools_settings_write(struct mip_device *device,
+                                                              uint8_t port, enum mip_mode mode,
+                                                              uint32_t baud) {
+    struct mip_tools_settings command;
+    return mip_device_call(device, &mip_tools_settings_command,
+                           mip_tools_settings_write(&command, port, mode, baud), NULL, NULL);
+}
+
+/** Settings: read. Send the current setting back in a response. See mip_device_call. */
+static inline struct mip_result
+mip_call_tools_settings_read(struct mip_device *device, uint8_t port, enum mip_mode mode,
+                             struct mip_tools_settings_response *response) {
+    struct mip_tools_settings command;
+    return mip_device_call(device, &mip_tools_settings_command,
+                           mip_tools_settings_read(&command, port, mode),
+                           &mip_tools_settings_response_codec, response);
+}
+
+/** Settings: save. Save the current setting to non-volatile memory. See mip_device_call. */
+static inline struct mip_result mip_call_tools_settings_save(struct mip_device *device,
+                                                             uint8_t port) {
+    struct mip_tools_settings command;
+    return mip_device_call(device, &mip_tools_settings_command,
+                           mip_tools_settings_save(&command, port), NULL, NULL);
+}
+
+/** Settings: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_tools_settings_load(struct mip_device *device,
+                                                             uint8_t port) {
+    struct mip_tools_settings command;
+    return mip_device_call(device, &mip_tools_settings_command,
+                           mip_tools_settings_load(&command, port), NULL, NULL);
+}
+
+/** Settings: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result mip_call_tools_settings_default(struct mip_device *device,
+                                                                uint8_t port) {
+    struct mip_tools_settings command;
+    return mip_device_call(device, &mip_tools_settings_command,
+                           mip_tools_settings_default(&command, port), NULL, NULL);
+}
+
+/**
+ * Settings: apply. Apply the new setting and send no acknowledge (5-series devices). See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_tools_settings_apply(struct mip_device *device,
+                                                              uint8_t port, enum mip_mode mode,
+                                                              uint32_t baud) {
+    struct mip_tools_settings command;
+    return mip_device_call(device, &mip_tools_settings_command,
+                           mip_tools_settings_apply(&command, port, mode, baud), NULL, NULL);
+}
+
+/** Settings: calls the command with these values, optional parameters too. See mip_device_call. */
+static inline struct mip_result
+mip_call_tools_settings_with(struct mip_device *device, const struct mip_tools_settings *command,
+                             struct mip_tools_settings_response *response) {
+    return mip_device_call(device, &mip_tools_settings_command, command,
+                           &mip_tools_settings_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_tools_set_time_command;
 
@@ -52,6 +122,7 @@ static inline mip_error mip_send_tools_set_time(struct mip_client *client,
     return mip_client_send(client, request, packet, &mip_tools_set_time_command, command, NULL,
                            NULL, now);
 }
+
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Set time. It is
  * answered by this response.
@@ -63,6 +134,7 @@ static inline mip_error mip_send_for_tools_set_time_fast_response(
     return mip_client_send(client, request, packet, &mip_tools_set_time_command, command,
                            &mip_tools_set_time_fast_response_codec, response, now);
 }
+
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Set time. It is
  * answered by this response.
@@ -74,6 +146,64 @@ static inline mip_error mip_send_for_tools_set_time_slow_response(
     return mip_client_send(client, request, packet, &mip_tools_set_time_command, command,
                            &mip_tools_set_time_slow_response_codec, response, now);
 }
+
+/** Set time: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_tools_set_time_write(struct mip_device *device,
+                                                              enum mip_mode part, uint32_t value) {
+    struct mip_tools_set_time command;
+    return mip_device_call(device, &mip_tools_set_time_command,
+                           mip_tools_set_time_write(&command, part, value), NULL, NULL);
+}
+
+/** Set time: read. Send the current setting back in a response. See mip_device_call. */
+static inline struct mip_result mip_call_tools_set_time_read(struct mip_device *device,
+                                                             enum mip_mode part) {
+    struct mip_tools_set_time command;
+    return mip_device_call(device, &mip_tools_set_time_command,
+                           mip_tools_set_time_read(&command, part), NULL, NULL);
+}
+
+/**
+ * Set time: read. Send the current setting back in a response. The answer is decoded as this
+ * response. See mip_device_call.
+ */
+static inline struct mip_result mip_call_for_tools_set_time_fast_response_read(
+    struct mip_device *device, struct mip_tools_set_time_fast_response *response) {
+    struct mip_tools_set_time command;
+    return mip_device_call(device, &mip_tools_set_time_command,
+                           mip_tools_set_time_read(&command, MIP_MODE_FAST),
+                           &mip_tools_set_time_fast_response_codec, response);
+}
+
+/**
+ * Set time: read. Send the current setting back in a response. The answer is decoded as this
+ * response. See mip_device_call.
+ */
+static inline struct mip_result mip_call_for_tools_set_time_slow_response_read(
+    struct mip_device *device, struct mip_tools_set_time_slow_response *response) {
+    struct mip_tools_set_time command;
+    return mip_device_call(device, &mip_tools_set_time_command,
+                           mip_tools_set_time_read(&command, MIP_MODE_SLOW),
+                           &mip_tools_set_time_slow_response_codec, response);
+}
+
+/**
+ * Set time: apply. Apply the new setting and send no acknowledge (5-series devices). See
+ * mip_device_call.
+ */
+static inline struct mip_result mip_call_tools_set_time_apply(struct mip_device *device,
+                                                              enum mip_mode part, uint32_t value) {
+    struct mip_tools_set_time command;
+    return mip_device_call(device, &mip_tools_set_time_command,
+                           mip_tools_set_time_apply(&command, part, value), NULL, NULL);
+}
+
+/** Set time: calls the command with these values, optional parameters too. See mip_device_call. */
+static inline struct mip_result
+mip_call_tools_set_time_with(struct mip_device *device, const struct mip_tools_set_time *command) {
+    return mip_device_call(device, &mip_tools_set_time_command, command, NULL, NULL);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_tools_status_command;
 
@@ -86,6 +216,7 @@ static inline mip_error mip_send_tools_status(struct mip_client *client,
     return mip_client_send(client, request, packet, &mip_tools_status_command, command, NULL, NULL,
                            now);
 }
+
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Status. It is
  * answered by this response.
@@ -96,6 +227,7 @@ static inline mip_error mip_send_for_tools_status_short(
     return mip_client_send(client, request, packet, &mip_tools_status_command, command,
                            &mip_tools_status_short_codec, response, now);
 }
+
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Status. It is
  * answered by this response.
@@ -106,6 +238,7 @@ static inline mip_error mip_send_for_tools_status_long(
     return mip_client_send(client, request, packet, &mip_tools_status_command, command,
                            &mip_tools_status_long_codec, response, now);
 }
+
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Status. It is
  * answered by this response.
@@ -116,6 +249,7 @@ static inline mip_error mip_send_for_tools_status_old(
     return mip_client_send(client, request, packet, &mip_tools_status_command, command,
                            &mip_tools_status_old_codec, response, now);
 }
+
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Status. It is
  * answered by this response.
@@ -128,6 +262,52 @@ static inline mip_error mip_send_for_tools_full(struct mip_client *client,
     return mip_client_send(client, request, packet, &mip_tools_status_command, command,
                            &mip_tools_full_codec, response, now);
 }
+
+/** Status. See mip_device_call. */
+static inline struct mip_result mip_call_tools_status(struct mip_device *device, uint8_t selector) {
+    struct mip_tools_status command;
+    return mip_device_call(device, &mip_tools_status_command,
+                           mip_tools_status_make(&command, selector), NULL, NULL);
+}
+
+/** Status. The answer is decoded as this response. See mip_device_call. */
+static inline struct mip_result mip_call_for_tools_status_short(
+    struct mip_device *device, struct mip_tools_status_short *response) {
+    struct mip_tools_status command;
+    return mip_device_call(device, &mip_tools_status_command, mip_tools_status_make(&command, 1),
+                           &mip_tools_status_short_codec, response);
+}
+
+/** Status. The answer is decoded as this response. See mip_device_call. */
+static inline struct mip_result
+mip_call_for_tools_status_long(struct mip_device *device, struct mip_tools_status_long *response) {
+    struct mip_tools_status command;
+    return mip_device_call(device, &mip_tools_status_command, mip_tools_status_make(&command, 2),
+                           &mip_tools_status_long_codec, response);
+}
+
+/** Status. The answer is decoded as this response. See mip_device_call. */
+static inline struct mip_result
+mip_call_for_tools_status_old(struct mip_device *device, struct mip_tools_status_old *response) {
+    struct mip_tools_status command;
+    return mip_device_call(device, &mip_tools_status_command, mip_tools_status_make(&command, 2),
+                           &mip_tools_status_old_codec, response);
+}
+
+/** Status. The answer is decoded as this response. See mip_device_call. */
+static inline struct mip_result mip_call_for_tools_full(struct mip_device *device,
+                                                        struct mip_tools_full *response) {
+    struct mip_tools_status command;
+    return mip_device_call(device, &mip_tools_status_command, mip_tools_status_make(&command, 2),
+                           &mip_tools_full_codec, response);
+}
+
+/** Status: calls the command with these values, optional parameters too. See mip_device_call. */
+static inline struct mip_result mip_call_tools_status_with(struct mip_device *device,
+                                                           const struct mip_tools_status *command) {
+    return mip_device_call(device, &mip_tools_status_command, command, NULL, NULL);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_tools_bias_command;
 
@@ -142,6 +322,52 @@ static inline mip_error mip_send_tools_bias(struct mip_client *client, struct mi
     return mip_client_send(client, request, packet, &mip_tools_bias_command, command,
                            &mip_tools_bias_vector_codec, response, now);
 }
+
+/** Bias: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_tools_bias_write(struct mip_device *device,
+                                                          const float bias[3]) {
+    struct mip_tools_bias command;
+    return mip_device_call(device, &mip_tools_bias_command, mip_tools_bias_write(&command, bias),
+                           NULL, NULL);
+}
+
+/** Bias: read. Send the current setting back in a response. See mip_device_call. */
+static inline struct mip_result mip_call_tools_bias_read(struct mip_device *device,
+                                                         struct mip_tools_bias_vector *response) {
+    struct mip_tools_bias command;
+    return mip_device_call(device, &mip_tools_bias_command, mip_tools_bias_read(&command),
+                           &mip_tools_bias_vector_codec, response);
+}
+
+/** Bias: save. Save the current setting to non-volatile memory. See mip_device_call. */
+static inline struct mip_result mip_call_tools_bias_save(struct mip_device *device) {
+    struct mip_tools_bias command;
+    return mip_device_call(device, &mip_tools_bias_command, mip_tools_bias_save(&command), NULL,
+                           NULL);
+}
+
+/** Bias: load. Load the saved setting. See mip_device_call. */
+static inline struct mip_result mip_call_tools_bias_load(struct mip_device *device) {
+    struct mip_tools_bias command;
+    return mip_device_call(device, &mip_tools_bias_command, mip_tools_bias_load(&command), NULL,
+                           NULL);
+}
+
+/** Bias: default. Load the factory default setting. See mip_device_call. */
+static inline struct mip_result mip_call_tools_bias_default(struct mip_device *device) {
+    struct mip_tools_bias command;
+    return mip_device_call(device, &mip_tools_bias_command, mip_tools_bias_default(&command), NULL,
+                           NULL);
+}
+
+/** Bias: calls the command with these values, optional parameters too. See mip_device_call. */
+static inline struct mip_result mip_call_tools_bias_with(struct mip_device *device,
+                                                         const struct mip_tools_bias *command,
+                                                         struct mip_tools_bias_vector *response) {
+    return mip_device_call(device, &mip_tools_bias_command, command, &mip_tools_bias_vector_codec,
+                           response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_tools_capture_bias_command;
 
@@ -158,6 +384,26 @@ static inline mip_error mip_send_tools_capture_bias(struct mip_client *client,
     return mip_client_send(client, request, packet, &mip_tools_capture_bias_command, command,
                            &mip_tools_bias_vector_codec, response, now);
 }
+
+/** Capture bias. See mip_device_call. */
+static inline struct mip_result mip_call_tools_capture_bias(
+    struct mip_device *device, uint16_t time, struct mip_tools_bias_vector *response) {
+    struct mip_tools_capture_bias command;
+    return mip_device_call(device, &mip_tools_capture_bias_command,
+                           mip_tools_capture_bias_make(&command, time),
+                           &mip_tools_bias_vector_codec, response);
+}
+
+/**
+ * Capture bias: calls the command with these values, optional parameters too. See mip_device_call.
+ */
+static inline struct mip_result mip_call_tools_capture_bias_with(
+    struct mip_device *device, const struct mip_tools_capture_bias *command,
+    struct mip_tools_bias_vector *response) {
+    return mip_device_call(device, &mip_tools_capture_bias_command, command,
+                           &mip_tools_bias_vector_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_tools_formats_command;
 
@@ -170,6 +416,25 @@ static inline mip_error mip_send_tools_formats(struct mip_client *client,
     return mip_client_send(client, request, packet, &mip_tools_formats_command, command, NULL, NULL,
                            now);
 }
+
+/** Formats. See mip_device_call. */
+static inline struct mip_result mip_call_tools_formats(struct mip_device *device,
+                                                       mip_bool suppress_ack, uint8_t num_segments,
+                                                       uint8_t checkpoint,
+                                                       const struct mip_segment segments[]) {
+    struct mip_tools_formats command;
+    return mip_device_call(
+        device, &mip_tools_formats_command,
+        mip_tools_formats_make(&command, suppress_ack, num_segments, checkpoint, segments), NULL,
+        NULL);
+}
+
+/** Formats: calls the command with these values, optional parameters too. See mip_device_call. */
+static inline struct mip_result
+mip_call_tools_formats_with(struct mip_device *device, const struct mip_tools_formats *command) {
+    return mip_device_call(device, &mip_tools_formats_command, command, NULL, NULL);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_tools_choice_command;
 
@@ -186,6 +451,34 @@ static inline mip_error mip_send_tools_choice(struct mip_client *client,
     return mip_client_send(client, request, packet, &mip_tools_choice_command, command,
                            &mip_tools_choice_response_codec, response, now);
 }
+
+/** Choice: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result
+mip_call_tools_choice_write(struct mip_device *device, uint8_t instance, enum mip_tools_shape shape,
+                            const union mip_tools_choice_parameters *parameters) {
+    struct mip_tools_choice command;
+    return mip_device_call(device, &mip_tools_choice_command,
+                           mip_tools_choice_write(&command, instance, shape, parameters), NULL,
+                           NULL);
+}
+
+/** Choice: read. Send the current setting back in a response. See mip_device_call. */
+static inline struct mip_result mip_call_tools_choice_read(
+    struct mip_device *device, uint8_t instance, struct mip_tools_choice_response *response) {
+    struct mip_tools_choice command;
+    return mip_device_call(device, &mip_tools_choice_command,
+                           mip_tools_choice_read(&command, instance),
+                           &mip_tools_choice_response_codec, response);
+}
+
+/** Choice: calls the command with these values, optional parameters too. See mip_device_call. */
+static inline struct mip_result
+mip_call_tools_choice_with(struct mip_device *device, const struct mip_tools_choice *command,
+                           struct mip_tools_choice_response *response) {
+    return mip_device_call(device, &mip_tools_choice_command, command,
+                           &mip_tools_choice_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_tools_list_command;
 
@@ -201,6 +494,38 @@ static inline mip_error mip_send_tools_list(struct mip_client *client, struct mi
     return mip_client_send(client, request, packet, &mip_tools_list_command, command,
                            &mip_tools_list_response_codec, response, now);
 }
+
+/** List: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_tools_list_write(struct mip_device *device, uint8_t count,
+                                                          const uint16_t items[]) {
+    struct mip_tools_list command;
+    return mip_device_call(device, &mip_tools_list_command,
+                           mip_tools_list_write(&command, count, items), NULL, NULL);
+}
+
+/** List: read. Send the current setting back in a response. See mip_device_call. */
+static inline struct mip_result mip_call_tools_list_read(struct mip_device *device,
+                                                         struct mip_tools_list_response *response) {
+    struct mip_tools_list command;
+    return mip_device_call(device, &mip_tools_list_command, mip_tools_list_read(&command),
+                           &mip_tools_list_response_codec, response);
+}
+
+/** List: save. Save the current setting to non-volatile memory. See mip_device_call. */
+static inline struct mip_result mip_call_tools_list_save(struct mip_device *device) {
+    struct mip_tools_list command;
+    return mip_device_call(device, &mip_tools_list_command, mip_tools_list_save(&command), NULL,
+                           NULL);
+}
+
+/** List: calls the command with these values, optional parameters too. See mip_device_call. */
+static inline struct mip_result mip_call_tools_list_with(struct mip_device *device,
+                                                         const struct mip_tools_list *command,
+                                                         struct mip_tools_list_response *response) {
+    return mip_device_call(device, &mip_tools_list_command, command, &mip_tools_list_response_codec,
+                           response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_tools_stock_command;
 
@@ -215,6 +540,14 @@ static inline mip_error mip_send_tools_stock(struct mip_client *client, struct m
     return mip_client_send(client, request, packet, &mip_tools_stock_command, NULL,
                            &mip_tools_stock_response_codec, response, now);
 }
+
+/** Inventory. See mip_device_call. */
+static inline struct mip_result mip_call_tools_stock(struct mip_device *device,
+                                                     struct mip_tools_stock_response *response) {
+    return mip_device_call(device, &mip_tools_stock_command, NULL, &mip_tools_stock_response_codec,
+                           response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_tools_pin_command;
 
@@ -229,6 +562,32 @@ static inline mip_error mip_send_tools_pin(struct mip_client *client, struct mip
     return mip_client_send(client, request, packet, &mip_tools_pin_command, command,
                            &mip_tools_pin_response_codec, response, now);
 }
+
+/** Pin: write. Apply the new setting. See mip_device_call. */
+static inline struct mip_result mip_call_tools_pin_write(struct mip_device *device,
+                                                         enum mip_tools_drive drive, uint8_t use) {
+    struct mip_tools_pin command;
+    return mip_device_call(device, &mip_tools_pin_command,
+                           mip_tools_pin_write(&command, drive, use), NULL, NULL);
+}
+
+/** Pin: read. Send the current setting back in a response. See mip_device_call. */
+static inline struct mip_result mip_call_tools_pin_read(struct mip_device *device,
+                                                        enum mip_tools_drive drive,
+                                                        struct mip_tools_pin_response *response) {
+    struct mip_tools_pin command;
+    return mip_device_call(device, &mip_tools_pin_command, mip_tools_pin_read(&command, drive),
+                           &mip_tools_pin_response_codec, response);
+}
+
+/** Pin: calls the command with these values, optional parameters too. See mip_device_call. */
+static inline struct mip_result mip_call_tools_pin_with(struct mip_device *device,
+                                                        const struct mip_tools_pin *command,
+                                                        struct mip_tools_pin_response *response) {
+    return mip_device_call(device, &mip_tools_pin_command, command, &mip_tools_pin_response_codec,
+                           response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_tools_hello_command;
 
@@ -244,6 +603,15 @@ static inline mip_error mip_send_tools_hello(struct mip_client *client, struct m
     return mip_client_send(client, request, packet, &mip_tools_hello_command, command,
                            &mip_tools_hello_response_codec, response, now);
 }
+
+/** Hello: calls the command with these values, optional parameters too. See mip_device_call. */
+static inline struct mip_result
+mip_call_tools_hello_with(struct mip_device *device, const struct mip_tools_hello *command,
+                          struct mip_tools_hello_response *response) {
+    return mip_device_call(device, &mip_tools_hello_command, command,
+                           &mip_tools_hello_response_codec, response);
+}
+
 /** What the client knows of the command. */
 extern MIP_API const struct mip_command mip_tools_readings_command;
 
@@ -259,6 +627,24 @@ static inline mip_error mip_send_tools_readings(struct mip_client *client,
                                                 uint32_t now) {
     return mip_client_send(client, request, packet, &mip_tools_readings_command, command,
                            &mip_tools_readings_response_codec, response, now);
+}
+
+/** Readings. See mip_device_call. */
+static inline struct mip_result
+mip_call_tools_readings(struct mip_device *device, enum mip_tools_drive drive,
+                        struct mip_tools_readings_response *response) {
+    struct mip_tools_readings command;
+    return mip_device_call(device, &mip_tools_readings_command,
+                           mip_tools_readings_make(&command, drive),
+                           &mip_tools_readings_response_codec, response);
+}
+
+/** Readings: calls the command with these values, optional parameters too. See mip_device_call. */
+static inline struct mip_result
+mip_call_tools_readings_with(struct mip_device *device, const struct mip_tools_readings *command,
+                             struct mip_tools_readings_response *response) {
+    return mip_device_call(device, &mip_tools_readings_command, command,
+                           &mip_tools_readings_response_codec, response);
 }
 
 #ifdef __cplusplus

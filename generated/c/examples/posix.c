@@ -1,0 +1,182 @@
+/* Asks a device on a serial port for accelerations, ten times a second, and prints fifty of them.
+ *
+ * Only the first part depends on the system: on a microcontroller, it is replaced by the UART. */
+#define _POSIX_C_SOURCE 200809L
+
+#include "mip/3dm_commands.h"
+#include "mip/base_commands.h"
+#include "mip/sensor.h"
+#include "mip/shared.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <termios.h>
+#include <time.h>
+#include <unistd.h>
+
+/* ------------------------------------------------------------------------ the port, by POSIX */
+
+/* The port in raw mode, 8N1; -1 if it cannot be opened. */
+static int port_open(const char *path, speed_t speed) {
+    struct termios mode;
+    int port = open(path, O_RDWR | O_NOCTTY);
+    if (port < 0) {
+        return -1;
+    }
+    if (tcgetattr(port, &mode) != 0) {
+        close(port);
+        return -1;
+    }
+    mode.c_iflag = IGNBRK; /* no flow control, no translation of line ends */
+    mode.c_oflag = 0;
+    mode.c_lflag = 0;
+    mode.c_cflag = CS8 | CREAD | CLOCAL;
+    mode.c_cc[VMIN] = 0;  /* a read returns what has come, */
+    mode.c_cc[VTIME] = 1; /* or nothing after 0.1 s */
+    if (cfsetispeed(&mode, speed) != 0 || cfsetospeed(&mode, speed) != 0 ||
+        tcsetattr(port, TCSANOW, &mode) != 0) {
+        close(port);
+        return -1;
+    }
+    tcflush(port, TCIOFLUSH); /* what came before is of no use */
+    return port;
+}
+
+static bool port_read(void *user, uint8_t *bytes, size_t size, size_t *count) {
+    ssize_t got = read(*(const int *)user, bytes, size);
+    if (got < 0) {
+        return errno == EINTR || errno == EAGAIN;
+    }
+    *count = (size_t)got;
+    return true;
+}
+
+static bool port_write(void *user, const uint8_t *bytes, size_t size) {
+    while (size > 0) {
+        ssize_t count = write(*(const int *)user, bytes, size);
+        if (count < 0 && errno != EINTR) {
+            return false;
+        }
+        if (count > 0) {
+            bytes += count;
+            size -= (size_t)count;
+        }
+    }
+    return true;
+}
+
+/* A clock that is never set; it may wrap around. */
+static uint32_t milliseconds(void *user) {
+    struct timespec now;
+    (void)user;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (uint32_t)now.tv_sec * 1000u + (uint32_t)(now.tv_nsec / 1000000);
+}
+
+/* ------------------------------------------------------------------------ what it sends */
+
+struct samples {
+    /* The latest time stamp, how many accelerations have come, and when the last one came. */
+    struct mip_shared_gps_timestamp time;
+    unsigned count;
+    uint32_t arrived;
+};
+
+static void on_time(void *user, const struct mip_field *field, uint32_t arrived) {
+    struct samples *samples = (struct samples *)user;
+    (void)arrived;
+    mip_shared_gps_timestamp_decode(&samples->time, field); /* not valid if it cannot be decoded */
+}
+
+static void on_accel(void *user, const struct mip_field *field, uint32_t arrived) {
+    struct samples *samples = (struct samples *)user;
+    struct mip_sensor_scaled_accel accel;
+    const float *a = accel.scaled_accel;
+    if (mip_sensor_scaled_accel_decode(&accel, field) != MIP_OK) {
+        return;
+    }
+    samples->count++;
+    samples->arrived = arrived;
+    if (mip_has(samples->time.valid_flags, MIP_SHARED_GPS_TIMESTAMP_FLAGS_TOW)) {
+        printf("%.3f s", samples->time.tow);
+    } else {
+        printf("no time"); /* before the receiver has a fix */
+    }
+    printf(": %8.4f %8.4f %8.4f g\n", (double)a[0], (double)a[1], (double)a[2]);
+}
+
+static struct samples samples;
+static const struct mip_handler handlers[] = {
+    {MIP_SHARED_GPS_TIMESTAMP, on_time, &samples},
+    {MIP_SENSOR_SCALED_ACCEL, on_accel, &samples},
+};
+
+/* ------------------------------------------------------------------------ what we want from it */
+
+#define RATE 10u /* Hz */
+#define SAMPLES 50u
+
+/* Has the command been carried out? If not, says why. */
+static bool done(const char *what, struct mip_result result) {
+    if (!mip_succeeded(result)) {
+        const char *why = mip_result_reason(result);
+        fprintf(stderr, "%s: %s%s%s\n", what, mip_outcome_name(result.outcome),
+                *why != '\0' ? ", " : "", why);
+    }
+    return mip_succeeded(result);
+}
+
+static bool configure(struct mip_device *device) {
+    struct mip_base_get_device_info_response info;
+    struct mip_3dm_get_base_rate_response base;
+    struct mip_descriptor_rate fields[] = {{MIP_SHARED_GPS_TIMESTAMP_DESCRIPTOR, 0},
+                                           {MIP_SENSOR_SCALED_ACCEL_DESCRIPTOR, 0}};
+
+    /* Without data in between, the answers come at once, whatever was set before. */
+    if (!done("idle", mip_call_base_set_idle(device)) ||
+        !done("device information", mip_call_base_get_device_info(device, &info)) ||
+        !done("base rate", mip_call_3dm_get_base_rate(device, MIP_SENSOR_SET, &base))) {
+        return false;
+    }
+    printf("%s, %u Hz\n", info.device_info.model_name, (unsigned)base.rate);
+    if (base.rate < RATE) {
+        fprintf(stderr, "the device is too slow\n");
+        return false;
+    }
+    fields[0].decimation = fields[1].decimation = (uint16_t)(base.rate / RATE);
+    return done("format", mip_call_3dm_message_format_write(device, MIP_SENSOR_SET, 2, fields)) &&
+           done("stream", mip_call_3dm_data_stream_control_write(device, MIP_SENSOR_SET, true)) &&
+           done("resume", mip_call_base_resume(device));
+}
+
+int main(int argc, char **argv) {
+    int fd;
+    struct mip_port port = {port_read, port_write, milliseconds, &fd};
+    struct mip_device device;
+    bool good;
+
+    if (argc != 2) {
+        fprintf(stderr, "usage: %s PORT\n", argv[0]);
+        return 2;
+    }
+    fd = port_open(argv[1], B115200);
+    if (fd < 0) {
+        perror(argv[1]);
+        return 1;
+    }
+    mip_device_init(&device, &port, handlers, sizeof(handlers) / sizeof(handlers[0]));
+    good = configure(&device);
+    samples.arrived = milliseconds(NULL);
+    while (good && samples.count < SAMPLES) {
+        if (!mip_device_poll(&device)) {
+            fprintf(stderr, "the port is gone\n");
+            good = false;
+        } else if (milliseconds(NULL) - samples.arrived > 2000) {
+            fprintf(stderr, "no data\n");
+            good = false;
+        }
+    }
+    close(fd);
+    return good ? 0 : 1;
+}

@@ -1,0 +1,135 @@
+/* A device at a port. */
+#include "mip/device.h"
+
+#include <string.h>
+
+void mip_device_init(struct mip_device *device, const struct mip_port *port,
+                     const struct mip_handler *handlers, size_t handler_count) {
+    device->port = *port;
+    device->handlers = handlers;
+    device->handler_count = handlers != NULL ? handler_count : 0;
+    device->silence = MIP_DEFAULT_SILENCE;
+    device->heard = 0;
+    device->busy = false;
+    mip_client_init(&device->client);
+    mip_parser_init(&device->parser);
+}
+
+/** Is a handler for this field? */
+static bool is_for(const struct mip_handler *handler, const struct mip_field *field) {
+    return handler->field == MIP_ANY_FIELD ||
+           ((handler->field & 0xFFU) == field->descriptor &&
+            mip_set_has(field->descriptor_set, (uint8_t)(handler->field >> 8)));
+}
+
+/** Gives the answers in a packet to the client, and the other fields to the handlers. */
+static void handle(struct mip_device *device, const struct mip_packet *packet) {
+    struct mip_walk walk = mip_walk_packet(packet);
+    struct mip_request *answered;
+    struct mip_field field;
+    while (mip_client_next(&device->client, &walk, &answered, &field)) {
+        const struct mip_handler *h = device->handlers;
+        size_t left = answered == NULL ? device->handler_count : 0;
+        while (left > 0 && !is_for(h, &field)) {
+            h++;
+            left--;
+        }
+        if (left > 0 && h->handle != NULL) {
+            device->busy = true;
+            h->handle(h->user, &field, device->heard);
+            device->busy = false;
+        }
+    }
+}
+
+/** Reads once, into these bytes, and lets time pass. False if the port is gone. */
+static bool update(struct mip_device *device, uint8_t *bytes, size_t room) {
+    const struct mip_port *port = &device->port;
+    const uint8_t *data = bytes;
+    struct mip_packet packet;
+    size_t size = 0;
+    const bool open = port->read(port->user, bytes, room, &size) && size <= room;
+    const uint32_t now = port->now(port->user);
+    if (!open) {
+        size = 0;
+    }
+    if (size > 0) {
+        device->heard = now;
+    } else if (!open ||
+               (device->silence > 0 && (uint32_t)(now - device->heard) >= device->silence)) {
+        while (mip_parser_flush(&device->parser, &packet)) {
+            handle(device, &packet);
+        }
+    }
+    /* If there was no room for more, the answer may already be waiting behind what was read. */
+    const uint32_t passed = size < room ? now : now - MIP_DEFAULT_TIMEOUT;
+    while (mip_parser_next(&device->parser, &data, &size, &packet) ||
+           mip_client_poll(&device->client, &device->parser, passed, &packet)) {
+        handle(device, &packet);
+    }
+    return open;
+}
+
+bool mip_device_poll(struct mip_device *device) {
+    uint8_t bytes[MIP_MAX_PACKET];
+    return device->busy || update(device, bytes, sizeof(bytes));
+}
+
+static struct mip_result result_of(enum mip_outcome outcome, uint8_t code, uint8_t error) {
+    struct mip_result result;
+    result.outcome = outcome;
+    result.code = code;
+    result.error = error;
+    return result;
+}
+
+static enum mip_outcome outcome_of(const struct mip_request *request) {
+    switch (request->state) {
+    case MIP_REQUEST_ACKNOWLEDGED:
+        return MIP_ACKNOWLEDGED;
+    case MIP_REQUEST_REFUSED:
+        return MIP_REFUSED;
+    case MIP_REQUEST_TIMED_OUT:
+        return MIP_TIMED_OUT;
+    case MIP_REQUEST_SILENT:
+        return MIP_SENT;
+    case MIP_REQUEST_MISSING_RESPONSE:
+        return MIP_MISSING_RESPONSE;
+    case MIP_REQUEST_UNDECODABLE:
+        return MIP_UNDECODABLE;
+    default:
+        return MIP_CLOSED;
+    }
+}
+
+struct mip_result mip_device_call(struct mip_device *device, const struct mip_command *command,
+                                  const void *value, const struct mip_codec *codec,
+                                  void *response) {
+    const struct mip_port *port = &device->port;
+    uint8_t bytes[MIP_MAX_PACKET]; /* first for what is sent, then for what comes */
+    struct mip_builder builder;
+    struct mip_request request;
+    if (device->busy) {
+        if (response != NULL) {
+            memset(response, 0, codec->size);
+        }
+        return result_of(MIP_BUSY, 0, MIP_OK);
+    }
+    mip_builder_start(&builder, bytes, sizeof(bytes), command->codec->descriptor_set);
+    const mip_error error = mip_client_send(&device->client, &request, &builder, command, value,
+                                            codec, response, port->now(port->user));
+    if (error != MIP_OK) {
+        return result_of(MIP_NOT_SENT, 0, (uint8_t)error);
+    }
+    const struct mip_packet packet = mip_builder_finish(&builder);
+    if (!port->write(port->user, packet.bytes, packet.size)) {
+        mip_client_cancel(&device->client, &request);
+        return result_of(MIP_NOT_SENT, 0, MIP_OK);
+    }
+    while (request.state == MIP_REQUEST_WAITING) {
+        if (!update(device, bytes, sizeof(bytes))) {
+            mip_client_cancel(&device->client, &request); /* unless the last bytes answered it */
+        }
+    }
+    return result_of(outcome_of(&request), request.code, request.error);
+}

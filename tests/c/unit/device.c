@@ -1,0 +1,460 @@
+/* One call for each command: every outcome, handlers, and time, at a port that does as one likes. */
+#include "check.h"
+
+#include "mip/measurements.h"
+#include "mip/more.h"
+#include "mip/shared.h"
+#include "mip/tools_commands.h"
+
+/* What will come, and when. */
+struct event {
+    uint32_t at;
+    size_t size;
+    uint8_t bytes[MIP_MAX_PACKET];
+};
+
+struct line {
+    struct event events[200];
+    size_t count, next, taken;
+    /* Bytes of one read at most, how long a read takes, and how long it waits if there is nothing. */
+    size_t limit;
+    uint32_t takes, waits, clock;
+    /* What was written last, and how much was read and written. */
+    uint8_t sent[MIP_MAX_PACKET];
+    size_t sent_size;
+    unsigned reads, writes;
+    bool gone, deaf, boasts, endless;
+};
+
+static struct line line, other;
+static struct mip_device device;
+
+static bool line_read(void *user, uint8_t *bytes, size_t size, size_t *count) {
+    struct line *l = (struct line *)user;
+    CHECK(*count == 0 && size > 0);
+    l->reads++;
+    l->clock += l->takes;
+    if (l->boasts) {
+        *count = size + 1;
+        return true;
+    }
+    if (l->endless) {
+        memset(bytes, 0, size);
+        *count = size;
+        return true;
+    }
+    while (*count < size && *count < l->limit && l->next < l->count &&
+           l->clock - l->events[l->next].at < UINT32_C(0x80000000)) {
+        const struct event *e = &l->events[l->next];
+        bytes[(*count)++] = e->bytes[l->taken++];
+        if (l->taken == e->size) {
+            l->taken = 0;
+            l->next++;
+        }
+    }
+    if (*count == 0) {
+        l->clock += l->waits;
+        return !l->gone;
+    }
+    return true;
+}
+
+static bool line_write(void *user, const uint8_t *bytes, size_t size) {
+    struct line *l = (struct line *)user;
+    CHECK(size <= sizeof(l->sent));
+    memcpy(l->sent, bytes, size);
+    l->sent_size = size;
+    l->writes++;
+    return !l->deaf;
+}
+
+static uint32_t line_now(void *user) {
+    return ((struct line *)user)->clock;
+}
+
+static const struct mip_port port = {line_read, line_write, line_now, &line};
+static const struct mip_port other_port = {line_read, line_write, line_now, &other};
+
+static void fresh_line(struct line *l, uint32_t start) {
+    memset(l, 0, sizeof(*l));
+    l->limit = SIZE_MAX;
+    l->waits = 10;
+    l->clock = start;
+}
+
+static void fresh(const struct mip_handler *handlers, size_t count) {
+    fresh_line(&line, 5000);
+    mip_device_init(&device, &port, handlers, count);
+}
+
+/* These bytes come after a while. */
+static void bytes_come(struct line *l, uint32_t delay, const void *bytes, size_t size) {
+    struct event *e = &l->events[l->count++];
+    CHECK(l->count <= sizeof(l->events) / sizeof(l->events[0]) && size <= sizeof(e->bytes));
+    e->at = l->clock + delay;
+    e->size = size;
+    memcpy(e->bytes, bytes, size);
+}
+
+/* A packet of raw fields comes after a while. */
+static void packet_comes(struct line *l, uint32_t delay, uint8_t set, const char *payload, size_t size) {
+    uint8_t bytes[MIP_MAX_PACKET];
+    struct mip_builder b;
+    CHECK(mip_builder_start(&b, bytes, sizeof(bytes), set) == MIP_OK);
+    for (size_t at = 0; at < size; at += (uint8_t)payload[at]) {
+        const size_t length = (uint8_t)payload[at];
+        CHECK(mip_builder_add(&b, (uint8_t)payload[at + 1], payload + at + 2, length - 2) == MIP_OK);
+    }
+    const struct mip_packet p = mip_builder_finish(&b);
+    bytes_come(l, delay, p.bytes, p.size);
+}
+
+#define COMES(delay, set, payload) packet_comes(&line, delay, set, payload, sizeof(payload) - 1)
+
+#define PONG "\x04\xF1\x01\0"
+#define SETTINGS "\x04\xF1\x02\0\x0B\x82\x01\x02\0\0\x25\x80\0\x07\x01"
+#define ACCEL "\x10\x01\x3F\x80\0\0\0\0\0\0\0\0\0\0\0\0"
+#define TIME "\x06\xD3\0\0\0\x07"
+
+static bool is(struct mip_result r, enum mip_outcome outcome, uint8_t code, mip_error error) {
+    return r.outcome == outcome && r.code == code && r.error == error &&
+           mip_succeeded(r) == (outcome == MIP_ACKNOWLEDGED || outcome == MIP_SENT);
+}
+
+static bool is_zero(const void *value, size_t size) {
+    const uint8_t *bytes = (const uint8_t *)value;
+    while (size > 0 && bytes[size - 1] == 0) {
+        size--;
+    }
+    return size == 0;
+}
+
+/* What the handlers were called with. */
+struct seen {
+    struct mip_field fields[400];
+    uint32_t arrived[400];
+    size_t count;
+};
+
+static struct seen seen, rest;
+
+static void see(void *user, const struct mip_field *field, uint32_t arrived) {
+    struct seen *s = (struct seen *)user;
+    CHECK(s->count < sizeof(s->fields) / sizeof(s->fields[0]));
+    s->fields[s->count] = *field;
+    s->arrived[s->count++] = arrived;
+}
+
+static const struct mip_handler all[] = {{MIP_ANY_FIELD, see, &seen}};
+
+static void forget(void) {
+    seen.count = rest.count = 0;
+}
+
+/* ------------------------------------------------------------------------------------ outcomes */
+
+static void answers(void) {
+    struct mip_tools_settings_response response;
+    fresh(NULL, 0);
+    COMES(20, 0x01, PONG);
+    CHECK(is(mip_call_tools_ping(&device), MIP_ACKNOWLEDGED, 0, MIP_OK));
+    CHECK(line.clock == 5020 && is_packet((struct mip_packet){line.sent, line.sent_size, 1},
+                                          "\x75\x65\x01\x02\x02\x01\xE0\xC6", 8));
+    COMES(20, 0x01, SETTINGS);
+    CHECK(is(mip_call_tools_settings_read(&device, 1, MIP_MODE_SLOW, &response), MIP_ACKNOWLEDGED, 0, MIP_OK));
+    CHECK(response.baud == 9600 && response.mode == MIP_MODE_SLOW && response.limit == 7);
+    CHECK(line.sent_size == 11 && memcmp(line.sent + 4, "\x05\x02\x02\x01\x02", 5) == 0);
+    COMES(20, 0x01, SETTINGS); /* nobody wants to know */
+    CHECK(is(mip_call_tools_settings_read(&device, 1, MIP_MODE_SLOW, NULL), MIP_ACKNOWLEDGED, 0, MIP_OK));
+
+    /* A filled structure, with an optional parameter; it does not ask for a response. */
+    struct mip_tools_settings command;
+    mip_tools_settings_write(&command, 1, MIP_MODE_FAST, 9600);
+    command.limit = 3;
+    command.present = MIP_TOOLS_SETTINGS_WITH_LIMIT;
+    memset(&response, 0xAA, sizeof(response));
+    COMES(20, 0x01, "\x04\xF1\x02\0");
+    CHECK(is(mip_call_tools_settings_with(&device, &command, &response), MIP_ACKNOWLEDGED, 0, MIP_OK));
+    CHECK(is_zero(&response, sizeof(response)) && line.sent[4] == 11 && line.sent[14] == 3);
+
+    /* A function for each response sets what decides on it. */
+    struct mip_tools_set_time_slow_response slow;
+    COMES(20, 0x01, "\x04\xF1\x03\0\x06\x84\0\0\0\x07");
+    CHECK(is(mip_call_for_tools_set_time_slow_response_read(&device, &slow), MIP_ACKNOWLEDGED, 0, MIP_OK));
+    CHECK(slow.value == 7 && memcmp(line.sent + 4, "\x04\x03\x02\x02", 4) == 0);
+    struct mip_tools_status_short brief;
+    COMES(20, 0x01, "\x04\xF1\x04\0\x09\x90\x12\x67\x01\0\0\0\x05");
+    CHECK(is(mip_call_for_tools_status_short(&device, &brief), MIP_ACKNOWLEDGED, 0, MIP_OK) && brief.flags == 5);
+    struct mip_tools_status_old old; /* the device has another layout */
+    COMES(20, 0x01, "\x04\xF1\x04\0\x11\x90\x12\x67\x02\0\0\0\0\0\0\0\0\0\0\0\x05");
+    CHECK(is(mip_call_for_tools_status_old(&device, &old), MIP_UNDECODABLE, 0, MIP_ERROR_LAYOUT));
+    CHECK(device.client.waiting == NULL);
+}
+
+static void refusals(void) {
+    struct mip_tools_settings_response response;
+    fresh(NULL, 0);
+    memset(&response, 0xAA, sizeof(response));
+    COMES(20, 0x01, "\x04\xF1\x02\x03");
+    struct mip_result r = mip_call_tools_settings_read(&device, 9, MIP_MODE_FAST, &response);
+    CHECK(is(r, MIP_REFUSED, MIP_ACK_CODE_INVALID_PARAMETER, MIP_OK) && is_zero(&response, sizeof(response)));
+    CHECK(strcmp(mip_outcome_name(r.outcome), "refused") == 0);
+    CHECK(strcmp(mip_result_reason(r), "invalid_parameter") == 0);
+    COMES(20, 0x01, "\x04\xF1\x01\x77"); /* a code that nobody knows */
+    r = mip_call_tools_ping(&device);
+    CHECK(is(r, MIP_REFUSED, 0x77, MIP_OK) && strcmp(mip_result_reason(r), "") == 0);
+
+    memset(&response, 0xAA, sizeof(response));
+    COMES(20, 0x01, "\x04\xF1\x02\0");
+    r = mip_call_tools_settings_read(&device, 1, MIP_MODE_FAST, &response);
+    CHECK(is(r, MIP_MISSING_RESPONSE, 0, MIP_OK) && is_zero(&response, sizeof(response)));
+    memset(&response, 0xAA, sizeof(response));
+    COMES(20, 0x01, "\x04\xF1\x02\0\x04\x82\x01\x02");
+    r = mip_call_tools_settings_read(&device, 1, MIP_MODE_FAST, &response);
+    CHECK(is(r, MIP_UNDECODABLE, 0, MIP_ERROR_TRUNCATED) && is_zero(&response, sizeof(response)));
+    CHECK(strcmp(mip_result_reason(r), "truncated") == 0);
+}
+
+static void no_answers(void) {
+    fresh(all, 1);
+    forget();
+    CHECK(is(mip_call_tools_ping(&device), MIP_TIMED_OUT, 0, MIP_OK));
+    CHECK(line.clock == 6000 && device.client.waiting == NULL);
+    COMES(0, 0x01, PONG); /* too late: unasked for */
+    CHECK(mip_device_poll(&device) && seen.count == 1 && mip_field_key(&seen.fields[0]) == 0x01F1);
+    device.client.timeout = 100;
+    CHECK(is(mip_call_tools_ping(&device), MIP_TIMED_OUT, 0, MIP_OK) && line.clock == 6100);
+    line.clock = UINT32_MAX - 40; /* the time wraps around meanwhile */
+    CHECK(is(mip_call_tools_ping(&device), MIP_TIMED_OUT, 0, MIP_OK) && line.clock == 59);
+
+    /* Nobody answers these: nothing is read. */
+    const unsigned reads = line.reads;
+    CHECK(is(mip_call_tools_set_time_apply(&device, MIP_MODE_FAST, 5), MIP_SENT, 0, MIP_OK) && line.reads == reads);
+
+    /* What does not fit is not sent. */
+    const unsigned writes = line.writes;
+    static const struct mip_segment segments[25];
+    struct mip_result r = mip_call_tools_formats(&device, false, 255, 0, segments);
+    CHECK(is(r, MIP_NOT_SENT, 0, MIP_ERROR_COUNT) && line.writes == writes && device.client.waiting == NULL);
+    CHECK(strcmp(mip_result_reason(r), "count") == 0);
+    line.deaf = true;
+    r = mip_call_tools_ping(&device);
+    CHECK(is(r, MIP_NOT_SENT, 0, MIP_OK) && line.reads == reads && device.client.waiting == NULL);
+    CHECK(strcmp(mip_result_reason(r), "") == 0);
+}
+
+static void closed(void) {
+    fresh(all, 1);
+    forget();
+    line.gone = true;
+    CHECK(is(mip_call_tools_ping(&device), MIP_CLOSED, 0, MIP_OK));
+    CHECK(line.reads == 1 && device.client.waiting == NULL && !mip_device_poll(&device));
+    /* What was still in the parser is not lost; nor is an answer in it. */
+    bytes_come(&line, 0, "ue\x80\xFF", 4);
+    COMES(0, 0x80, ACCEL);
+    COMES(0, 0x01, PONG);
+    CHECK(is(mip_call_tools_ping(&device), MIP_ACKNOWLEDGED, 0, MIP_OK) && seen.count == 1);
+    /* Requests of others run out of time, though nothing comes. */
+    uint8_t bytes[MIP_MAX_PACKET];
+    struct mip_builder b;
+    struct mip_request request;
+    mip_builder_start(&b, bytes, sizeof(bytes), MIP_TOOLS_SET);
+    CHECK(mip_send_tools_ping(&device.client, &request, &b, line.clock) == MIP_OK);
+    for (int i = 0; i < 100; i++) {
+        CHECK(!mip_device_poll(&device));
+    }
+    CHECK(request.state == MIP_REQUEST_TIMED_OUT);
+    /* A read that says that it has read more than there is room for. */
+    fresh(NULL, 0);
+    line.boasts = true;
+    CHECK(is(mip_call_tools_ping(&device), MIP_CLOSED, 0, MIP_OK) && !mip_device_poll(&device));
+}
+
+static struct mip_result inner;
+static struct mip_tools_settings_response inner_response;
+
+static void call_again(void *user, const struct mip_field *field, uint32_t arrived) {
+    (void)field;
+    (void)arrived;
+    memset(&inner_response, 0xAA, sizeof(inner_response));
+    inner = mip_call_tools_settings_read((struct mip_device *)user, 1, MIP_MODE_FAST, &inner_response);
+    CHECK(mip_device_poll((struct mip_device *)user));
+}
+
+static void busy(void) {
+    const struct mip_handler again = {MIP_MEASUREMENTS_ACCEL, call_again, &device};
+    fresh(&again, 1);
+    COMES(0, 0x80, ACCEL);
+    COMES(0, 0x01, PONG);
+    CHECK(is(mip_call_tools_ping(&device), MIP_ACKNOWLEDGED, 0, MIP_OK));
+    CHECK(is(inner, MIP_BUSY, 0, MIP_OK) && is_zero(&inner_response, sizeof(inner_response)));
+    CHECK(line.writes == 1 && line.reads == 1);
+
+    /* It may call another device. */
+    struct mip_device second;
+    const struct mip_handler call_other = {MIP_MEASUREMENTS_ACCEL, call_again, &second};
+    fresh(&call_other, 1);
+    fresh_line(&other, 77);
+    mip_device_init(&second, &other_port, NULL, 0);
+    packet_comes(&other, 30, 0x01, SETTINGS, sizeof(SETTINGS) - 1);
+    COMES(0, 0x80, ACCEL);
+    COMES(0, 0x01, PONG);
+    CHECK(is(mip_call_tools_ping(&device), MIP_ACKNOWLEDGED, 0, MIP_OK));
+    CHECK(is(inner, MIP_ACKNOWLEDGED, 0, MIP_OK) && inner_response.baud == 9600 && other.clock == 107 + 10);
+}
+
+static void outcome_names(void) {
+    static const char *const names[] = {"not sent",  "acknowledged",     "sent",        "refused", "timed out",
+                                        "missing response", "undecodable", "closed", "busy"};
+    for (int i = 0; i < 9; i++) {
+        CHECK(strcmp(mip_outcome_name((enum mip_outcome)i), names[i]) == 0);
+    }
+    const struct mip_result nothing = {MIP_NOT_SENT, 0, MIP_OK};
+    CHECK(is_zero(&nothing.outcome, sizeof(nothing.outcome)) && !mip_succeeded(nothing));
+}
+
+/* ------------------------------------------------------------------------------------ handlers */
+
+static void handlers(void) {
+    static const struct mip_handler table[] = {
+        {MIP_MORE_ACCEL, NULL, NULL}, /* ignored */
+        {MIP_SHARED_TIMESTAMP, see, &seen},
+        {MIP_MEASUREMENTS_ACCEL, see, &seen},
+        {MIP_MEASUREMENTS_ACCEL, see, &rest}, /* too late */
+        {MIP_ANY_FIELD, see, &rest},
+    };
+    fresh(table, 5);
+    forget();
+    COMES(10, 0x80, TIME ACCEL "\x03\x55\x01");
+    COMES(20, 0x81, TIME ACCEL);
+    COMES(30, 0x01, "\x04\xF1\x09\0" PONG); /* one that nobody has asked for, and the answer */
+    COMES(30, 0x80, ACCEL);
+    CHECK(is(mip_call_tools_ping(&device), MIP_ACKNOWLEDGED, 0, MIP_OK) && line.reads == 6);
+    const uint16_t wanted[] = {0x80D3, MIP_MEASUREMENTS_ACCEL, 0x81D3, MIP_MEASUREMENTS_ACCEL};
+    const uint32_t times[] = {5010, 5010, 5020, 5030};
+    CHECK(seen.count == 4 && rest.count == 2);
+    for (int i = 0; i < 4; i++) {
+        CHECK(mip_field_key(&seen.fields[i]) == wanted[i] && seen.arrived[i] == times[i]);
+    }
+    CHECK(mip_field_key(&rest.fields[0]) == 0x8055 && mip_field_key(&rest.fields[1]) == 0x01F1);
+
+    /* One for the acknowledges of all sets; without an entry for the rest, it is dropped. */
+    static const struct mip_handler few[] = {{MIP_PROTOCOL_ACKNOWLEDGE, see, &seen}};
+    fresh(few, 1);
+    forget();
+    COMES(0, 0x01, "\x04\xF1\x09\0");
+    COMES(0, 0x0C, "\x04\xF1\x10\0");
+    COMES(0, 0x80, "\x04\xF1\x10\0"); /* of a data set, it is something else */
+    CHECK(mip_device_poll(&device) && seen.count == 2 && device.parser.skipped == 0);
+    mip_device_init(&device, &port, NULL, 3); /* none, whatever their number */
+    COMES(0, 0x80, ACCEL);
+    CHECK(mip_device_poll(&device) && line.next == line.count);
+}
+
+/* However reads cut the stream, and whatever is called meanwhile, each field is handled once. */
+static void nothing_is_lost(void) {
+    for (size_t limit = 1; limit < 300; limit = limit * 3 / 2 + 1) {
+        fresh(all, 1);
+        forget();
+        line.limit = limit;
+        for (int i = 0; i < 30; i++) {
+            COMES((uint32_t)(10 * i), 0x80, TIME ACCEL);
+            COMES((uint32_t)(10 * i), 0x01, PONG);
+            COMES((uint32_t)(10 * i), 0x80, ACCEL);
+        }
+        for (int i = 0; i < 30; i++) {
+            CHECK(is(mip_call_tools_ping(&device), MIP_ACKNOWLEDGED, 0, MIP_OK));
+        }
+        while (line.next < line.count) {
+            CHECK(mip_device_poll(&device));
+        }
+        CHECK(device.parser.skipped == 0 && line.reads >= line.count * 8 / limit);
+        /* Pongs that came together answered one ping; the others were unasked for. */
+        size_t data = 0;
+        for (size_t i = 0; i < seen.count; i++) {
+            data += seen.fields[i].descriptor_set == 0x80;
+        }
+        CHECK(data == 90 && seen.count <= 120);
+    }
+}
+
+/* ---------------------------------------------------------------------------------------- time */
+
+static void poll_for(uint32_t time) {
+    const uint32_t start = line.clock;
+    while (line.clock - start < time) {
+        CHECK(mip_device_poll(&device));
+    }
+}
+
+static void parser_time_out(uint32_t start) {
+    fresh(all, 1);
+    line.clock = start;
+    forget();
+    bytes_come(&line, 0, "ue\x80\xFF", 4); /* looks like the start of a long packet */
+    COMES(0, 0x80, ACCEL);
+    poll_for(MIP_DEFAULT_SILENCE - 10);
+    CHECK(seen.count == 0 && device.parser.skipped == 0);
+    poll_for(20);
+    CHECK(seen.count == 1 && seen.arrived[0] == start && device.parser.skipped == 4);
+
+    /* A pause that is shorter cuts no packet; one that is longer does. */
+    forget();
+    bytes_come(&line, 0, "ue\x80\x03\x03", 5);
+    bytes_come(&line, 250, "\x55", 1);
+    bytes_come(&line, 500, "\x01\xB6\xD1", 3);
+    poll_for(600);
+    CHECK(seen.count == 1 && seen.arrived[0] - start > 500 && device.parser.skipped == 4);
+    bytes_come(&line, 0, "ue\x80\x03\x03", 5);
+    bytes_come(&line, 400, "\x55\x01\xB6\xD1", 4);
+    poll_for(800);
+    CHECK(seen.count == 1 && device.parser.skipped == 13);
+
+    /* Without it, noise holds back what follows, until a command that waits looks behind it. */
+    device.silence = 0;
+    forget();
+    bytes_come(&line, 0, "ue\x80\xFF", 4);
+    COMES(0, 0x80, ACCEL);
+    COMES(0, 0x01, PONG);
+    poll_for(5000);
+    CHECK(seen.count == 0);
+    CHECK(is(mip_call_tools_ping(&device), MIP_ACKNOWLEDGED, 0, MIP_OK) && seen.count == 1);
+}
+
+static void dawdle(void *user, const struct mip_field *field, uint32_t arrived) {
+    (void)field;
+    (void)arrived;
+    ((struct line *)user)->clock += 300;
+}
+
+/* A host that is slow does not take what waits to be read for an answer that has not come. */
+static void backlog(void) {
+    static const struct mip_handler slow[] = {{MIP_MEASUREMENTS_ACCEL, dawdle, &line}};
+    fresh(slow, 1);
+    for (int i = 0; i < 14; i++) { /* more than one read takes */
+        COMES(0, 0x80, ACCEL "\x14\x66                  ");
+    }
+    COMES(0, 0x01, PONG);
+    CHECK(is(mip_call_tools_ping(&device), MIP_ACKNOWLEDGED, 0, MIP_OK) && line.clock >= 5000 + 1000);
+
+    /* But it does not wait for ever. */
+    fresh(NULL, 0);
+    line.endless = true;
+    line.takes = 10;
+    CHECK(is(mip_call_tools_ping(&device), MIP_TIMED_OUT, 0, MIP_OK) && line.clock == 7000);
+}
+
+int main(void) {
+    answers();
+    refusals();
+    no_answers();
+    closed();
+    busy();
+    outcome_names();
+    handlers();
+    nothing_is_lost();
+    parser_time_out(5000);
+    parser_time_out(UINT32_MAX - 100);
+    backlog();
+    return 0;
+}

@@ -1,0 +1,154 @@
+/**
+ * @file
+ * A device at a port: one call for each command, and handlers for its data.
+ *
+ * The caller gives three functions: read, write, and a clock. Then a call of mip/<set>_commands.h
+ * sends a command, waits for its answer, and returns what became of it:
+ *
+ *     mip_device_init(&device, &port, handlers, sizeof(handlers) / sizeof(handlers[0]));
+ *     if (mip_succeeded(mip_call_3dm_..._read(&device, &response))) { ... }
+ *     while (mip_device_poll(&device)) { ... }
+ *
+ * Programs with an event loop of their own, or with several commands in one packet, use
+ * mip/client.h, on which this is built.
+ */
+#ifndef MIP_DEVICE_H
+#define MIP_DEVICE_H
+
+#include "mip/client.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** How long nothing may come, in milliseconds, before an incomplete packet is given up: a little
+ * more than the longest packet takes at 9600 Bd. */
+#define MIP_DEFAULT_SILENCE 300
+
+/** The port of a device, and a clock. */
+struct mip_port {
+    /**
+     * Takes up to `size` bytes that have come, and says in `*count`, which is 0 before, how many
+     * they are. It may wait for a while if there are none, but must then return: a call that waits
+     * for an answer does nothing else than to read. False if the port is gone and nothing will come
+     * any more.
+     */
+    bool (*read)(void *user, uint8_t *bytes, size_t size, size_t *count);
+    /** Sends all of these bytes. False if it could not. */
+    bool (*write)(void *user, const uint8_t *bytes, size_t size);
+    /** A time in milliseconds that goes on and is never set; it may wrap around. */
+    uint32_t (*now)(void *user);
+    /** Is passed to these functions. */
+    void *user;
+};
+
+/** For `field` of a handler: every field that no entry before it is for. */
+#define MIP_ANY_FIELD 0
+
+/** What is to be done with a field that comes. */
+struct mip_handler {
+    /** Which field: its constant, such as MIP_SENSOR_SCALED_ACCEL. A field that all data sets share
+     * is handled whatever set it comes in. */
+    uint16_t field;
+    /**
+     * Is called with it; NULL to ignore it. `arrived` is the time, by the clock of the port, when
+     * the last bytes of its packet had been read. The data of the field are valid until it returns.
+     * It must not wait: the answer to a command may be next. It cannot call a command of this
+     * device, which is MIP_BUSY then, nor poll it.
+     */
+    void (*handle)(void *user, const struct mip_field *field, uint32_t arrived);
+    /** Is passed to it. */
+    void *user;
+};
+
+/** A device, and what is known of its stream. Several may be used side by side. */
+struct mip_device {
+    struct mip_port port;
+    /** The first of these that is for a field is called; without one, the field is dropped. */
+    const struct mip_handler *handlers;
+    size_t handler_count;
+    /** The parser time-out: an incomplete packet is given up when nothing has come for so many
+     * milliseconds, and packets behind its first bytes are found. 0: never. */
+    uint32_t silence;
+    /** When the last bytes came. */
+    uint32_t heard;
+    /** Is a handler running? */
+    bool busy;
+    /** Its `timeout` is how long the device may take to answer. */
+    struct mip_client client;
+    struct mip_parser parser;
+};
+
+/** What became of a command. */
+enum mip_outcome {
+    /** It was not sent: its values do not fit into a packet (`error` says why), or, if that is
+     * MIP_OK, the port could not write. */
+    MIP_NOT_SENT = 0,
+    /** The device has carried it out, and its response has been stored, if it has one. */
+    MIP_ACKNOWLEDGED,
+    /** It was sent, and devices do not answer it. */
+    MIP_SENT,
+    /** The device has refused it: `code` says why. */
+    MIP_REFUSED,
+    /** No answer came in time. */
+    MIP_TIMED_OUT,
+    /** The device has acknowledged it without sending its response. */
+    MIP_MISSING_RESPONSE,
+    /** The device has sent a response that cannot be decoded: `error` says why. */
+    MIP_UNDECODABLE,
+    /** The port was gone before the answer came. */
+    MIP_CLOSED,
+    /** It was not sent, because it was called from a handler of the same device. */
+    MIP_BUSY
+};
+
+/** What became of a command, and why. */
+struct mip_result {
+    enum mip_outcome outcome;
+    /** The acknowledge code of the answer, if there was one: a value of enum mip_ack_code. */
+    uint8_t code;
+    /** A mip_error, with MIP_NOT_SENT and MIP_UNDECODABLE. */
+    uint8_t error;
+};
+
+/** Has the command been carried out, as far as one can know? */
+static inline bool mip_succeeded(struct mip_result result) {
+    return result.outcome == MIP_ACKNOWLEDGED || result.outcome == MIP_SENT;
+}
+
+/** The outcome in words: "timed out". */
+MIP_API const char *mip_outcome_name(enum mip_outcome outcome);
+
+/** Why a command was refused or not sent, or why its response could not be decoded: the name of the
+ * acknowledge code or of the error; "" if there is nothing to say. */
+MIP_API const char *mip_result_reason(struct mip_result result);
+
+/**
+ * Initializes a device. The port is copied; the handlers stay where they are, and may be constant,
+ * or NULL if there are none. Nothing is sent or read.
+ */
+MIP_API void mip_device_init(struct mip_device *device, const struct mip_port *port,
+                             const struct mip_handler *handlers, size_t handler_count);
+
+/**
+ * Reads once, at most as many bytes as the longest packet has, and calls the handlers of the fields
+ * that are complete now. Programs that wait for data call it again and again; while a command waits
+ * for its answer, the same happens. False if the port is gone.
+ */
+MIP_API bool mip_device_poll(struct mip_device *device);
+
+/**
+ * Sends a command, and waits for its answer. The functions mip_call_... call this with the types of
+ * each command. `value` is the structure of the command, or NULL if it has no parameters. The
+ * response goes to `response`, the structure of `codec`, or is not stored if that is NULL. It is
+ * zeroed first, and stays so unless the command succeeds and asks for this response.
+ */
+MIP_API struct mip_result mip_device_call(struct mip_device *device,
+                                          const struct mip_command *command, const void *value,
+                                          const struct mip_codec *codec, void *response);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
