@@ -124,11 +124,12 @@ def version(compiler: str) -> str:
 def measure(program: Path, stream: Path, functions: list[str]) -> dict[str, float]:
     """Function -> the nanoseconds of its best round. They take turns, so that all see the same disturbances."""
     best: dict[str, float] = {}
-    found = {}
+    found: dict[str, str] = {}
     for _ in range(TURNS):
         for name in functions:
             time, found[name] = run(program, stream, name, str(ROUNDS)).split()
             best[name] = min(float(time), best.get(name, 1e18))
+    assert len(set(found.values())) == 1, found  # both did the same work
     return best
 
 

@@ -30,7 +30,7 @@ def log(model: m.Model, size: int) -> bytes:
     fields = {f.full_name: f for f in model.fields}
     while len(out) < size:
         for names in CYCLE:
-            parts = [(fields[n].descriptor, random.randbytes(model.sizes(fields[n])[0])) for n in names]
+            parts = [(fields[n].descriptor, random.randbytes(fields[n].min_size)) for n in names]
             out += codec.build(model, fields[names[0]].set, parts)
     return bytes(out)
 
