@@ -59,22 +59,23 @@ static struct sums words(const uint8_t *bytes, size_t size) {
         return plain(bytes, size);
     }
     /* The first word is filled up with zeros in front, which change nothing. */
-    const size_t head = (size - 1) % 8 + 1;
+    size_t left = (size - 1) / 8;
+    const size_t head = size - 8 * left;
     const uint64_t first = load(bytes) << (64 - 8 * head);
-    const uint8_t *at = bytes + head;
-    const uint8_t *end = bytes + size;
     uint64_t even = first & LANES; /* sums of bytes by their place in a word */
     uint64_t odd = (first >> 8) & LANES;
     uint64_t before = 0; /* the sum of what the sums were before each word */
-    while (at < end) {
-        const uint8_t *stop = end - at > 64 ? at + 64 : end; /* lanes overflow after 15 words */
-        do {
-            const uint64_t word = load(at);
+    bytes += head;
+    while (left > 0) {
+        size_t count = left < 15 ? left : 15; /* then lanes would overflow */
+        left -= count;
+        for (; count > 0; count--) {
+            const uint64_t word = load(bytes);
             before += even + odd;
             even += word & LANES;
             odd += (word >> 8) & LANES;
-            at += 8;
-        } while (at < stop);
+            bytes += 8;
+        }
         before &= LANES;
         even &= LANES;
         odd &= LANES;
@@ -106,12 +107,6 @@ static __m128i block(const uint8_t *bytes) {
     return _mm_loadu_si128((const __m128i *)(const void *)bytes);
 }
 
-static uint32_t total(__m128i v) {
-    v = _mm_add_epi32(v, _mm_unpackhi_epi64(v, v));
-    v = _mm_add_epi32(v, _mm_srli_epi64(v, 32));
-    return (uint32_t)_mm_cvtsi128_si32(v);
-}
-
 static struct sums vectors(const uint8_t *bytes, size_t size) {
     if (size < 16) {
         return words(bytes, size);
@@ -121,10 +116,11 @@ static struct sums vectors(const uint8_t *bytes, size_t size) {
     const size_t rest = size % 16;
     __m128i done = zero;   /* sums of bytes by their place in a block */
     __m128i before = zero; /* the sum of what the sums were before each block */
-    for (; bytes <= last; bytes += 16) {
+    do {
         before = _mm_add_epi8(before, done);
         done = _mm_add_epi8(done, block(bytes));
-    }
+        bytes += 16;
+    } while (bytes <= last);
     const __m128i a = _mm_add_epi8(done, _mm_and_si128(block(masks + rest), block(last)));
     const __m128i low = _mm_set_epi16(9, 10, 11, 12, 13, 14, 15, 16);
     const __m128i high = _mm_set_epi16(1, 2, 3, 4, 5, 6, 7, 8);
@@ -133,7 +129,12 @@ static struct sums vectors(const uint8_t *bytes, size_t size) {
     const __m128i behind = _mm_mul_epu32(_mm_sad_epu8(done, zero), _mm_set1_epi32((int)rest));
     const __m128i b =
         _mm_add_epi32(_mm_add_epi32(inside, behind), _mm_slli_epi32(_mm_sad_epu8(before, zero), 4));
-    const struct sums sums = {total(_mm_sad_epu8(a, zero)), total(b)};
+    /* Both sums in one number: b has less than 20 bits. */
+    __m128i both = _mm_add_epi32(b, _mm_slli_epi32(_mm_sad_epu8(a, zero), 20));
+    both = _mm_add_epi32(both, _mm_unpackhi_epi64(both, both));
+    both = _mm_add_epi32(both, _mm_srli_epi64(both, 32));
+    const uint32_t result = (uint32_t)_mm_cvtsi128_si32(both);
+    const struct sums sums = {result >> 20, result};
     return sums;
 }
 
@@ -156,10 +157,11 @@ static struct sums vectors(const uint8_t *bytes, size_t size) {
     const size_t rest = size % 16;
     uint8x16_t done = vdupq_n_u8(0); /* sums of bytes by their place in a block */
     uint8x16_t before = done;        /* the sum of what the sums were before each block */
-    for (; bytes <= last; bytes += 16) {
+    do {
         before = vaddq_u8(before, done);
         done = vaddq_u8(done, vld1q_u8(bytes));
-    }
+        bytes += 16;
+    } while (bytes <= last);
     const uint8x16_t a = vaddq_u8(done, vandq_u8(vld1q_u8(masks + rest), vld1q_u8(last)));
     const uint8x16_t inside = vmulq_u8(a, vld1q_u8(weights));
     const uint8x16_t behind = vmulq_u8(done, vdupq_n_u8((uint8_t)rest));

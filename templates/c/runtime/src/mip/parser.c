@@ -57,22 +57,26 @@ static void skip(struct mip_parser *parser) {
     drop(parser, count);
 }
 
-/** Moves the caller's bytes into the buffer, as many as are missing. */
-static void fill(struct mip_parser *parser, const uint8_t **data, size_t *size) {
-    const size_t count = *size < parser->missing ? *size : parser->missing;
+/** Moves what is missing from the caller's bytes into the buffer. False if they are too few. */
+static bool fill(struct mip_parser *parser, const uint8_t **data, size_t *size) {
+    const size_t missing = parser->missing;
+    const size_t count = *size < missing ? *size : missing;
+    const uint8_t *from = *data;
     uint8_t *to = parser->buffer + parser->length;
-    if (count == 1) { /* byte by byte, in an interrupt */
-        *to = **data;
-    } else if (count > 0) {
-        memcpy(to, *data, count);
-    }
-    parser->length = (uint16_t)(parser->length + count);
-    parser->missing = (uint16_t)(parser->missing - count);
-    *data += count;
+    *data = from + count;
     *size -= count;
+    parser->length = (uint16_t)(parser->length + count);
+    parser->missing = (uint16_t)(missing - count);
+    if (count == 1) { /* byte by byte, in an interrupt */
+        *to = *from;
+    } else if (count > 0) {
+        memcpy(to, from, count);
+    }
+    return count == missing;
 }
 
-/** Finds a packet in the buffer, which is not empty. It is so afterwards if it held noise only. */
+/** Finds a packet whose beginning is in the buffer. False if more bytes are needed, or if the
+ * buffer is empty. */
 static bool next_in_buffer(struct mip_parser *parser, const uint8_t **data, size_t *size,
                            struct mip_packet *packet) {
     const size_t given = *size;
@@ -81,8 +85,7 @@ static bool next_in_buffer(struct mip_parser *parser, const uint8_t **data, size
         parser->done = 0;
     }
     while (parser->length > 0) {
-        fill(parser, data, size);
-        if (parser->missing > 0) {
+        if (parser->missing > 0 && !fill(parser, data, size)) {
             return false;
         }
         const size_t goal = candidate(parser->buffer, parser->length);
@@ -97,7 +100,7 @@ static bool next_in_buffer(struct mip_parser *parser, const uint8_t **data, size
             skip(parser);
         }
         /* What is behind and has just been copied is found again where it was. */
-        const size_t behind = parser->length - parser->done;
+        const size_t behind = (size_t)parser->length - parser->done;
         if (behind <= given - *size) {
             parser->length = parser->done;
             *data -= behind;
@@ -112,20 +115,17 @@ static bool next_in_buffer(struct mip_parser *parser, const uint8_t **data, size
 
 bool mip_parser_next(struct mip_parser *parser, const uint8_t **data, size_t *size,
                      struct mip_packet *packet) {
-    if (parser->length > 0) {
-        const bool found = next_in_buffer(parser, data, size, packet);
-        if (found || parser->length > 0) {
-            return found;
-        }
+    if (parser->missing > *size) { /* fed in small pieces */
+        return fill(parser, data, size);
+    }
+    if (parser->length > 0 && next_in_buffer(parser, data, size, packet)) {
+        return true;
     }
     while (*size > 0) {
         const size_t goal = candidate(*data, *size);
-        if (goal > *size) { /* the end of the caller's bytes cuts it */
-            const size_t missing = goal - *size;
-            parser->missing = (uint16_t)*size;
-            fill(parser, data, size);
-            parser->missing = (uint16_t)missing;
-            break;
+        if (goal > *size) { /* their end cuts it */
+            parser->missing = (uint16_t)goal;
+            return fill(parser, data, size);
         }
         const bool found = goal > 0 && is_packet(*data, goal, packet);
         const size_t count = found ? goal : garbage(*data, *size);
