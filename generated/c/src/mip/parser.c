@@ -13,7 +13,7 @@ void mip_parser_init(struct mip_parser *parser) {
 
 /** The size of the packet that may begin here; more than `size` if that many bytes do not tell
  * yet, 0 if none begins here. */
-static size_t candidate(const uint8_t *bytes, size_t size) {
+static inline size_t candidate(const uint8_t *bytes, size_t size) {
     if (size >= MIP_HEADER_SIZE) {
         return mip_get_16(bytes) == (MIP_SYNC_1 << 8 | MIP_SYNC_2) && bytes[2] != 0
                    ? (size_t)bytes[3] + MIP_HEADER_SIZE + MIP_CHECKSUM_SIZE
@@ -57,26 +57,43 @@ static void skip(struct mip_parser *parser) {
     drop(parser, count);
 }
 
-/** Moves what is missing from the caller's bytes into the buffer. False if they are too few. */
-static bool fill(struct mip_parser *parser, const uint8_t **data, size_t *size) {
-    const size_t missing = parser->missing;
-    const size_t count = *size < missing ? *size : missing;
-    const uint8_t *from = *data;
+/** Moves bytes of the caller into the buffer. */
+static void keep(struct mip_parser *parser, const uint8_t **data, size_t *size, size_t count) {
+    if (count == 0) {
+        return;
+    }
     uint8_t *to = parser->buffer + parser->length;
+    const uint8_t *from = *data;
     *data = from + count;
     *size -= count;
     parser->length = (uint16_t)(parser->length + count);
-    parser->missing = (uint16_t)(missing - count);
-    if (count == 1) { /* byte by byte, in an interrupt */
-        *to = *from;
-    } else if (count > 0) {
-        memcpy(to, from, count);
-    }
-    return count == missing;
+    parser->missing = (uint16_t)(parser->missing - count);
+    memcpy(to, from, count);
 }
 
-/** Finds a packet whose beginning is in the buffer. False if more bytes are needed, or if the
- * buffer is empty. */
+/** Finds a packet in the caller's bytes, and keeps the beginning of one that their end cuts. */
+static bool next_in_place(struct mip_parser *parser, const uint8_t **data, size_t *size,
+                          struct mip_packet *packet) {
+    while (*size > 0) {
+        const size_t goal = candidate(*data, *size);
+        if (goal > *size) {
+            parser->missing = (uint16_t)goal;
+            keep(parser, data, size, *size);
+            break;
+        }
+        const bool found = goal > 0 && is_packet(*data, goal, packet);
+        const size_t count = found ? goal : garbage(*data, *size);
+        *data += count;
+        *size -= count;
+        if (found) {
+            return true;
+        }
+        parser->skipped += (uint32_t)count;
+    }
+    return false;
+}
+
+/** The same if the buffer is not empty: finds a packet that begins there, then others. */
 static bool next_in_buffer(struct mip_parser *parser, const uint8_t **data, size_t *size,
                            struct mip_packet *packet) {
     const size_t given = *size;
@@ -85,7 +102,8 @@ static bool next_in_buffer(struct mip_parser *parser, const uint8_t **data, size
         parser->done = 0;
     }
     while (parser->length > 0) {
-        if (parser->missing > 0 && !fill(parser, data, size)) {
+        keep(parser, data, size, *size < parser->missing ? *size : parser->missing);
+        if (parser->missing > 0) {
             return false;
         }
         const size_t goal = candidate(parser->buffer, parser->length);
@@ -110,39 +128,25 @@ static bool next_in_buffer(struct mip_parser *parser, const uint8_t **data, size
             return true;
         }
     }
-    return false;
+    return next_in_place(parser, data, size, packet);
 }
 
 bool mip_parser_next(struct mip_parser *parser, const uint8_t **data, size_t *size,
                      struct mip_packet *packet) {
-    if (parser->missing > *size) { /* fed in small pieces */
-        return fill(parser, data, size);
+    if (*size == 1 && parser->missing > 1) { /* byte by byte, in an interrupt */
+        parser->buffer[parser->length++] = *(*data)++;
+        parser->missing--;
+        *size = 0;
+        return false;
     }
-    if (parser->length > 0 && next_in_buffer(parser, data, size, packet)) {
-        return true;
-    }
-    while (*size > 0) {
-        const size_t goal = candidate(*data, *size);
-        if (goal > *size) { /* their end cuts it */
-            parser->missing = (uint16_t)goal;
-            return fill(parser, data, size);
-        }
-        const bool found = goal > 0 && is_packet(*data, goal, packet);
-        const size_t count = found ? goal : garbage(*data, *size);
-        *data += count;
-        *size -= count;
-        if (found) {
-            return true;
-        }
-        parser->skipped += (uint32_t)count;
-    }
-    return false;
+    return parser->length > 0 ? next_in_buffer(parser, data, size, packet)
+                              : next_in_place(parser, data, size, packet);
 }
 
 bool mip_parser_look_behind(struct mip_parser *parser, struct mip_packet *packet) {
-    const uint8_t *data = parser->buffer;
+    const uint8_t *data = NULL;
     size_t size = 0;
-    if (mip_parser_next(parser, &data, &size, packet)) {
+    if (next_in_buffer(parser, &data, &size, packet)) {
         return true;
     }
     for (size_t at = 1; at + MIP_HEADER_SIZE < parser->length; at++) {
@@ -152,16 +156,16 @@ bool mip_parser_look_behind(struct mip_parser *parser, struct mip_packet *packet
             parser->skipped += (uint32_t)at;
             drop(parser, at);
             parser->missing = 0;
-            return mip_parser_next(parser, &data, &size, packet);
+            return next_in_buffer(parser, &data, &size, packet);
         }
     }
     return false;
 }
 
 bool mip_parser_flush(struct mip_parser *parser, struct mip_packet *packet) {
-    const uint8_t *data = parser->buffer;
+    const uint8_t *data = NULL;
     size_t size = 0;
-    while (!mip_parser_next(parser, &data, &size, packet)) {
+    while (!next_in_buffer(parser, &data, &size, packet)) {
         if (parser->length == 0) {
             return false;
         }

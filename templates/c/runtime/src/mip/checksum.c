@@ -41,12 +41,6 @@ static struct sums plain(const uint8_t *bytes, size_t size) {
 /** Four lanes of 16 bits, each with eight that count. */
 #define LANES UINT64_C(0x00FF00FF00FF00FF)
 
-/** The sum of the lanes, each times its weight; the weight of the lowest lane is the highest one.
- */
-static uint32_t weighted(uint64_t lanes, uint64_t weights) {
-    return (uint32_t)((lanes * weights) >> 48);
-}
-
 /** Compilers make one load of this where the host allows it. */
 static uint64_t load(const uint8_t *p) {
     return (uint64_t)p[0] | (uint64_t)p[1] << 8 | (uint64_t)p[2] << 16 | (uint64_t)p[3] << 24 |
@@ -59,13 +53,12 @@ static struct sums words(const uint8_t *bytes, size_t size) {
         return plain(bytes, size);
     }
     /* The first word is filled up with zeros in front, which change nothing. */
-    size_t left = (size - 1) / 8;
-    const size_t head = size - 8 * left;
-    const uint64_t first = load(bytes) << (64 - 8 * head);
+    const uint64_t first = load(bytes) << (64 - 8 * size) % 64;
     uint64_t even = first & LANES; /* sums of bytes by their place in a word */
     uint64_t odd = (first >> 8) & LANES;
     uint64_t before = 0; /* the sum of what the sums were before each word */
-    bytes += head;
+    size_t left = (size - 1) / 8;
+    bytes += size - 8 * left;
     while (left > 0) {
         size_t count = left < 15 ? left : 15; /* then lanes would overflow */
         left -= count;
@@ -80,10 +73,11 @@ static struct sums words(const uint8_t *bytes, size_t size) {
         even &= LANES;
         odd &= LANES;
     }
-    const struct sums sums = {weighted(even + odd, UINT64_C(0x0001000100010001)),
-                              weighted(before, UINT64_C(0x0008000800080008)) +
-                                  weighted(even, UINT64_C(0x0008000600040002)) +
-                                  weighted(odd, UINT64_C(0x0007000500030001))};
+    /* The highest lane of a product is the sum of the lanes, each times its weight. */
+    const uint64_t a = (even + odd) * UINT64_C(0x0001000100010001);
+    const uint64_t b = before * UINT64_C(0x0008000800080008) + even * UINT64_C(0x0008000600040002) +
+                       odd * UINT64_C(0x0007000500030001);
+    const struct sums sums = {(uint32_t)(a >> 48), (uint32_t)(b >> 48)};
     return sums;
 }
 
