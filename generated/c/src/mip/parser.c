@@ -27,14 +27,11 @@ static inline size_t candidate(const uint8_t *bytes, size_t size) {
 
 /** Is this candidate, which is complete, a packet? Its header has been looked at. */
 static bool is_packet(const uint8_t *bytes, size_t size, struct mip_packet *packet) {
-    const size_t length = size - MIP_CHECKSUM_SIZE;
-    if (mip_checksum(bytes, length) != mip_get_16(bytes + length)) {
-        return false;
-    }
     packet->bytes = bytes;
     packet->size = size;
     packet->descriptor_set = bytes[2];
-    return true;
+    size -= MIP_CHECKSUM_SIZE;
+    return mip_checksum(bytes, size) == mip_get_16(bytes + size);
 }
 
 /** Removes bytes from the front of the buffer. */
@@ -82,7 +79,7 @@ static bool next_in_place(struct mip_parser *parser, const uint8_t **data, size_
             break;
         }
         const bool found = goal > 0 && is_packet(*data, goal, packet);
-        const size_t count = found ? goal : garbage(*data, *size);
+        const size_t count = found ? packet->size : garbage(*data, *size);
         *data += count;
         *size -= count;
         if (found) {
@@ -144,7 +141,7 @@ bool mip_parser_next(struct mip_parser *parser, const uint8_t **data, size_t *si
 }
 
 bool mip_parser_look_behind(struct mip_parser *parser, struct mip_packet *packet) {
-    const uint8_t *data = NULL;
+    const uint8_t *data = parser->buffer;
     size_t size = 0;
     if (next_in_buffer(parser, &data, &size, packet)) {
         return true;
@@ -163,7 +160,7 @@ bool mip_parser_look_behind(struct mip_parser *parser, struct mip_packet *packet
 }
 
 bool mip_parser_flush(struct mip_parser *parser, struct mip_packet *packet) {
-    const uint8_t *data = NULL;
+    const uint8_t *data = parser->buffer;
     size_t size = 0;
     while (!next_in_buffer(parser, &data, &size, packet)) {
         if (parser->length == 0) {
