@@ -1,7 +1,7 @@
 """C: how much faster than code written by hand, how many instructions for each byte, how large.
 
 The code written by hand is in plain.c. Times are of the processor, the best of many rounds; instructions are
-counted by valgrind. `bench.py` says how to write the result into the README.
+counted by valgrind. `make bench README=1` writes the result into the README.
 """
 
 from __future__ import annotations
@@ -43,58 +43,13 @@ ARM = ["-mcpu=cortex-m4", "-mthumb", "-std=c99", "-Os", "-ffreestanding", "-ffun
 #: The functions of the C library are not counted.
 LINK = ["-nostdlib", "-Wl,--gc-sections", *(f"-Wl,--defsym={f}=0" for f in ("memcpy", "memmove", "memset", "memchr"))]
 
-CORE = """
-#include "mip/core.h"
-struct mip_parser parser;
-uint8_t buffer[MIP_MAX_PACKET];
-const uint8_t *volatile data;
-volatile size_t size, fields;
-int main(void) {
-    mip_parser_init(&parser);
-    const uint8_t *at = data;
-    size_t left = size;
-    struct mip_packet packet;
-    struct mip_builder builder;
-    while (mip_parser_next(&parser, &at, &left, &packet)) {
-        struct mip_walk walk = mip_walk_packet(&packet);
-        struct mip_field field;
-        while (mip_walk_next(&walk, &field)) {
-            fields = fields + field.size;
-        }
-    }
-    mip_builder_start(&builder, buffer, sizeof(buffer), 1);
-    mip_builder_add(&builder, 1, data, size);
-    size = mip_builder_finish(&builder).size;
-    return 0;
-}
-"""
-
-#: The same with plain.c.
-PLAIN = """
+#: Parser, walk and builder of both.
+CORE = ("parser_init", "parser_next", "walk_packet", "walk_next", "builder_start", "builder_add", "builder_finish")
+PLAIN = ("init", "next", "field", "start", "begin", "float", "u64", "finish")
+STATES = """#include "mip/core.h"
 #include "plain.h"
-struct plain_parser parser;
-uint8_t buffer[261];
-const uint8_t *volatile data;
-volatile size_t size, fields;
-int main(void) {
-    plain_init(&parser);
-    const uint8_t *at = data;
-    size_t left = size;
-    while (plain_next(&parser, &at, &left)) {
-        size_t place = 4, length;
-        uint8_t descriptor;
-        const uint8_t *bytes;
-        while (plain_field(&parser, &place, &descriptor, &bytes, &length)) {
-            fields = fields + length;
-        }
-    }
-    struct plain_builder builder;
-    plain_start(&builder, buffer, sizeof(buffer), 1);
-    plain_begin(&builder, 1, 8);
-    plain_u64(&builder, (uint64_t)size);
-    size = plain_finish(&builder);
-    return 0;
-}
+struct mip_parser mip_parser;
+struct plain_parser plain_parser;
 """
 
 Row = list[str]
@@ -167,7 +122,7 @@ def speed() -> list[Row]:
             rates = [path.stat().st_size / times[f] * 1000 for f in (ours, plain)]
             rows.append([
                 title + suffix, f"{times[plain] / times[ours]:.1f}",
-                *(f"{c:.2f}" if c is not None else "no valgrind" for c in counts),
+                *(f"{c:.2f}" if c is not None else "?" for c in counts),
                 *(f"{r:.0f}" for r in rates),
             ])  # fmt: skip
     return rows
@@ -176,60 +131,60 @@ def speed() -> list[Row]:
 # --------------------------------------------------------------------------- size
 
 
-def linked(name: str, text: str, *flags: str) -> int:
-    """Bytes of code and constants of a program for a Cortex-M4, without those of an empty one."""
-    source, program = BUILD / f"{name}.c", BUILD / f"{name}.elf"
-    source.write_text(text)
-    run("arm-none-eabi-gcc", *ARM, *LINK, "-Wl,-e,main", f"-I{SOURCES}", f"-I{HERE}", source, *library(),
-        HERE / "plain.c", *flags, "-o", program)  # fmt: skip
-    text_, data = run("arm-none-eabi-size", program).splitlines()[1].split()[:2]
-    return int(text_) + int(data)
+def linked(name: str, symbols: list[str], text: str = "") -> int:
+    """Bytes of code and constants that some functions and tables, and all that they need, take on a Cortex-M4."""
+    source, program, options = (BUILD / f"{name}.{suffix}" for suffix in ("c", "elf", "options"))
+    source.write_text(text + "int main(void) { return 0; }\n")
+    options.write_text("".join(f"-Wl,--undefined={s}\n" for s in symbols))
+    run("arm-none-eabi-gcc", *ARM, *LINK, "-Wl,-e,main", f"-I{SOURCES}", f"-I{HERE}", source, HERE / "plain.c",
+        *library(), f"@{options}", "-o", program)  # fmt: skip
+    code, data = run("arm-none-eabi-size", program).splitlines()[1].split()[:2]
+    return int(code) + int(data) - (linked("empty", []) if symbols else 0)
 
 
-def state(name: str, symbol: str) -> int:
-    """Bytes of a variable of a linked program."""
-    found = re.search(rf"^\S+ (\S+) \S {symbol}$", run("arm-none-eabi-nm", "-S", BUILD / f"{name}.elf"), re.M)
+def state(symbol: str) -> int:
+    """Bytes of a variable of the program that was linked for the states."""
+    found = re.search(rf"^\S+ (\S+) \S {symbol}$", run("arm-none-eabi-nm", "-S", BUILD / "states.elf"), re.M)
     assert found
     return int(found[1], 16)
 
 
-def roots(*symbols: str) -> list[str]:
-    """Options that link these and what they need."""
-    path = BUILD / "roots"
-    path.write_text("".join(f"-Wl,--undefined={s}\n" for s in symbols))
-    return [f"@{path}"]
+def straight(includes: str, fields: list[str]) -> str:
+    """A function for each field that decodes it, and one that encodes it, without tables."""
+    out = includes
+    for name in fields:
+        for result, head in (
+            (f"{name}_decode_inline(v, f)", f"mip_error d_{name}(struct {name} *v, const struct mip_field *f)"),
+            (f"{name}_encode_inline(v, b)", f"mip_error e_{name}(const struct {name} *v, struct mip_builder *b)"),
+        ):
+            out += f"{head};\n{head} {{\n    return {result};\n}}\n"
+    return out
 
 
 def sizes() -> list[Row]:
     if shutil.which("arm-none-eabi-gcc") is None:
         return []
-    empty = linked("empty", "int main(void) { return 0; }\n")
-    core, plain = linked("core", CORE) - empty, linked("plain", PLAIN) - empty
-    headers = "".join(p.read_text("utf-8") for p in sorted((SOURCES / "mip").glob("*.h")))
+    paths = sorted((SOURCES / "mip").glob("*.h"))
+    headers = "".join(p.read_text("utf-8") for p in paths)
     codecs = sorted(set(re.findall(r"extern (?:MIP_API )?const struct mip_codec (\w+);", headers)))
-    ends = "int main(void) { return 0; }\n"
-    tables = linked("tables", ends, *roots(*codecs, "mip_decode", "mip_encode")) - empty
-    engine = linked("engine", ends, *roots("mip_decode", "mip_encode")) - empty
-    inline = sorted(set(re.findall(r"(\w+)_decode_inline\(struct", headers)))
-    straight = "".join(f'#include "mip/{p.name}"\n' for p in sorted((SOURCES / "mip").glob("*.h")))
-    for name in inline:
-        straight += (
-            f"mip_error d_{name}(struct {name} *v, const struct mip_field *f);\n"
-            f"mip_error d_{name}(struct {name} *v, const struct mip_field *f) {{ return {name}_decode_inline(v, f); }}\n"
-            f"mip_error e_{name}(const struct {name} *v, struct mip_builder *b);\n"
-            f"mip_error e_{name}(const struct {name} *v, struct mip_builder *b) {{ return {name}_encode_inline(v, b); }}\n"
-        )
-    functions = roots(*(f"{side}_{name}" for name in inline for side in "de"))
-    by_hand = (linked("straight", straight + ends, *functions) - empty) / len(inline)
-    names = linked("names", ends, *roots("mip_ack_code_name")) - empty
-    each = tables / len(codecs)
+    fixed = sorted(set(re.findall(r"(\w+)_decode_inline\(struct", headers)))
+    functions = [f"{side}_{name}" for name in fixed for side in "de"]
+    includes = "".join(f'#include "mip/{p.name}"\n' for p in paths)
+    core = linked("core", [f"mip_{name}" for name in CORE])
+    plain = linked("plain", [f"plain_{name}" for name in PLAIN])
+    linked("states", ["mip_parser", "plain_parser"], STATES)
+    reader = linked("reader", ["mip_decode", "mip_encode"])
+    table = linked("tables", [*codecs, "mip_decode", "mip_encode"]) / len(codecs)
+    code = linked("straight", functions, straight(includes, fixed)) / len(fixed)
+    names = linked("names", ["mip_ack_code_name"])
+    ours, theirs = state("mip_parser"), state("plain_parser")
     return [
         ["parser, walk and builder", f"{core / plain:.2f}", f"{core} B", f"{plain} B"],
-        ["state of the parser", "", f"{state('core', 'parser')} B", f"{state('plain', 'parser')} B"],
-        [f"encode and decode all {len(codecs)} layouts by table, each", f"{each / by_hand:.2f}",
-         f"{each:.1f} B", f"{by_hand:.1f} B"],
-        ["of these for all layouts together: what reads the tables", "", f"{engine} B", ""],
-        ["names of one enumeration, those of acknowledge codes", "", f"{names} B", ""],
+        ["state of the parser, in RAM", f"{ours / theirs:.2f}", f"{ours} B", f"{theirs} B"],
+        [f"decode and encode all {len(codecs)} layouts, for each", f"{table / code:.2f}", f"{table:.1f} B",
+         f"{code:.1f} B"],
+        ["of it for all together: the reader of the tables", "", f"{reader} B", ""],
+        ["names of one enumeration, the acknowledge codes", "", f"{names} B", ""],
     ]  # fmt: skip
 
 
@@ -241,30 +196,28 @@ def table(heads: list[str], rows: list[Row]) -> str:
     return "".join(f"| {' | '.join(line)} |\n" for line in lines)
 
 
-def report(readme: bool) -> str:
-    """As Markdown; for the README without bytes for each second, which depend on the machine."""
+def report(columns: int = 6) -> str:
+    """As Markdown. The last two columns depend on the machine: the README goes without them."""
     BUILD.mkdir(parents=True, exist_ok=True)
-    heads = ["", "times as fast", "instructions for each byte", "by hand", "MB/s", "by hand"]
-    columns = 4 if readme else 6
-    fast, small = speed(), sizes()
-    counted = shutil.which("valgrind") is not None
-    out = f"{version('cc')} -O2 on {platform.machine().replace('_', '-')}, against code written by hand, which reads"
-    out += " and writes byte by byte:\n\n"
-    out += table(heads[:columns], [row[:columns] for row in fast])
-    if not counted:
-        out += "\nInstructions are counted where valgrind is (Debian: apt-get install valgrind).\n"
+    heads = ["Speed", "Ratio", "Instructions for each byte", "By hand", "MB/s", "By hand"]
+    machine = platform.machine().replace("_", "-")
+    out = f"{version('cc')}, `-O2`, on {machine}. *By hand* is straightforward C that reads and writes byte by byte; the\n"
+    out += "ratio says how many times as fast this library is. The log has packets of 44 bytes on average.\n\n"
+    out += table(heads[:columns], [row[:columns] for row in speed()])
+    if shutil.which("valgrind") is None:
+        out += "\nInstructions are counted by valgrind, which is missing (Debian: apt-get install valgrind).\n"
+    small = sizes()
     if not small:
-        return out + "\nSizes need arm-none-eabi-gcc (Debian: apt-get install gcc-arm-none-eabi).\n"
-    out += f"\n{version('arm-none-eabi-gcc')} -Os for a Cortex-M4, linked without the C library:\n\n"
-    return out + table(["", "share", "bytes", "by hand"], small)
+        return out + "\nSizes need arm-none-eabi-gcc, which is missing (Debian: apt-get install gcc-arm-none-eabi).\n"
+    out += f"\n{version('arm-none-eabi-gcc')}, `-Os`, for a Cortex-M4, without the C library. By hand, the layouts of fixed size\n"
+    out += "have two functions each.\n\n"
+    return out + table(["Size", "Ratio", "Code and constants", "By hand"], small)
 
 
 def write_readme() -> None:
     missing = [tool for tool in ("valgrind", "arm-none-eabi-gcc") if shutil.which(tool) is None]
     if missing:
-        raise SystemExit(f"the table of the README needs {' and '.join(missing)} (Debian: apt-get install valgrind gcc-arm-none-eabi)")
-    README.write_text(report(readme=True), "utf-8")
-
-
-if __name__ == "__main__":
-    print(report(readme=False))
+        needs = " and ".join(missing)
+        raise SystemExit(f"bench: the README needs {needs} (Debian: apt-get install valgrind gcc-arm-none-eabi)")
+    README.write_text(report(columns=4), "utf-8")
+    print(f"{README.relative_to(ROOT)} is written; now: make generate golden")

@@ -2,70 +2,59 @@
 
 #include <string.h>
 
-enum { SYNC_1, SYNC_2, SET, LENGTH, REST };
-
 static void checksum(const uint8_t *bytes, size_t size, uint8_t sum[2]) {
-    uint8_t a = 0;
-    uint8_t b = 0;
+    uint32_t a = 0;
+    uint32_t b = 0;
     for (size_t i = 0; i < size; i++) {
-        a = (uint8_t)(a + bytes[i]);
-        b = (uint8_t)(b + a);
+        a += bytes[i];
+        b += a;
     }
-    sum[0] = a;
-    sum[1] = b;
+    sum[0] = (uint8_t)a;
+    sum[1] = (uint8_t)b;
 }
 
 void plain_init(struct plain_parser *parser) {
-    parser->state = SYNC_1;
     parser->length = 0;
 }
 
-bool plain_next(struct plain_parser *parser, const uint8_t **data, size_t *size) {
-    while (*size > 0) {
-        const uint8_t byte = *(*data)++;
-        --*size;
-        switch (parser->state) {
-        case SYNC_1:
-            parser->length = 0;
-            if (byte != 0x75) {
-                continue;
-            }
-            parser->state = SYNC_2;
-            break;
-        case SYNC_2:
-            if (byte != 0x65) {
-                parser->state = SYNC_1;
-                continue;
-            }
-            parser->state = SET;
-            break;
-        case SET:
-            parser->state = LENGTH;
-            break;
-        case LENGTH:
-            parser->state = REST;
-            break;
-        default:
-            break;
+/** Takes one byte. True if it completes a packet. What was no packet is lost. */
+static inline bool take(struct plain_parser *parser, uint8_t byte) {
+    uint8_t sum[2];
+    const size_t length = parser->length;
+    parser->buffer[length] = byte;
+    parser->length = (uint16_t)(length + 1);
+    if (length >= 4) {
+        if (length + 1 < parser->size) {
+            return false;
         }
-        parser->buffer[parser->length++] = byte;
-        if (parser->state == REST && parser->length == parser->buffer[3] + 6) {
-            uint8_t sum[2];
-            const uint8_t *end = parser->buffer + parser->length - 2;
-            checksum(parser->buffer, parser->length - 2U, sum);
-            parser->state = SYNC_1;
-            if (end[0] == sum[0] && end[1] == sum[1]) {
-                return true;
-            }
-        }
+        parser->length = 0;
+        checksum(parser->buffer, length - 1, sum);
+        return parser->buffer[length - 1] == sum[0] && byte == sum[1];
+    }
+    if ((length == 0 && byte != 0x75) || (length == 1 && byte != 0x65)) {
+        parser->length = 0;
+    } else if (length == 3) {
+        parser->size = byte + 6U;
     }
     return false;
+}
+
+bool plain_next(struct plain_parser *parser, const uint8_t **data, size_t *size) {
+    const uint8_t *at = *data;
+    const uint8_t *end = at + *size;
+    bool found = false;
+    while (!found && at < end) {
+        found = take(parser, *at++);
+    }
+    *data = at;
+    *size = (size_t)(end - at);
+    return found;
 }
 
 bool plain_field(const struct plain_parser *parser, size_t *at, uint8_t *descriptor,
                  const uint8_t **data, size_t *size) {
     const uint8_t *field = parser->buffer + *at;
-    const size_t left = parser->length - 2U - *at;
+    const size_t left = parser->size - 2U - *at;
     if (left < 2 || field[0] < 2 || field[0] > left) {
         return false;
     }
