@@ -201,16 +201,16 @@ def report(columns: int = 6) -> str:
     BUILD.mkdir(parents=True, exist_ok=True)
     heads = ["Speed", "Ratio", "Instructions for each byte", "By hand", "MB/s", "By hand"]
     machine = platform.machine().replace("_", "-")
-    out = f"{version('cc')}, `-O2`, on {machine}. *By hand* is straightforward C that reads and writes byte by byte; the\n"
-    out += "ratio says how many times as fast this library is. The log has packets of 44 bytes on average.\n\n"
+    out = f"{version('cc')}, `-O2`, on {machine}. *By hand* is straightforward C that reads and writes byte by byte;\n"
+    out += "the ratio says how many times as fast this library is. The log has packets of 44 bytes on average.\n\n"
     out += table(heads[:columns], [row[:columns] for row in speed()])
     if shutil.which("valgrind") is None:
         out += "\nInstructions are counted by valgrind, which is missing (Debian: apt-get install valgrind).\n"
     small = sizes()
     if not small:
         return out + "\nSizes need arm-none-eabi-gcc, which is missing (Debian: apt-get install gcc-arm-none-eabi).\n"
-    out += f"\n{version('arm-none-eabi-gcc')}, `-Os`, for a Cortex-M4, without the C library. By hand, the layouts of fixed size\n"
-    out += "have two functions each.\n\n"
+    out += f"\n{version('arm-none-eabi-gcc')}, `-Os`, for a Cortex-M4, without the C library. By hand, the layouts of fixed\n"
+    out += "size have two functions each.\n\n"
     return out + table(["Size", "Ratio", "Code and constants", "By hand"], small)
 
 

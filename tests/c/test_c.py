@@ -187,6 +187,13 @@ def test_unit(program: str, compiler: str, tmp_path: Path) -> None:
     run(build(tmp_path, compiler, "invented", HERE / f"unit/{program}.c", *SANITIZE))
 
 
+@pytest.mark.parametrize("level", ["-Os", "-O2"])
+def test_the_parser_for_size_and_for_speed(level: str, tmp_path: Path) -> None:
+    """When it is compiled for speed, it has short cuts."""
+    for program in ("packets", "garbage"):
+        run(build(tmp_path, "cc", "invented", HERE / f"unit/{program}.c", level, *SANITIZE))
+
+
 FORMS = ["PLAIN", "WORDS", *{"x86_64": ["SSE2"], "aarch64": ["NEON"]}.get(platform.machine(), [])]
 
 

@@ -13,16 +13,13 @@ void mip_parser_init(struct mip_parser *parser) {
 
 /** The size of the packet that may begin here; more than `size` if that many bytes do not tell
  * yet, 0 if none begins here. */
-static inline size_t candidate(const uint8_t *bytes, size_t size) {
-    if (size >= MIP_HEADER_SIZE) {
-        return mip_get_16(bytes) == (MIP_SYNC_1 << 8 | MIP_SYNC_2) && bytes[2] != 0
-                   ? (size_t)bytes[3] + MIP_HEADER_SIZE + MIP_CHECKSUM_SIZE
-                   : 0;
+static size_t candidate(const uint8_t *bytes, size_t size) {
+    if (bytes[0] != MIP_SYNC_1 || (size > 1 && bytes[1] != MIP_SYNC_2) ||
+        (size > 2 && bytes[2] == 0)) {
+        return 0;
     }
-    return bytes[0] != MIP_SYNC_1 || (size > 1 && bytes[1] != MIP_SYNC_2) ||
-                   (size > 2 && bytes[2] == 0)
-               ? 0
-               : size + 1;
+    return size < MIP_HEADER_SIZE ? size + 1
+                                  : (size_t)bytes[3] + MIP_HEADER_SIZE + MIP_CHECKSUM_SIZE;
 }
 
 /** Is this candidate, which is complete, a packet? Its header has been looked at. */
@@ -37,9 +34,7 @@ static bool is_packet(const uint8_t *bytes, size_t size, struct mip_packet *pack
 /** Removes bytes from the front of the buffer. */
 static void drop(struct mip_parser *parser, size_t size) {
     parser->length = (uint16_t)(parser->length - size);
-    if (parser->length > 0) {
-        memmove(parser->buffer, parser->buffer + size, parser->length);
-    }
+    memmove(parser->buffer, parser->buffer + size, parser->length);
 }
 
 /** The first byte, and those up to the next that may start a packet. */
@@ -54,96 +49,101 @@ static void skip(struct mip_parser *parser) {
     drop(parser, count);
 }
 
-/** Moves bytes of the caller into the buffer. */
-static void keep(struct mip_parser *parser, const uint8_t **data, size_t *size, size_t count) {
-    if (count == 0) {
-        return;
-    }
-    uint8_t *to = parser->buffer + parser->length;
-    const uint8_t *from = *data;
-    *data = from + count;
-    *size -= count;
-    parser->length = (uint16_t)(parser->length + count);
-    parser->missing = (uint16_t)(parser->missing - count);
-    memcpy(to, from, count);
-}
-
-/** Finds a packet in the caller's bytes, and keeps the beginning of one that their end cuts. */
-static bool next_in_place(struct mip_parser *parser, const uint8_t **data, size_t *size,
-                          struct mip_packet *packet) {
-    while (*size > 0) {
-        const size_t goal = candidate(*data, *size);
-        if (goal > *size) {
-            parser->missing = (uint16_t)goal;
-            keep(parser, data, size, *size);
-            break;
-        }
-        const bool found = goal > 0 && is_packet(*data, goal, packet);
-        const size_t count = found ? packet->size : garbage(*data, *size);
-        *data += count;
-        *size -= count;
-        if (found) {
+static bool search(struct mip_parser *parser, const uint8_t **data, size_t *size,
+                   struct mip_packet *packet) {
+#ifndef __OPTIMIZE_SIZE__
+    if (parser->length == 0 && *size >= MIP_HEADER_SIZE) { /* packet after packet */
+        const uint8_t *header = *data;
+        const size_t goal = (size_t)header[3] + MIP_HEADER_SIZE + MIP_CHECKSUM_SIZE;
+        if (mip_get_16(header) == (MIP_SYNC_1 << 8 | MIP_SYNC_2) && header[2] != 0 &&
+            goal <= *size && is_packet(header, goal, packet)) {
+            *data += goal;
+            *size -= goal;
             return true;
         }
-        parser->skipped += (uint32_t)count;
     }
-    return false;
-}
-
-/** The same if the buffer is not empty: finds a packet that begins there, then others. */
-static bool next_in_buffer(struct mip_parser *parser, const uint8_t **data, size_t *size,
-                           struct mip_packet *packet) {
-    const size_t given = *size;
+#endif
+    const uint8_t *at = *data;
+    size_t left = *size;
+    size_t wanted = parser->missing;
+    bool found = false;
     if (parser->done > 0) { /* the packet of the last call */
         drop(parser, parser->done);
         parser->done = 0;
+        wanted = 0;
     }
-    while (parser->length > 0) {
-        keep(parser, data, size, *size < parser->missing ? *size : parser->missing);
-        if (parser->missing > 0) {
-            return false;
+    for (;;) {
+        if (wanted > 0) { /* into the buffer */
+            const size_t count = left < wanted ? left : wanted;
+            if (count > 0) {
+                memcpy(parser->buffer + parser->length, at, count);
+                parser->length = (uint16_t)(parser->length + count);
+                at += count;
+                left -= count;
+                wanted -= count;
+            }
+            if (wanted > 0) {
+                break;
+            }
         }
-        const size_t goal = candidate(parser->buffer, parser->length);
-        if (goal > parser->length) {
-            parser->missing = (uint16_t)(goal - parser->length);
+        const bool buffered = parser->length > 0;
+        const uint8_t *bytes = buffered ? parser->buffer : at;
+        const size_t known = buffered ? parser->length : left;
+        if (known == 0) {
+            break;
+        }
+        const size_t goal = candidate(bytes, known);
+        if (goal > known) { /* the end of the caller's bytes cuts it */
+            wanted = buffered ? goal - known : known;
             continue;
         }
-        const bool found = goal > 0 && is_packet(parser->buffer, goal, packet);
-        if (found) {
-            parser->done = (uint16_t)goal;
+        found = goal > 0 && is_packet(bytes, goal, packet);
+        const size_t count = found ? goal : garbage(bytes, known);
+        parser->skipped += found ? 0 : (uint32_t)count;
+        if (buffered) {
+            if (found) {
+                parser->done = (uint16_t)count;
+            } else {
+                drop(parser, count);
+            }
+            /* What is behind and has just been copied is found again where it was. */
+            const size_t behind = parser->length - parser->done;
+            if (behind > 0 && behind <= *size - left) {
+                parser->length = parser->done;
+                at -= behind;
+                left += behind;
+            }
         } else {
-            skip(parser);
-        }
-        /* What is behind and has just been copied is found again where it was. */
-        const size_t behind = (size_t)parser->length - parser->done;
-        if (behind <= given - *size) {
-            parser->length = parser->done;
-            *data -= behind;
-            *size += behind;
+            at += count;
+            left -= count;
         }
         if (found) {
-            return true;
+            break;
         }
     }
-    return next_in_place(parser, data, size, packet);
+    parser->missing = (uint16_t)wanted;
+    *data = at;
+    *size = left;
+    return found;
 }
 
 bool mip_parser_next(struct mip_parser *parser, const uint8_t **data, size_t *size,
                      struct mip_packet *packet) {
-    if (*size == 1 && parser->missing > 1) { /* byte by byte, in an interrupt */
+#ifndef __OPTIMIZE_SIZE__
+    if (*size == 1 && parser->missing > 1) { /* byte by byte, as an interrupt feeds it */
         parser->buffer[parser->length++] = *(*data)++;
         parser->missing--;
         *size = 0;
         return false;
     }
-    return parser->length > 0 ? next_in_buffer(parser, data, size, packet)
-                              : next_in_place(parser, data, size, packet);
+#endif
+    return search(parser, data, size, packet);
 }
 
 bool mip_parser_look_behind(struct mip_parser *parser, struct mip_packet *packet) {
     const uint8_t *data = parser->buffer;
     size_t size = 0;
-    if (next_in_buffer(parser, &data, &size, packet)) {
+    if (search(parser, &data, &size, packet)) {
         return true;
     }
     for (size_t at = 1; at + MIP_HEADER_SIZE < parser->length; at++) {
@@ -153,7 +153,7 @@ bool mip_parser_look_behind(struct mip_parser *parser, struct mip_packet *packet
             parser->skipped += (uint32_t)at;
             drop(parser, at);
             parser->missing = 0;
-            return next_in_buffer(parser, &data, &size, packet);
+            return search(parser, &data, &size, packet);
         }
     }
     return false;
@@ -162,7 +162,7 @@ bool mip_parser_look_behind(struct mip_parser *parser, struct mip_packet *packet
 bool mip_parser_flush(struct mip_parser *parser, struct mip_packet *packet) {
     const uint8_t *data = parser->buffer;
     size_t size = 0;
-    while (!next_in_buffer(parser, &data, &size, packet)) {
+    while (!search(parser, &data, &size, packet)) {
         if (parser->length == 0) {
             return false;
         }
