@@ -53,10 +53,8 @@ static bool search(struct mip_parser *parser, const uint8_t **data, size_t *size
                    struct mip_packet *packet) {
 #ifndef __OPTIMIZE_SIZE__
     if (parser->length == 0 && *size >= MIP_HEADER_SIZE) { /* packet after packet */
-        const uint8_t *header = *data;
-        const size_t goal = (size_t)header[3] + MIP_HEADER_SIZE + MIP_CHECKSUM_SIZE;
-        if (mip_get_16(header) == (MIP_SYNC_1 << 8 | MIP_SYNC_2) && header[2] != 0 &&
-            goal <= *size && is_packet(header, goal, packet)) {
+        const size_t goal = candidate(*data, *size);
+        if (goal > 0 && goal <= *size && is_packet(*data, goal, packet)) {
             *data += goal;
             *size -= goal;
             return true;
