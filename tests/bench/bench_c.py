@@ -209,8 +209,8 @@ def report(columns: int = 6) -> str:
     small = sizes()
     if not small:
         return out + "\nSizes need arm-none-eabi-gcc, which is missing (Debian: apt-get install gcc-arm-none-eabi).\n"
-    out += f"\n{version('arm-none-eabi-gcc')}, `-Os`, for a Cortex-M4, without the C library. By hand, the layouts of fixed\n"
-    out += "size have two functions each.\n\n"
+    out += f"\n{version('arm-none-eabi-gcc')}, `-Os`, for a Cortex-M4, without the C library. "
+    out += "By hand, the layouts of fixed\nsize have two functions each.\n\n"
     return out + table(["Size", "Ratio", "Code and constants", "By hand"], small)
 
 
