@@ -116,8 +116,8 @@ docs: $(VENV)/development.stamp ## build the reference as a searchable site in b
 	@echo "$(BUILD)/site/index.html"
 
 .PHONY: bench
-bench: tools $(VENV)/development.stamp ## measure the languages side by side
-	@$(RUN) tests/bench/bench.py
+bench: tools $(VENV)/development.stamp ## measure size and speed; make bench README=1 writes the table of the README for C
+	@PYTHONPATH=generator $(RUN) tests/bench/bench.py $(if $(README),--readme)
 
 .PHONY: conformance-driver
 conformance-driver: $(VENV)/generator.stamp ## build a driver and print its command: make -s conformance-driver TARGET=c

@@ -1,4 +1,5 @@
-/* Parses a file that holds a stream, decodes two fields of each packet, and prints nanoseconds for each. */
+/* Parses a file that holds a stream, decodes two fields of each packet, and prints nanoseconds for
+ * each. */
 #include "mip/sensor.h"
 #include "mip/shared.h"
 

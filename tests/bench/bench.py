@@ -1,7 +1,8 @@
 """`make bench`: the same stream through all languages, side by side. Figures to read, never a test.
 
 Each program runs several times in turn with the others; the median of its runs counts, and the
-ratio to C. A struct.unpack written by hand shows what Python could do at best.
+ratio to C. A struct.unpack written by hand shows what Python could do at best. Before that comes C against C
+that is written by hand: bench_c.py.
 """
 
 from __future__ import annotations
@@ -13,6 +14,8 @@ import struct
 import subprocess
 import sys
 from pathlib import Path
+
+import bench_c
 
 ROOT = Path(__file__).parents[2]
 HERE = Path(__file__).parent
@@ -69,6 +72,10 @@ def programs() -> dict[str, list[str]]:
 
 
 def main() -> None:
+    if sys.argv[1:] == ["--readme"]:
+        bench_c.write_readme()
+        return
+    print(bench_c.report())
     BUILD.mkdir(parents=True, exist_ok=True)
     log = BUILD / "stream.bin"
     log.write_bytes(stream())

@@ -165,8 +165,10 @@ static void other_fields(void) {
     for (unsigned set = 1; set < 256; set++) {
         field = field_of((uint8_t)set, MIP_SHARED_TIMESTAMP_DESCRIPTOR, "000000000000000000000000000000000000");
         CHECK((mip_shared_timestamp_decode(&time, &field) == MIP_OK) == (set >= 0x80));
+        CHECK((mip_field_key(&field) == MIP_SHARED_TIMESTAMP) == (set >= 0x80));
         field = field_of((uint8_t)set, MIP_PROTOCOL_ACKNOWLEDGE_DESCRIPTOR, "0100");
         CHECK(mip_protocol_acknowledge_decode(&ack, &field) == (set < 0x80 ? MIP_OK : MIP_ERROR_SET));
+        CHECK((mip_field_key(&field) == MIP_PROTOCOL_ACKNOWLEDGE) == (set < 0x80));
     }
 }
 

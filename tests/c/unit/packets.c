@@ -163,6 +163,23 @@ static void in_place(void) {
     }
 }
 
+/* Fed byte by byte, as an interrupt does: a packet is there with its last byte, and not before. */
+static void byte_by_byte(void) {
+    static const uint8_t stream[] = "\x75\x75\x65\x01\x02\x02\x01\xE0\xC6"
+                                    "\x75\x65\x01\x02\x02\x01\xE0\xC6";
+    struct mip_parser p;
+    struct mip_packet packet;
+    mip_parser_init(&p);
+    for (size_t i = 0; i < sizeof(stream) - 1; i++) {
+        const uint8_t *data = stream + i;
+        size_t size = 1;
+        const bool found = mip_parser_next(&p, &data, &size, &packet);
+        CHECK(found == (i == 8 || i == 16) && size == 0 && data == stream + i + 1);
+        CHECK(!found || is_packet(packet, PING, 8));
+    }
+    CHECK(p.skipped == 1);
+}
+
 static void names(void) {
     CHECK(strcmp(mip_error_name(MIP_OK), "ok") == 0);
     CHECK(strcmp(mip_error_name(MIP_ERROR_FIELD_LENGTH), "field_length") == 0);
@@ -178,6 +195,7 @@ int main(void) {
     walk_of_nothing();
     parser();
     in_place();
+    byte_by_byte();
     names();
     return 0;
 }

@@ -24,6 +24,8 @@ extern "C" {
 #define MIP_HEADER_SIZE 4
 /** Bytes after the payload. */
 #define MIP_CHECKSUM_SIZE 2
+/** The first descriptor of fields that all data sets share. */
+#define MIP_FIRST_SHARED 0xD0
 /** Maximum size of a packet. */
 #define MIP_MAX_PACKET (MIP_HEADER_SIZE + MIP_MAX_PAYLOAD + MIP_CHECKSUM_SIZE)
 
@@ -138,10 +140,15 @@ static inline bool mip_walk_next(struct mip_walk *walk, struct mip_field *field)
     return true;
 }
 
-/** What a field is, as one number: `switch (mip_field_key(&field)) { case MIP_SENSOR_...: ... }`.
+/**
+ * What a field is, as one number: `switch (mip_field_key(&field)) { case MIP_SENSOR_...: ... }`.
+ * Shared fields have the same key in every data set, the acknowledge has it in every command set.
  */
 static inline uint16_t mip_field_key(const struct mip_field *field) {
-    return (uint16_t)((uint32_t)field->descriptor_set << 8 | field->descriptor);
+    const bool data = field->descriptor_set >= 0x80;
+    const bool common = data ? field->descriptor >= MIP_FIRST_SHARED : field->descriptor == 0xF1;
+    const uint32_t set = !common ? field->descriptor_set : data ? 0xFF : 0;
+    return (uint16_t)(set << 8 | field->descriptor);
 }
 
 /* ------------------------------------------------------------------------------- packet builder */

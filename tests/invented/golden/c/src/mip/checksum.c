@@ -38,21 +38,8 @@ static struct sums plain(const uint8_t *bytes, size_t size) {
 
 #if MIP_CHECKSUM != MIP_CHECKSUM_PLAIN
 
-/** The sums of one run of bytes and of `size` bytes behind it. */
-static struct sums joined(struct sums first, struct sums second, size_t size) {
-    first.b += first.a * (uint32_t)size + second.b;
-    first.a += second.a;
-    return first;
-}
-
 /** Four lanes of 16 bits, each with eight that count. */
 #define LANES UINT64_C(0x00FF00FF00FF00FF)
-
-/** The sum of the lanes, each times its weight; the weight of the lowest lane is the highest one.
- */
-static uint32_t weighted(uint64_t lanes, uint64_t weights) {
-    return (uint32_t)((lanes * weights) >> 48);
-}
 
 /** Compilers make one load of this where the host allows it. */
 static uint64_t load(const uint8_t *p) {
@@ -62,32 +49,47 @@ static uint64_t load(const uint8_t *p) {
 }
 
 static struct sums words(const uint8_t *bytes, size_t size) {
-    const size_t odd = size % 8;
-    struct sums sums = plain(bytes, odd);
-    const uint8_t *at = bytes + odd;
-    const uint8_t *end = bytes + size;
-    uint64_t even_bytes = 0; /* by their place in a word */
-    uint64_t odd_bytes = 0;
+    if (size < 8) {
+        return plain(bytes, size);
+    }
+    /* The first word is filled up with zeros in front, which change nothing. */
+    const uint64_t first = load(bytes) << (64 - 8 * size) % 64;
+    uint64_t even = first & LANES; /* sums of bytes by their place in a word */
+    uint64_t odd = (first >> 8) & LANES;
     uint64_t before = 0; /* the sum of what the sums were before each word */
-    while (at < end) {
-        const uint8_t *stop = end - at > 64 ? at + 64 : end; /* lanes overflow after nine words */
-        for (; at < stop; at += 8) {
-            const uint64_t word = load(at);
-            before += even_bytes + odd_bytes;
-            even_bytes += word & LANES;
-            odd_bytes += (word >> 8) & LANES;
+    size_t left = (size - 1) / 8;
+    bytes += size - 8 * left;
+    while (left > 0) {
+        size_t count = left < 15 ? left : 15; /* then lanes would overflow */
+        left -= count;
+        for (; count > 0; count--) {
+            const uint64_t word = load(bytes);
+            before += even + odd;
+            even += word & LANES;
+            odd += (word >> 8) & LANES;
+            bytes += 8;
         }
         before &= LANES;
-        even_bytes &= LANES;
-        odd_bytes &= LANES;
+        even &= LANES;
+        odd &= LANES;
     }
-    const uint64_t ones = UINT64_C(0x0001000100010001);
-    const struct sums rest = {weighted(even_bytes, ones) + weighted(odd_bytes, ones),
-                              8 * weighted(before, ones) +
-                                  weighted(even_bytes, UINT64_C(0x0008000600040002)) +
-                                  weighted(odd_bytes, UINT64_C(0x0007000500030001))};
-    return joined(sums, rest, size - odd);
+    /* The highest lane of a product is the sum of the lanes, each times its weight. */
+    const uint64_t a = (even + odd) * UINT64_C(0x0001000100010001);
+    const uint64_t b = before * UINT64_C(0x0008000800080008) + even * UINT64_C(0x0008000600040002) +
+                       odd * UINT64_C(0x0007000500030001);
+    const struct sums sums = {(uint32_t)(a >> 48), (uint32_t)(b >> 48)};
+    return sums;
 }
+
+#endif
+
+#if MIP_CHECKSUM == MIP_CHECKSUM_SSE2 || MIP_CHECKSUM == MIP_CHECKSUM_NEON
+
+/* Sixteen lanes of eight bits, which may overflow. The last block is the last sixteen bytes without
+ * those that are done: zeros stand for them. */
+static const uint8_t masks[32] = {0,    0,    0,    0,    0,    0,    0,    0,    0,    0,    0,
+                                  0,    0,    0,    0,    0,    0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF,
+                                  0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF};
 
 #endif
 
@@ -95,75 +97,71 @@ static struct sums words(const uint8_t *bytes, size_t size) {
 
 #include <emmintrin.h>
 
-static uint32_t total(__m128i v) {
-    v = _mm_add_epi32(v, _mm_srli_si128(v, 8));
-    v = _mm_add_epi32(v, _mm_srli_si128(v, 4));
-    return (uint32_t)_mm_cvtsi128_si32(v);
-}
-
-/** Bytes times their weights, 16 to 1. */
-static __m128i products(__m128i v) {
-    const __m128i zero = _mm_setzero_si128();
-    return _mm_add_epi32(
-        _mm_madd_epi16(_mm_unpacklo_epi8(v, zero), _mm_set_epi16(9, 10, 11, 12, 13, 14, 15, 16)),
-        _mm_madd_epi16(_mm_unpackhi_epi8(v, zero), _mm_set_epi16(1, 2, 3, 4, 5, 6, 7, 8)));
+static __m128i block(const uint8_t *bytes) {
+    return _mm_loadu_si128((const __m128i *)(const void *)bytes);
 }
 
 static struct sums vectors(const uint8_t *bytes, size_t size) {
-    static const uint8_t masks[32] = {0,    0,    0,    0,    0,    0,    0,    0,
-                                      0,    0,    0,    0,    0,    0,    0,    0,
-                                      0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF,
-                                      0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF};
     if (size < 16) {
         return words(bytes, size);
     }
     const __m128i zero = _mm_setzero_si128();
+    const uint8_t *last = bytes + (size - 16);
     const size_t rest = size % 16;
-    __m128i a = zero;
-    __m128i b = zero;
-    __m128i before = zero;
-    for (const uint8_t *at = bytes; at < bytes + (size - rest); at += 16) {
-        const __m128i v = _mm_loadu_si128((const __m128i *)(const void *)at);
-        before = _mm_add_epi32(before, a);
-        a = _mm_add_epi32(a, _mm_sad_epu8(v, zero));
-        b = _mm_add_epi32(b, products(v));
-    }
-    /* The last sixteen bytes once more, without those that are done. */
-    const __m128i mask = _mm_loadu_si128((const __m128i *)(const void *)(masks + rest));
-    const __m128i v =
-        _mm_and_si128(mask, _mm_loadu_si128((const __m128i *)(const void *)(bytes + (size - 16))));
-    const uint32_t done = total(a);
-    b = _mm_add_epi32(_mm_add_epi32(b, products(v)), _mm_slli_epi32(before, 4));
-    const struct sums s = {done + total(_mm_sad_epu8(v, zero)), total(b) + done * (uint32_t)rest};
-    return s;
+    __m128i done = zero;   /* sums of bytes by their place in a block */
+    __m128i before = zero; /* the sum of what the sums were before each block */
+    do {
+        before = _mm_add_epi8(before, done);
+        done = _mm_add_epi8(done, block(bytes));
+        bytes += 16;
+    } while (bytes <= last);
+    const __m128i a = _mm_add_epi8(done, _mm_and_si128(block(masks + rest), block(last)));
+    const __m128i low = _mm_set_epi16(9, 10, 11, 12, 13, 14, 15, 16);
+    const __m128i high = _mm_set_epi16(1, 2, 3, 4, 5, 6, 7, 8);
+    const __m128i inside = _mm_add_epi32(_mm_madd_epi16(_mm_unpacklo_epi8(a, zero), low),
+                                         _mm_madd_epi16(_mm_unpackhi_epi8(a, zero), high));
+    const __m128i behind = _mm_mul_epu32(_mm_sad_epu8(done, zero), _mm_set1_epi32((int)rest));
+    const __m128i b =
+        _mm_add_epi32(_mm_add_epi32(inside, behind), _mm_slli_epi32(_mm_sad_epu8(before, zero), 4));
+    /* Both sums in one number: b has less than 20 bits. */
+    __m128i both = _mm_add_epi32(b, _mm_slli_epi32(_mm_sad_epu8(a, zero), 20));
+    both = _mm_add_epi32(both, _mm_unpackhi_epi64(both, both));
+    both = _mm_add_epi32(both, _mm_srli_epi64(both, 32));
+    const uint32_t result = (uint32_t)_mm_cvtsi128_si32(both);
+    const struct sums sums = {result >> 20, result};
+    return sums;
 }
 
 #elif MIP_CHECKSUM == MIP_CHECKSUM_NEON
 
 #include <arm_neon.h>
 
-static uint32_t total(uint32x4_t v) {
-    return vgetq_lane_u32(v, 0) + vgetq_lane_u32(v, 1) + vgetq_lane_u32(v, 2) +
-           vgetq_lane_u32(v, 3);
+static uint32_t total(uint16x8_t v) {
+    const uint32x4_t sums = vpaddlq_u16(v);
+    return vgetq_lane_u32(sums, 0) + vgetq_lane_u32(sums, 1) + vgetq_lane_u32(sums, 2) +
+           vgetq_lane_u32(sums, 3);
 }
 
 static struct sums vectors(const uint8_t *bytes, size_t size) {
     static const uint8_t weights[16] = {16, 15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1};
-    const size_t odd = size % 16;
-    const struct sums head = words(bytes, odd);
-    const uint8x16_t w = vld1q_u8(weights);
-    uint32x4_t a = vdupq_n_u32(0);
-    uint32x4_t b = a;
-    uint32x4_t before = a;
-    for (const uint8_t *at = bytes + odd; at < bytes + size; at += 16) {
-        const uint8x16_t v = vld1q_u8(at);
-        before = vaddq_u32(before, a);
-        a = vpadalq_u16(a, vpaddlq_u8(v));
-        b = vpadalq_u16(b, vmull_u8(vget_low_u8(v), vget_low_u8(w)));
-        b = vpadalq_u16(b, vmull_u8(vget_high_u8(v), vget_high_u8(w)));
+    if (size < 16) {
+        return words(bytes, size);
     }
-    const struct sums rest = {total(a), total(b) + 16 * total(before)};
-    return joined(head, rest, size - odd);
+    const uint8_t *last = bytes + (size - 16);
+    const size_t rest = size % 16;
+    uint8x16_t done = vdupq_n_u8(0); /* sums of bytes by their place in a block */
+    uint8x16_t before = done;        /* the sum of what the sums were before each block */
+    do {
+        before = vaddq_u8(before, done);
+        done = vaddq_u8(done, vld1q_u8(bytes));
+        bytes += 16;
+    } while (bytes <= last);
+    const uint8x16_t a = vaddq_u8(done, vandq_u8(vld1q_u8(masks + rest), vld1q_u8(last)));
+    const uint8x16_t inside = vmulq_u8(a, vld1q_u8(weights));
+    const uint8x16_t behind = vmulq_u8(done, vdupq_n_u8((uint8_t)rest));
+    const uint8x16_t b = vaddq_u8(vaddq_u8(inside, behind), vshlq_n_u8(before, 4));
+    const struct sums sums = {total(vpaddlq_u8(a)), total(vpaddlq_u8(b))};
+    return sums;
 }
 
 #endif

@@ -14,28 +14,21 @@ void mip_parser_init(struct mip_parser *parser) {
 /** The size of the packet that may begin here; more than `size` if that many bytes do not tell
  * yet, 0 if none begins here. */
 static size_t candidate(const uint8_t *bytes, size_t size) {
-    if (size >= MIP_HEADER_SIZE) {
-        return bytes[0] == MIP_SYNC_1 && bytes[1] == MIP_SYNC_2 && bytes[2] != 0
-                   ? (size_t)bytes[3] + MIP_HEADER_SIZE + MIP_CHECKSUM_SIZE
-                   : 0;
+    if (bytes[0] != MIP_SYNC_1 || (size > 1 && bytes[1] != MIP_SYNC_2) ||
+        (size > 2 && bytes[2] == 0)) {
+        return 0;
     }
-    return bytes[0] != MIP_SYNC_1 || (size > 1 && bytes[1] != MIP_SYNC_2) ||
-                   (size > 2 && bytes[2] == 0)
-               ? 0
-               : size + 1;
+    return size < MIP_HEADER_SIZE ? size + 1
+                                  : (size_t)bytes[3] + MIP_HEADER_SIZE + MIP_CHECKSUM_SIZE;
 }
 
 /** Is this candidate, which is complete, a packet? Its header has been looked at. */
 static bool is_packet(const uint8_t *bytes, size_t size, struct mip_packet *packet) {
-    const uint8_t *end = bytes + (size - MIP_CHECKSUM_SIZE);
-    const uint16_t sum = mip_checksum(bytes, size - MIP_CHECKSUM_SIZE);
-    if (end[0] != sum >> 8 || end[1] != (sum & 0xFFU)) {
-        return false;
-    }
     packet->bytes = bytes;
     packet->size = size;
     packet->descriptor_set = bytes[2];
-    return true;
+    size -= MIP_CHECKSUM_SIZE;
+    return mip_checksum(bytes, size) == mip_get_16(bytes + size);
 }
 
 /** Removes bytes from the front of the buffer. */
@@ -56,8 +49,18 @@ static void skip(struct mip_parser *parser) {
     drop(parser, count);
 }
 
-bool mip_parser_next(struct mip_parser *parser, const uint8_t **data, size_t *size,
-                     struct mip_packet *packet) {
+static bool search(struct mip_parser *parser, const uint8_t **data, size_t *size,
+                   struct mip_packet *packet) {
+#ifndef __OPTIMIZE_SIZE__
+    if (parser->length == 0 && *size >= MIP_HEADER_SIZE) { /* packet after packet */
+        const size_t goal = candidate(*data, *size);
+        if (goal > 0 && goal <= *size && is_packet(*data, goal, packet)) {
+            *data += goal;
+            *size -= goal;
+            return true;
+        }
+    }
+#endif
     const uint8_t *at = *data;
     size_t left = *size;
     size_t wanted = parser->missing;
@@ -122,10 +125,23 @@ bool mip_parser_next(struct mip_parser *parser, const uint8_t **data, size_t *si
     return found;
 }
 
+bool mip_parser_next(struct mip_parser *parser, const uint8_t **data, size_t *size,
+                     struct mip_packet *packet) {
+#ifndef __OPTIMIZE_SIZE__
+    if (*size == 1 && parser->missing > 1) { /* byte by byte, as an interrupt feeds it */
+        parser->buffer[parser->length++] = *(*data)++;
+        parser->missing--;
+        *size = 0;
+        return false;
+    }
+#endif
+    return search(parser, data, size, packet);
+}
+
 bool mip_parser_look_behind(struct mip_parser *parser, struct mip_packet *packet) {
     const uint8_t *data = parser->buffer;
     size_t size = 0;
-    if (mip_parser_next(parser, &data, &size, packet)) {
+    if (search(parser, &data, &size, packet)) {
         return true;
     }
     for (size_t at = 1; at + MIP_HEADER_SIZE < parser->length; at++) {
@@ -135,7 +151,7 @@ bool mip_parser_look_behind(struct mip_parser *parser, struct mip_packet *packet
             parser->skipped += (uint32_t)at;
             drop(parser, at);
             parser->missing = 0;
-            return mip_parser_next(parser, &data, &size, packet);
+            return search(parser, &data, &size, packet);
         }
     }
     return false;
@@ -144,7 +160,7 @@ bool mip_parser_look_behind(struct mip_parser *parser, struct mip_packet *packet
 bool mip_parser_flush(struct mip_parser *parser, struct mip_packet *packet) {
     const uint8_t *data = parser->buffer;
     size_t size = 0;
-    while (!mip_parser_next(parser, &data, &size, packet)) {
+    while (!search(parser, &data, &size, packet)) {
         if (parser->length == 0) {
             return false;
         }

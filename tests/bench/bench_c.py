@@ -1,0 +1,223 @@
+"""C: how much faster than code written by hand, how many instructions for each byte, how large.
+
+The code written by hand is in plain.c. Times are of the processor, the best of many rounds; instructions are
+counted by valgrind. `make bench README=1` writes the result into the README.
+"""
+
+from __future__ import annotations
+
+import platform
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+import streams
+from mipgen.resolve import load_model
+
+ROOT = Path(__file__).parents[2]
+HERE = Path(__file__).parent
+BUILD = ROOT / "build/bench"
+SOURCES = ROOT / "generated/c/src"
+README = ROOT / "templates/c/bench.md"
+SIZE = 1_000_000
+ROUNDS, TURNS = 20, 4
+
+#: What is measured: title, stream, our function, that of plain.c.
+ROWS = (
+    ("parse, in pieces of 4 KiB", "log", "ours_parse", "plain_parse"),
+    ("parse, decode every known field: direct", "log", "ours_direct", "plain_both"),
+    ("parse, decode every known field: by table", "log", "ours_table", "plain_both"),
+    ("parse, find every field in the registry, decode", "log", "ours_registry", "plain_both"),
+    ("build packets of three fields: direct", "log", "ours_build_direct", "plain_build"),
+    ("build packets of three fields: by table", "log", "ours_build_table", "plain_build"),
+    ("parse, byte by byte", "log", "ours_bytewise", "plain_bytewise"),
+    ("skip random bytes", "noise", "ours_parse", "plain_parse"),
+    ("skip NMEA sentences", "text", "ours_parse", "plain_parse"),
+    ("parse packets among NMEA sentences", "mixed", "ours_parse", "plain_parse"),
+)
+#: Rows that are measured with the portable checksum too.
+CHECKSUM = {"ours_parse", "ours_direct", "ours_build_direct"}
+
+ARM = ["-mcpu=cortex-m4", "-mthumb", "-std=c99", "-Os", "-ffreestanding", "-ffunction-sections", "-fdata-sections"]
+#: The functions of the C library are not counted.
+LINK = ["-nostdlib", "-Wl,--gc-sections", *(f"-Wl,--defsym={f}=0" for f in ("memcpy", "memmove", "memset", "memchr"))]
+
+#: Parser, walk and builder of both.
+CORE = ("parser_init", "parser_next", "walk_packet", "walk_next", "builder_start", "builder_add", "builder_finish")
+PLAIN = ("init", "next", "field", "start", "begin", "float", "u64", "finish")
+STATES = """#include "mip/core.h"
+#include "plain.h"
+struct mip_parser mip_parser;
+struct plain_parser plain_parser;
+"""
+
+Row = list[str]
+
+
+def run(*command: str | Path) -> str:
+    done = subprocess.run([str(c) for c in command], capture_output=True, text=True)
+    if done.returncode:
+        raise SystemExit(f"{' '.join(map(str, command))[:300]}: {done.stdout}{done.stderr}")
+    return done.stdout + done.stderr
+
+
+def library() -> list[str]:
+    return [str(p) for p in sorted((SOURCES / "mip").glob("*.c"))]
+
+
+def version(compiler: str) -> str:
+    """GCC 12.2"""
+    line = run(compiler, "--version").splitlines()[0]
+    found = re.search(r"(\d+\.\d+)[.\d]*\b(?!.*\b\d+\.\d+\.\d+)", line)
+    return f"{'Clang' if 'clang' in line else 'GCC'} {found[1] if found else '?'}"
+
+
+# --------------------------------------------------------------------------- speed
+
+
+def measure(program: Path, stream: Path, functions: list[str]) -> dict[str, float]:
+    """Function -> the nanoseconds of its best round. They take turns, so that all see the same disturbances."""
+    best: dict[str, float] = {}
+    found: dict[str, str] = {}
+    for _ in range(TURNS):
+        for name in functions:
+            time, found[name] = run(program, stream, name, str(ROUNDS)).split()
+            best[name] = min(float(time), best.get(name, 1e18))
+    assert len(set(found.values())) == 1, found  # both did the same work
+    return best
+
+
+def instructions(program: Path, stream: Path, function: str) -> float | None:
+    """For each byte; None without valgrind."""
+    if shutil.which("valgrind") is None:
+        return None
+    out = run("valgrind", "--tool=callgrind", f"--callgrind-out-file={BUILD}/callgrind.{function}.{stream.stem}",
+              f"--toggle-collect={function}", program, stream, function, "1")  # fmt: skip
+    collected = re.search(r"Collected : (\d+)", out)
+    assert collected
+    return int(collected[1]) / stream.stat().st_size
+
+
+def speed() -> list[Row]:
+    model = load_model(ROOT / "spec")
+    packets, sentences = streams.log(model, SIZE), streams.text(SIZE)
+    contents = {"log": packets, "noise": streams.noise(SIZE), "text": sentences}
+    contents["mixed"] = streams.mixed(packets, sentences)
+    for name, content in contents.items():
+        (BUILD / f"{name}.bin").write_bytes(content)
+    flags = ["-std=gnu99", "-O2", "-Wall", "-Wextra", f"-I{SOURCES}", f"-I{HERE}"]
+    programs = {"": BUILD / "speed", ", portable checksum": BUILD / "speed-portable"}
+    for suffix, program in programs.items():
+        choice = ["-DMIP_CHECKSUM=MIP_CHECKSUM_WORDS"] if suffix else []
+        run("cc", *flags, *choice, HERE / "speed.c", HERE / "plain.c", *library(), "-o", program)
+    rows = []
+    for title, stream, ours, plain in ROWS:
+        path = BUILD / f"{stream}.bin"
+        for suffix, program in programs.items():
+            if suffix and (ours not in CHECKSUM or stream != "log"):
+                continue
+            times = measure(program, path, [ours, plain])
+            counts = [instructions(program, path, f) for f in (ours, plain)]
+            rates = [path.stat().st_size / times[f] * 1000 for f in (ours, plain)]
+            rows.append([
+                title + suffix, f"{times[plain] / times[ours]:.1f}",
+                *(f"{c:.2f}" if c is not None else "?" for c in counts),
+                *(f"{r:.0f}" for r in rates),
+            ])  # fmt: skip
+    return rows
+
+
+# --------------------------------------------------------------------------- size
+
+
+def linked(name: str, symbols: list[str], text: str = "") -> int:
+    """Bytes of code and constants that some functions and tables, and all that they need, take on a Cortex-M4."""
+    source, program, options = (BUILD / f"{name}.{suffix}" for suffix in ("c", "elf", "options"))
+    source.write_text(text + "int main(void) { return 0; }\n")
+    options.write_text("".join(f"-Wl,--undefined={s}\n" for s in symbols))
+    run("arm-none-eabi-gcc", *ARM, *LINK, "-Wl,-e,main", f"-I{SOURCES}", f"-I{HERE}", source, HERE / "plain.c",
+        *library(), f"@{options}", "-o", program)  # fmt: skip
+    code, data = run("arm-none-eabi-size", program).splitlines()[1].split()[:2]
+    return int(code) + int(data) - (linked("empty", []) if symbols else 0)
+
+
+def state(symbol: str) -> int:
+    """Bytes of a variable of the program that was linked for the states."""
+    found = re.search(rf"^\S+ (\S+) \S {symbol}$", run("arm-none-eabi-nm", "-S", BUILD / "states.elf"), re.M)
+    assert found
+    return int(found[1], 16)
+
+
+def straight(includes: str, fields: list[str]) -> str:
+    """A function for each field that decodes it, and one that encodes it, without tables."""
+    out = includes
+    for name in fields:
+        for result, head in (
+            (f"{name}_decode_inline(v, f)", f"mip_error d_{name}(struct {name} *v, const struct mip_field *f)"),
+            (f"{name}_encode_inline(v, b)", f"mip_error e_{name}(const struct {name} *v, struct mip_builder *b)"),
+        ):
+            out += f"{head};\n{head} {{\n    return {result};\n}}\n"
+    return out
+
+
+def sizes() -> list[Row]:
+    if shutil.which("arm-none-eabi-gcc") is None:
+        return []
+    paths = sorted((SOURCES / "mip").glob("*.h"))
+    headers = "".join(p.read_text("utf-8") for p in paths)
+    codecs = sorted(set(re.findall(r"extern (?:MIP_API )?const struct mip_codec (\w+);", headers)))
+    fixed = sorted(set(re.findall(r"(\w+)_decode_inline\(struct", headers)))
+    functions = [f"{side}_{name}" for name in fixed for side in "de"]
+    includes = "".join(f'#include "mip/{p.name}"\n' for p in paths)
+    core = linked("core", [f"mip_{name}" for name in CORE])
+    plain = linked("plain", [f"plain_{name}" for name in PLAIN])
+    linked("states", ["mip_parser", "plain_parser"], STATES)
+    reader = linked("reader", ["mip_decode", "mip_encode"])
+    table = linked("tables", [*codecs, "mip_decode", "mip_encode"]) / len(codecs)
+    code = linked("straight", functions, straight(includes, fixed)) / len(fixed)
+    names = linked("names", ["mip_ack_code_name"])
+    ours, theirs = state("mip_parser"), state("plain_parser")
+    return [
+        ["parser, walk and builder", f"{core / plain:.2f}", f"{core} B", f"{plain} B"],
+        ["state of the parser, in RAM", f"{ours / theirs:.2f}", f"{ours} B", f"{theirs} B"],
+        [f"decode and encode all {len(codecs)} layouts, for each", f"{table / code:.2f}", f"{table:.1f} B",
+         f"{code:.1f} B"],
+        ["of it for all together: the reader of the tables", "", f"{reader} B", ""],
+        ["names of one enumeration, the acknowledge codes", "", f"{names} B", ""],
+    ]  # fmt: skip
+
+
+# --------------------------------------------------------------------------- report
+
+
+def table(heads: list[str], rows: list[Row]) -> str:
+    lines = [heads, ["---", *["---:"] * (len(heads) - 1)], *rows]
+    return "".join(f"| {' | '.join(line)} |\n" for line in lines)
+
+
+def report(columns: int = 6) -> str:
+    """As Markdown. The last two columns depend on the machine: the README goes without them."""
+    BUILD.mkdir(parents=True, exist_ok=True)
+    heads = ["Speed", "Ratio", "Instructions for each byte", "By hand", "MB/s", "By hand"]
+    machine = platform.machine().replace("_", "-")
+    out = f"{version('cc')}, `-O2`, on {machine}. *By hand* is straightforward C that reads and writes byte by byte;\n"
+    out += "the ratio says how many times as fast this library is. The log has packets of 44 bytes on average.\n\n"
+    out += table(heads[:columns], [row[:columns] for row in speed()])
+    if shutil.which("valgrind") is None:
+        out += "\nInstructions are counted by valgrind, which is missing (Debian: apt-get install valgrind).\n"
+    small = sizes()
+    if not small:
+        return out + "\nSizes need arm-none-eabi-gcc, which is missing (Debian: apt-get install gcc-arm-none-eabi).\n"
+    out += f"\n{version('arm-none-eabi-gcc')}, `-Os`, for a Cortex-M4, without the C library. "
+    out += "By hand, the layouts of fixed\nsize have two functions each.\n\n"
+    return out + table(["Size", "Ratio", "Code and constants", "By hand"], small)
+
+
+def write_readme() -> None:
+    missing = [tool for tool in ("valgrind", "arm-none-eabi-gcc") if shutil.which(tool) is None]
+    if missing:
+        needs = " and ".join(missing)
+        raise SystemExit(f"bench: the README needs {needs} (Debian: apt-get install valgrind gcc-arm-none-eabi)")
+    README.write_text(report(columns=4), "utf-8")
+    print(f"{README.relative_to(ROOT)} is written; now: make generate golden")

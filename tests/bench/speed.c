@@ -1,0 +1,249 @@
+/* speed FILE FUNCTION ROUNDS: runs one of the functions below over the bytes of a file, and prints
+ * the fewest nanoseconds of processor time that a round took and what it found. Each is a function
+ * of its own, so that valgrind can count the instructions of one. */
+#include "mip/filter_data.h"
+#include "mip/registry.h"
+#include "mip/sensor.h"
+#include "mip/shared.h"
+#include "plain.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+enum { CHUNK = 4096, BUILT = 44 };
+
+/** Keeps the compiler from leaving out what has been computed, without an instruction. */
+static void use(const void *value) {
+    __asm__ volatile("" : : "r"(value) : "memory");
+}
+
+/** The known fields of the log. */
+#define FIELDS(X)                                                       \
+    X(SENSOR_SCALED_ACCEL, sensor_scaled_accel)                         \
+    X(SENSOR_SCALED_GYRO, sensor_scaled_gyro)                           \
+    X(SENSOR_DELTA_THETA, sensor_delta_theta)                           \
+    X(SENSOR_DELTA_VELOCITY, sensor_delta_velocity)                     \
+    X(SENSOR_GPS_TIMESTAMP, sensor_gps_timestamp)                       \
+    X(FILTER_DATA_TIMESTAMP, filter_data_timestamp)                     \
+    X(FILTER_DATA_ATTITUDE_QUATERNION, filter_data_attitude_quaternion) \
+    X(FILTER_DATA_LLH_POSITION, filter_data_llh_position)               \
+    X(FILTER_DATA_NED_VELOCITY, filter_data_ned_velocity)               \
+    X(FILTER_DATA_LINEAR_ACCEL, filter_data_linear_accel)               \
+    X(FILTER_DATA_COMP_ANGULAR_RATE, filter_data_comp_angular_rate)     \
+    X(FILTER_DATA_STATUS, filter_data_status)
+
+#define CASE(key, name, decode)                                        \
+    case MIP_##key: {                                                  \
+        struct mip_##name value;                                       \
+        const bool good = mip_##name##decode(&value, field) == MIP_OK; \
+        use(&value);                                                   \
+        return good;                                                   \
+    }
+#define DIRECT(key, name) CASE(key, name, _decode_inline)
+#define TABLE(key, name) CASE(key, name, _decode)
+
+static bool direct(const struct mip_field *field) {
+    switch (mip_field_key(field)) {
+        FIELDS(DIRECT)
+    default:
+        return false;
+    }
+}
+
+static bool table(const struct mip_field *field) {
+    switch (mip_field_key(field)) {
+        FIELDS(TABLE)
+    default:
+        return false;
+    }
+}
+
+static bool registry(const struct mip_field *field) {
+    static union {
+        uint64_t aligned;
+        uint8_t bytes[1024];
+    } value;
+    const struct mip_entry *entry = mip_registry_find(field);
+    const bool good = entry != NULL && entry->codec->size <= sizeof(value) &&
+                      mip_decode(entry->codec, &value, field, NULL) == MIP_OK;
+    use(&value);
+    return good;
+}
+
+/** Counts the packets, or the fields that could be decoded. */
+static inline size_t parse(const uint8_t *data, size_t size, size_t chunk,
+                           bool (*decode)(const struct mip_field *)) {
+    struct mip_parser parser;
+    size_t count = 0;
+    mip_parser_init(&parser);
+    while (size > 0) {
+        size_t part = size < chunk ? size : chunk;
+        struct mip_packet packet;
+        size -= part;
+        while (mip_parser_next(&parser, &data, &part, &packet)) {
+            if (decode == NULL) {
+                use(&packet);
+                count++;
+                continue;
+            }
+            struct mip_walk walk = mip_walk_packet(&packet);
+            struct mip_field field;
+            while (mip_walk_next(&walk, &field)) {
+                count += decode(&field);
+            }
+        }
+    }
+    return count;
+}
+
+static inline size_t by_hand(const uint8_t *data, size_t size, size_t chunk, bool decode) {
+    struct plain_parser parser;
+    size_t count = 0;
+    plain_init(&parser);
+    while (size > 0) {
+        size_t part = size < chunk ? size : chunk;
+        size -= part;
+        while (plain_next(&parser, &data, &part)) {
+            size_t at = 4;
+            uint8_t descriptor;
+            const uint8_t *bytes;
+            size_t length;
+            if (!decode) {
+                use(&parser);
+                count++;
+            }
+            while (decode && plain_field(&parser, &at, &descriptor, &bytes, &length)) {
+                union plain_value value;
+                count += plain_decode(parser.buffer[2], descriptor, bytes, length, &value);
+                use(&value);
+            }
+        }
+    }
+    return count;
+}
+
+#define ENCODE(encode)                                       \
+    (void)mip_sensor_scaled_accel##encode(&accel, &builder); \
+    (void)mip_sensor_scaled_gyro##encode(&gyro, &builder);   \
+    (void)mip_shared_reference_timestamp##encode(&stamp, &builder)
+
+#define BUILD(encode)                                              \
+    size_t built = 0;                                              \
+    for (size_t at = 0; at + BUILT <= size; at += BUILT) {         \
+        struct mip_sensor_scaled_accel accel;                      \
+        struct mip_sensor_scaled_gyro gyro;                        \
+        struct mip_shared_reference_timestamp stamp;               \
+        uint8_t packet[MIP_MAX_PACKET];                            \
+        struct mip_builder builder;                                \
+        memcpy(&accel, data + at, 12);                             \
+        memcpy(&gyro, data + at + 12, 12);                         \
+        memcpy(&stamp, data + at + 24, 8);                         \
+        mip_builder_start(&builder, packet, sizeof(packet), 0x80); \
+        ENCODE(encode);                                            \
+        built += mip_builder_finish(&builder).size;                \
+        use(packet);                                               \
+    }                                                              \
+    return built
+
+#define FUNCTION(name)                             \
+    size_t name(const uint8_t *data, size_t size); \
+    size_t name(const uint8_t *data, size_t size)
+
+FUNCTION(ours_parse) {
+    return parse(data, size, CHUNK, NULL);
+}
+FUNCTION(ours_bytewise) {
+    return parse(data, size, 1, NULL);
+}
+FUNCTION(ours_direct) {
+    return parse(data, size, CHUNK, direct);
+}
+FUNCTION(ours_table) {
+    return parse(data, size, CHUNK, table);
+}
+FUNCTION(ours_registry) {
+    return parse(data, size, CHUNK, registry);
+}
+FUNCTION(ours_build_direct) {
+    BUILD(_encode_inline);
+}
+FUNCTION(ours_build_table) {
+    BUILD(_encode);
+}
+FUNCTION(plain_parse) {
+    return by_hand(data, size, CHUNK, false);
+}
+FUNCTION(plain_bytewise) {
+    return by_hand(data, size, 1, false);
+}
+FUNCTION(plain_both) {
+    return by_hand(data, size, CHUNK, true);
+}
+FUNCTION(plain_build) {
+    size_t built = 0;
+    for (size_t at = 0; at + BUILT <= size; at += BUILT) {
+        float values[6];
+        uint64_t stamp;
+        uint8_t packet[MIP_MAX_PACKET];
+        struct plain_builder builder;
+        memcpy(values, data + at, 24);
+        memcpy(&stamp, data + at + 24, 8);
+        plain_start(&builder, packet, sizeof(packet), 0x80);
+        for (uint8_t field = 0; field < 2; field++) {
+            plain_begin(&builder, 4 + field, 12);
+            for (int i = 0; i < 3; i++) {
+                plain_float(&builder, values[3 * field + i]);
+            }
+        }
+        plain_begin(&builder, 0xD5, 8);
+        plain_u64(&builder, stamp);
+        built += plain_finish(&builder);
+        use(packet);
+    }
+    return built;
+}
+
+#define ROW(name) {#name, name}
+static const struct {
+    const char *name;
+    size_t (*run)(const uint8_t *data, size_t size);
+} ROWS[] = {ROW(ours_parse),     ROW(ours_bytewise),     ROW(ours_direct),      ROW(ours_table),
+            ROW(ours_registry),  ROW(ours_build_direct), ROW(ours_build_table), ROW(plain_parse),
+            ROW(plain_bytewise), ROW(plain_both),        ROW(plain_build)};
+
+int main(int count, char **arguments) {
+    FILE *file = count == 4 ? fopen(arguments[1], "rb") : NULL;
+    if (file == NULL) {
+        return 2;
+    }
+    fseek(file, 0, SEEK_END);
+    const size_t size = (size_t)ftell(file);
+    uint8_t *data = malloc(size);
+    rewind(file);
+    if (data == NULL || fread(data, 1, size, file) != size) {
+        return 2;
+    }
+    fclose(file);
+    for (size_t row = 0; row < sizeof(ROWS) / sizeof(ROWS[0]); row++) {
+        if (strcmp(ROWS[row].name, arguments[2]) == 0) {
+            double best = 1e18;
+            size_t found = 0;
+            for (long round = strtol(arguments[3], NULL, 10); round > 0; round--) {
+                struct timespec begin;
+                struct timespec end;
+                clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &begin);
+                found = ROWS[row].run(data, size);
+                clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &end);
+                const double time = (double)(end.tv_sec - begin.tv_sec) * 1e9 +
+                                    (double)(end.tv_nsec - begin.tv_nsec);
+                best = time < best ? time : best;
+            }
+            printf("%.0f %zu\n", best, found);
+            free(data);
+            return 0;
+        }
+    }
+    return 2;
+}
