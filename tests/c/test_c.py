@@ -233,8 +233,8 @@ def direct_check(f: m.Field) -> str:
     return f"""for (size_t size = 0; size <= {f.max_size}U + 2; size++) {{
         struct {name} a, b;
         struct mip_field field = random_field(size, 0x{f.set:02X}, 0x{f.descriptor:02X});
-        memset(&a, 0, sizeof(a));
-        memset(&b, 0, sizeof(b));
+        memset(&a, 0x55, sizeof(a));
+        memset(&b, 0xAA, sizeof(b));
         const mip_error error = {name}_decode(&a, &field);
         CHECK({name}_decode_inline(&b, &field) == error && memcmp(&a, &b, sizeof(a)) == 0);
         CHECK((error == MIP_OK) == (size >= {f.min_size}));
@@ -518,7 +518,7 @@ def test_readme_shows_programs_that_run(tmp_path: Path) -> None:
         includes, _, code = block.rpartition("#include")
         header, _, rest = code.partition("\n")
         prototypes = "".join(
-            f"{head};\n" for head in re.findall(r"^(\w[^;{}#]*\)) \{$", rest, re.M) if "static" not in head
+            f"{head};\n" for head in re.findall(r"^(\w[^;{}#]*\)) \{", rest, re.M) if "static" not in head
         )
         program = tmp_path / f"block_{i}.c"
         program.write_text(f"{includes}#include{header}\n{outside}{prototypes}{rest}")

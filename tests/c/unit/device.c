@@ -221,7 +221,7 @@ static void no_answers(void) {
     CHECK(is(mip_call_tools_ping(&device), MIP_TIMED_OUT, 0, MIP_OK));
     CHECK(line.clock == 6000 && device.client.waiting == NULL);
     COMES(0, 0x01, PONG); /* too late: unasked for */
-    CHECK(mip_device_poll(&device) && seen.count == 1 && mip_field_key(&seen.fields[0]) == 0x01F1);
+    CHECK(mip_device_poll(&device) && seen.count == 1 && mip_field_key(&seen.fields[0]) == MIP_PROTOCOL_ACKNOWLEDGE);
     device.client.timeout = 100;
     CHECK(is(mip_call_tools_ping(&device), MIP_TIMED_OUT, 0, MIP_OK) && line.clock == 6100);
     line.clock = UINT32_MAX - 40; /* the time wraps around meanwhile */
@@ -330,13 +330,15 @@ static void handlers(void) {
     COMES(30, 0x01, "\x04\xF1\x09\0" PONG); /* one that nobody has asked for, and the answer */
     COMES(30, 0x80, ACCEL);
     CHECK(is(mip_call_tools_ping(&device), MIP_ACKNOWLEDGED, 0, MIP_OK) && line.reads == 6);
-    const uint16_t wanted[] = {0x80D3, MIP_MEASUREMENTS_ACCEL, 0x81D3, MIP_MEASUREMENTS_ACCEL};
+    const uint16_t wanted[] = {MIP_SHARED_TIMESTAMP, MIP_MEASUREMENTS_ACCEL, MIP_SHARED_TIMESTAMP, MIP_MEASUREMENTS_ACCEL};
+    const uint8_t sets[] = {0x80, 0x80, 0x81, 0x80};
     const uint32_t times[] = {5010, 5010, 5020, 5030};
     CHECK(seen.count == 4 && rest.count == 2);
     for (int i = 0; i < 4; i++) {
         CHECK(mip_field_key(&seen.fields[i]) == wanted[i] && seen.arrived[i] == times[i]);
+        CHECK(seen.fields[i].descriptor_set == sets[i]);
     }
-    CHECK(mip_field_key(&rest.fields[0]) == 0x8055 && mip_field_key(&rest.fields[1]) == 0x01F1);
+    CHECK(mip_field_key(&rest.fields[0]) == 0x8055 && mip_field_key(&rest.fields[1]) == MIP_PROTOCOL_ACKNOWLEDGE);
 
     /* One for the acknowledges of all sets; without an entry for the rest, it is dropped. */
     static const struct mip_handler few[] = {{MIP_PROTOCOL_ACKNOWLEDGE, see, &seen}};

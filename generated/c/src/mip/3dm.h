@@ -585,8 +585,10 @@ static inline mip_error mip_3dm_get_imu_base_rate_response_encode(
 static inline mip_error mip_3dm_get_imu_base_rate_response_decode_inline(
     struct mip_3dm_get_imu_base_rate_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0x83, 2);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->rate = mip_get_16(field->data);
@@ -683,8 +685,10 @@ static inline mip_error mip_3dm_get_gnss_base_rate_response_encode(
 static inline mip_error mip_3dm_get_gnss_base_rate_response_decode_inline(
     struct mip_3dm_get_gnss_base_rate_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0x84, 2);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->rate = mip_get_16(field->data);
@@ -1165,8 +1169,10 @@ static inline mip_error mip_3dm_get_filter_base_rate_response_encode(
 static inline mip_error mip_3dm_get_filter_base_rate_response_decode_inline(
     struct mip_3dm_get_filter_base_rate_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0x8A, 2);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->rate = mip_get_16(field->data);
@@ -1414,8 +1420,10 @@ static inline mip_error mip_3dm_get_base_rate_encode(const struct mip_3dm_get_ba
 static inline mip_error mip_3dm_get_base_rate_decode_inline(struct mip_3dm_get_base_rate *value,
                                                             const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0x0E, 1);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->descriptor_set = mip_get_8(field->data);
@@ -1481,8 +1489,10 @@ static inline mip_error mip_3dm_get_base_rate_response_encode(
 static inline mip_error mip_3dm_get_base_rate_response_decode_inline(
     struct mip_3dm_get_base_rate_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0x8E, 3);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 3) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->descriptor_set = mip_get_8(field->data);
@@ -1681,8 +1691,10 @@ static inline mip_error mip_3dm_factory_streaming_encode(
 static inline mip_error mip_3dm_factory_streaming_decode_inline(
     struct mip_3dm_factory_streaming *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0x10, 2);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->action = mip_get_8(field->data);
@@ -1858,8 +1870,10 @@ static inline mip_error mip_3dm_data_stream_control_response_encode(
 static inline mip_error mip_3dm_data_stream_control_response_decode_inline(
     struct mip_3dm_data_stream_control_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0x85, 2);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->descriptor_set = mip_get_8(field->data);
@@ -2316,8 +2330,10 @@ static inline mip_error mip_3dm_gnss_assisted_fix_response_encode(
 static inline mip_error mip_3dm_gnss_assisted_fix_response_decode_inline(
     struct mip_3dm_gnss_assisted_fix_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0xA2, 2);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->option = mip_get_8(field->data);
@@ -2449,8 +2465,10 @@ static inline mip_error mip_3dm_gnss_time_assistance_response_encode(
 static inline mip_error mip_3dm_gnss_time_assistance_response_decode_inline(
     struct mip_3dm_gnss_time_assistance_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0xA3, 14);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -2603,8 +2621,10 @@ static inline mip_error mip_3dm_pps_source_control_response_encode(
 static inline mip_error mip_3dm_pps_source_control_response_decode_inline(
     struct mip_3dm_pps_source_control_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0xA8, 1);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->source = mip_get_8(field->data);
@@ -2663,8 +2683,10 @@ static inline mip_error mip_3dm_get_event_support_encode(
 static inline mip_error mip_3dm_get_event_support_decode_inline(
     struct mip_3dm_get_event_support *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0x2A, 1);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->query = mip_get_8(field->data);
@@ -2870,8 +2892,10 @@ static inline mip_error mip_3dm_event_control_response_encode(
 static inline mip_error mip_3dm_event_control_response_decode_inline(
     struct mip_3dm_event_control_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0xB5, 2);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->instance = mip_get_8(field->data);
@@ -3455,8 +3479,10 @@ static inline mip_error mip_3dm_device_settings_encode(const struct mip_3dm_devi
 static inline mip_error mip_3dm_device_settings_decode_inline(struct mip_3dm_device_settings *value,
                                                               const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0x30, 1);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->function = mip_get_8(field->data);
@@ -3646,8 +3672,10 @@ static inline mip_error mip_3dm_sensor_to_vehicle_euler_response_encode(
 static inline mip_error mip_3dm_sensor_to_vehicle_euler_response_decode_inline(
     struct mip_3dm_sensor_to_vehicle_euler_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0xB1, 12);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_float(&value->roll, field->data);
@@ -3811,8 +3839,10 @@ static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_response_encode(
 static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_response_decode_inline(
     struct mip_3dm_sensor_to_vehicle_quaternion_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0xB2, 16);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 16) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 4; i++) {
@@ -3973,8 +4003,10 @@ static inline mip_error mip_3dm_sensor_to_vehicle_dcm_response_encode(
 static inline mip_error mip_3dm_sensor_to_vehicle_dcm_response_decode_inline(
     struct mip_3dm_sensor_to_vehicle_dcm_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0xB3, 36);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 36) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 9; i++) {
@@ -4133,8 +4165,10 @@ static inline mip_error mip_3dm_accel_bias_response_encode(
 static inline mip_error mip_3dm_accel_bias_response_decode_inline(
     struct mip_3dm_accel_bias_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0x9A, 12);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -4294,8 +4328,10 @@ static inline mip_error mip_3dm_gyro_bias_response_encode(
 static inline mip_error mip_3dm_gyro_bias_response_decode_inline(
     struct mip_3dm_gyro_bias_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0x9B, 12);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -4369,8 +4405,10 @@ static inline mip_error mip_3dm_capture_gyro_bias_encode(
 static inline mip_error mip_3dm_capture_gyro_bias_decode_inline(
     struct mip_3dm_capture_gyro_bias *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0x39, 2);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->averaging_time_ms = mip_get_16(field->data);
@@ -4536,8 +4574,10 @@ static inline mip_error mip_3dm_mag_hard_iron_offset_response_encode(
 static inline mip_error mip_3dm_mag_hard_iron_offset_response_decode_inline(
     struct mip_3dm_mag_hard_iron_offset_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0x9C, 12);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -4703,8 +4743,10 @@ static inline mip_error mip_3dm_mag_soft_iron_matrix_response_encode(
 static inline mip_error mip_3dm_mag_soft_iron_matrix_response_decode_inline(
     struct mip_3dm_mag_soft_iron_matrix_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0x9D, 36);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 36) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 9; i++) {
@@ -4847,8 +4889,10 @@ static inline mip_error mip_3dm_coning_sculling_enable_response_encode(
 static inline mip_error mip_3dm_coning_sculling_enable_response_decode_inline(
     struct mip_3dm_coning_sculling_enable_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0x9E, 1);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->enable = mip_get_8(field->data);
@@ -4998,8 +5042,10 @@ static inline mip_error mip_3dm_uart_baud_rate_response_encode(
 static inline mip_error mip_3dm_uart_baud_rate_response_decode_inline(
     struct mip_3dm_uart_baud_rate_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0x87, 4);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->baud = mip_get_32(field->data);
@@ -5185,8 +5231,10 @@ static inline mip_error mip_3dm_gpio_config_response_encode(
 static inline mip_error mip_3dm_gpio_config_response_decode_inline(
     struct mip_3dm_gpio_config_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0xC1, 4);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->pin = mip_get_8(field->data);
@@ -5324,8 +5372,10 @@ static inline mip_error mip_3dm_gpio_state_response_encode(
 static inline mip_error mip_3dm_gpio_state_response_decode_inline(
     struct mip_3dm_gpio_state_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0xC2, 2);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->pin = mip_get_8(field->data);
@@ -5484,8 +5534,10 @@ static inline mip_error mip_3dm_odometer_config_response_encode(
 static inline mip_error mip_3dm_odometer_config_response_decode_inline(
     struct mip_3dm_odometer_config_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0xC3, 9);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 9) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->mode = mip_get_8(field->data);
@@ -5676,8 +5728,10 @@ static inline mip_error mip_3dm_imu_low_pass_filter_response_encode(
 static inline mip_error mip_3dm_imu_low_pass_filter_response_decode_inline(
     struct mip_3dm_imu_low_pass_filter_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0x8B, 6);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 6) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->target_descriptor = mip_get_8(field->data);
@@ -5865,8 +5919,10 @@ static inline mip_error mip_3dm_complementary_filter_response_encode(
 static inline mip_error mip_3dm_complementary_filter_response_decode_inline(
     struct mip_3dm_complementary_filter_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0x97, 10);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 10) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->pitch_roll_enable = mip_get_8(field->data);
@@ -6021,8 +6077,10 @@ static inline mip_error mip_3dm_sensor_range_response_encode(
 static inline mip_error mip_3dm_sensor_range_response_decode_inline(
     struct mip_3dm_sensor_range_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0xD2, 2);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->sensor = mip_get_8(field->data);
@@ -6084,8 +6142,10 @@ static inline mip_error mip_3dm_get_calibrated_sensor_ranges_encode(
 static inline mip_error mip_3dm_get_calibrated_sensor_ranges_decode_inline(
     struct mip_3dm_get_calibrated_sensor_ranges *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0x53, 1);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->sensor = mip_get_8(field->data);
@@ -6314,8 +6374,10 @@ static inline mip_error mip_3dm_low_pass_filter_response_encode(
 static inline mip_error mip_3dm_low_pass_filter_response_decode_inline(
     struct mip_3dm_low_pass_filter_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0xD4, 8);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 8) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->descriptor_set = mip_get_8(field->data);
@@ -6399,8 +6461,10 @@ static inline mip_error mip_3dm_device_status_encode(const struct mip_3dm_device
 static inline mip_error mip_3dm_device_status_decode_inline(struct mip_3dm_device_status *value,
                                                             const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0x64, 3);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 3) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->model_number = mip_get_16(field->data);

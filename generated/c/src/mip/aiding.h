@@ -399,8 +399,10 @@ static inline mip_error mip_aiding_echo_control_response_encode(
 static inline mip_error mip_aiding_echo_control_response_decode_inline(
     struct mip_aiding_echo_control_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x13, 0x9F, 1);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->mode = mip_get_8(field->data);
@@ -482,8 +484,10 @@ static inline mip_error mip_aiding_ecef_position_encode(
 static inline mip_error mip_aiding_ecef_position_decode_inline(
     struct mip_aiding_ecef_position *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x13, 0x21, 49);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 49) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->time.timebase = mip_get_8(field->data);
@@ -608,8 +612,10 @@ static inline mip_error mip_aiding_llh_position_encode(const struct mip_aiding_l
 static inline mip_error mip_aiding_llh_position_decode_inline(struct mip_aiding_llh_position *value,
                                                               const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x13, 0x22, 49);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 49) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->time.timebase = mip_get_8(field->data);
@@ -715,8 +721,10 @@ static inline mip_error mip_aiding_height_above_ellipsoid_encode(
 static inline mip_error mip_aiding_height_above_ellipsoid_decode_inline(
     struct mip_aiding_height_above_ellipsoid *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x13, 0x23, 21);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 21) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->time.timebase = mip_get_8(field->data);
@@ -825,8 +833,10 @@ static inline mip_error mip_aiding_ecef_velocity_encode(
 static inline mip_error mip_aiding_ecef_velocity_decode_inline(
     struct mip_aiding_ecef_velocity *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x13, 0x28, 37);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 37) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->time.timebase = mip_get_8(field->data);
@@ -943,8 +953,10 @@ static inline mip_error mip_aiding_ned_velocity_encode(const struct mip_aiding_n
 static inline mip_error mip_aiding_ned_velocity_decode_inline(struct mip_aiding_ned_velocity *value,
                                                               const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x13, 0x29, 37);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 37) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->time.timebase = mip_get_8(field->data);
@@ -1069,8 +1081,10 @@ static inline mip_error mip_aiding_body_frame_velocity_encode(
 static inline mip_error mip_aiding_body_frame_velocity_decode_inline(
     struct mip_aiding_body_frame_velocity *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x13, 0x2A, 37);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 37) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->time.timebase = mip_get_8(field->data);
@@ -1175,8 +1189,10 @@ static inline mip_error mip_aiding_true_heading_encode(const struct mip_aiding_t
 static inline mip_error mip_aiding_true_heading_decode_inline(struct mip_aiding_true_heading *value,
                                                               const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x13, 0x31, 21);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 21) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->time.timebase = mip_get_8(field->data);
@@ -1283,8 +1299,10 @@ static inline mip_error mip_aiding_magnetic_field_encode(
 static inline mip_error mip_aiding_magnetic_field_decode_inline(
     struct mip_aiding_magnetic_field *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x13, 0x32, 37);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 37) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->time.timebase = mip_get_8(field->data);
@@ -1389,8 +1407,10 @@ static inline mip_error mip_aiding_pressure_encode(const struct mip_aiding_press
 static inline mip_error mip_aiding_pressure_decode_inline(struct mip_aiding_pressure *value,
                                                           const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x13, 0x33, 21);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 21) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->time.timebase = mip_get_8(field->data);

@@ -213,8 +213,10 @@ static inline mip_error mip_base_get_device_info_response_encode(
 static inline mip_error mip_base_get_device_info_response_decode_inline(
     struct mip_base_get_device_info_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x01, 0x81, 82);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 82) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->device_info.firmware_version = mip_get_16(field->data);
@@ -423,8 +425,10 @@ static inline mip_error mip_base_built_in_test_response_encode(
 static inline mip_error mip_base_built_in_test_response_decode_inline(
     struct mip_base_built_in_test_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x01, 0x83, 4);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->result = mip_get_32(field->data);
@@ -649,8 +653,10 @@ static inline mip_error mip_base_continuous_built_in_test_response_encode(
 static inline mip_error mip_base_continuous_built_in_test_response_decode_inline(
     struct mip_base_continuous_built_in_test_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x01, 0x88, 16);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 16) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     memcpy(value->result, field->data, 16);
@@ -802,8 +808,10 @@ static inline mip_error mip_base_comm_speed_response_encode(
 static inline mip_error mip_base_comm_speed_response_decode_inline(
     struct mip_base_comm_speed_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x01, 0x89, 5);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 5) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->port = mip_get_8(field->data);
@@ -962,8 +970,10 @@ static inline mip_error mip_base_gps_time_update_week_number_response_encode(
 static inline mip_error mip_base_gps_time_update_week_number_response_decode_inline(
     struct mip_base_gps_time_update_week_number_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x01, 0x84, 4);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->week_number = mip_get_32(field->data);
@@ -1025,8 +1035,10 @@ static inline mip_error mip_base_gps_time_update_tow_response_encode(
 static inline mip_error mip_base_gps_time_update_tow_response_decode_inline(
     struct mip_base_gps_time_update_tow_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x01, 0x85, 4);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->tow = mip_get_32(field->data);

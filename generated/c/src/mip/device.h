@@ -63,9 +63,11 @@ struct mip_handler {
 
 /** A device, and what is known of its stream. Several may be used side by side. */
 struct mip_device {
+    /** How it is reached. */
     struct mip_port port;
     /** The first of these that is for a field is called; without one, the field is dropped. */
     const struct mip_handler *handlers;
+    /** How many there are. */
     size_t handler_count;
     /** The parser time-out: an incomplete packet is given up when nothing has come for so many
      * milliseconds, and packets behind its first bytes are found. 0: never. */
@@ -76,6 +78,7 @@ struct mip_device {
     bool busy;
     /** Its `timeout` is how long the device may take to answer. */
     struct mip_client client;
+    /** It has the bytes of a packet that is not complete. */
     struct mip_parser parser;
 };
 
@@ -104,6 +107,7 @@ enum mip_outcome {
 
 /** What became of a command, and why. */
 struct mip_result {
+    /** What became of it. */
     enum mip_outcome outcome;
     /** The acknowledge code of the answer, if there was one: a value of enum mip_ack_code. */
     uint8_t code;

@@ -408,8 +408,10 @@ static inline mip_error mip_filter_set_initial_attitude_encode(
 static inline mip_error mip_filter_set_initial_attitude_decode_inline(
     struct mip_filter_set_initial_attitude *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x02, 12);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_float(&value->roll, field->data);
@@ -488,8 +490,10 @@ static inline mip_error mip_filter_set_initial_heading_encode(
 static inline mip_error mip_filter_set_initial_heading_decode_inline(
     struct mip_filter_set_initial_heading *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x03, 4);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_float(&value->heading, field->data);
@@ -678,8 +682,10 @@ static inline mip_error mip_filter_vehicle_dynamics_mode_response_encode(
 static inline mip_error mip_filter_vehicle_dynamics_mode_response_decode_inline(
     struct mip_filter_vehicle_dynamics_mode_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x80, 1);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->mode = mip_get_8(field->data);
@@ -837,8 +843,10 @@ static inline mip_error mip_filter_sensor_to_vehicle_euler_response_encode(
 static inline mip_error mip_filter_sensor_to_vehicle_euler_response_decode_inline(
     struct mip_filter_sensor_to_vehicle_euler_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x81, 12);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_float(&value->roll, field->data);
@@ -992,8 +1000,10 @@ static inline mip_error mip_filter_sensor_to_vehicle_offset_response_encode(
 static inline mip_error mip_filter_sensor_to_vehicle_offset_response_decode_inline(
     struct mip_filter_sensor_to_vehicle_offset_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x82, 12);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -1145,8 +1155,10 @@ static inline mip_error mip_filter_antenna_offset_response_encode(
 static inline mip_error mip_filter_antenna_offset_response_decode_inline(
     struct mip_filter_antenna_offset_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x83, 12);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -1296,8 +1308,10 @@ static inline mip_error mip_filter_estimation_control_response_encode(
 static inline mip_error mip_filter_estimation_control_response_decode_inline(
     struct mip_filter_estimation_control_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x84, 2);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->flags = mip_get_16(field->data);
@@ -1439,8 +1453,10 @@ static inline mip_error mip_filter_gnss_source_response_encode(
 static inline mip_error mip_filter_gnss_source_response_decode_inline(
     struct mip_filter_gnss_source_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x86, 1);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->source = mip_get_8(field->data);
@@ -1517,8 +1533,10 @@ static inline mip_error mip_filter_external_gnss_update_encode(
 static inline mip_error mip_filter_external_gnss_update_decode_inline(
     struct mip_filter_external_gnss_update *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x16, 70);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 70) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -1640,8 +1658,10 @@ static inline mip_error mip_filter_external_heading_update_encode(
 static inline mip_error mip_filter_external_heading_update_decode_inline(
     struct mip_filter_external_heading_update *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x17, 9);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 9) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_float(&value->heading, field->data);
@@ -1802,8 +1822,10 @@ static inline mip_error mip_filter_heading_source_response_encode(
 static inline mip_error mip_filter_heading_source_response_decode_inline(
     struct mip_filter_heading_source_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x87, 1);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->source = mip_get_8(field->data);
@@ -1950,8 +1972,10 @@ static inline mip_error mip_filter_auto_initialization_control_response_encode(
 static inline mip_error mip_filter_auto_initialization_control_response_decode_inline(
     struct mip_filter_auto_initialization_control_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x88, 1);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->enable = mip_get_8(field->data);
@@ -2096,8 +2120,10 @@ static inline mip_error mip_filter_accel_noise_response_encode(
 static inline mip_error mip_filter_accel_noise_response_decode_inline(
     struct mip_filter_accel_noise_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x89, 12);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -2245,8 +2271,10 @@ static inline mip_error mip_filter_gyro_noise_response_encode(
 static inline mip_error mip_filter_gyro_noise_response_decode_inline(
     struct mip_filter_gyro_noise_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x8A, 12);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -2401,8 +2429,10 @@ static inline mip_error mip_filter_accel_bias_model_response_encode(
 static inline mip_error mip_filter_accel_bias_model_response_decode_inline(
     struct mip_filter_accel_bias_model_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x8B, 24);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 24) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -2565,8 +2595,10 @@ static inline mip_error mip_filter_gyro_bias_model_response_encode(
 static inline mip_error mip_filter_gyro_bias_model_response_decode_inline(
     struct mip_filter_gyro_bias_model_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x8C, 24);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 24) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -2721,8 +2753,10 @@ static inline mip_error mip_filter_auto_zupt_response_encode(
 static inline mip_error mip_filter_auto_zupt_response_decode_inline(
     struct mip_filter_auto_zupt_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x8D, 5);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 5) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->enable = mip_get_8(field->data);
@@ -2809,8 +2843,10 @@ static inline mip_error mip_filter_external_heading_update_with_time_encode(
 static inline mip_error mip_filter_external_heading_update_with_time_decode_inline(
     struct mip_filter_external_heading_update_with_time *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x1F, 19);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 19) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -2982,8 +3018,10 @@ static inline mip_error mip_filter_auto_angular_zupt_response_encode(
 static inline mip_error mip_filter_auto_angular_zupt_response_decode_inline(
     struct mip_filter_auto_angular_zupt_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x8E, 5);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 5) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->enable = mip_get_8(field->data);
@@ -3129,8 +3167,10 @@ static inline mip_error mip_filter_tare_orientation_response_encode(
 static inline mip_error mip_filter_tare_orientation_response_decode_inline(
     struct mip_filter_tare_orientation_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xA1, 1);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->axes = mip_get_8(field->data);
@@ -3359,8 +3399,10 @@ static inline mip_error mip_filter_reference_position_response_encode(
 static inline mip_error mip_filter_reference_position_response_decode_inline(
     struct mip_filter_reference_position_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x90, 25);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 25) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->enable = mip_get_8(field->data);
@@ -3431,8 +3473,10 @@ static inline mip_error mip_filter_mag_capture_auto_calibration_encode(
 static inline mip_error mip_filter_mag_capture_auto_calibration_decode_inline(
     struct mip_filter_mag_capture_auto_calibration *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x27, 1);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->function = mip_get_8(field->data);
@@ -3592,8 +3636,10 @@ static inline mip_error mip_filter_gravity_noise_response_encode(
 static inline mip_error mip_filter_gravity_noise_response_decode_inline(
     struct mip_filter_gravity_noise_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x93, 12);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -3738,8 +3784,10 @@ static inline mip_error mip_filter_pressure_altitude_noise_response_encode(
 static inline mip_error mip_filter_pressure_altitude_noise_response_decode_inline(
     struct mip_filter_pressure_altitude_noise_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x94, 4);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_float(&value->noise, field->data);
@@ -3881,8 +3929,10 @@ static inline mip_error mip_filter_hard_iron_offset_noise_response_encode(
 static inline mip_error mip_filter_hard_iron_offset_noise_response_decode_inline(
     struct mip_filter_hard_iron_offset_noise_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x96, 12);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -4031,8 +4081,10 @@ static inline mip_error mip_filter_soft_iron_matrix_noise_response_encode(
 static inline mip_error mip_filter_soft_iron_matrix_noise_response_decode_inline(
     struct mip_filter_soft_iron_matrix_noise_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x97, 36);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 36) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 9; i++) {
@@ -4173,8 +4225,10 @@ static inline mip_error mip_filter_enable_measurements_response_encode(
 static inline mip_error mip_filter_enable_measurements_response_decode_inline(
     struct mip_filter_enable_measurements_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xB0, 2);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->control = mip_get_16(field->data);
@@ -4315,8 +4369,10 @@ static inline mip_error mip_filter_mag_noise_response_encode(
 static inline mip_error mip_filter_mag_noise_response_decode_inline(
     struct mip_filter_mag_noise_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xB1, 12);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -4478,8 +4534,10 @@ static inline mip_error mip_filter_magnetic_declination_source_response_encode(
 static inline mip_error mip_filter_magnetic_declination_source_response_decode_inline(
     struct mip_filter_magnetic_declination_source_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xB2, 5);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 5) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->source = mip_get_8(field->data);
@@ -4676,8 +4734,10 @@ static inline mip_error mip_filter_accel_magnitude_adaptive_response_encode(
 static inline mip_error mip_filter_accel_magnitude_adaptive_response_decode_inline(
     struct mip_filter_accel_magnitude_adaptive_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xB3, 25);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 25) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->adaptive_measurement = mip_get_8(field->data);
@@ -4913,8 +4973,10 @@ static inline mip_error mip_filter_mag_magnitude_adaptive_response_encode(
 static inline mip_error mip_filter_mag_magnitude_adaptive_response_decode_inline(
     struct mip_filter_mag_magnitude_adaptive_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xB4, 25);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 25) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->adaptive_measurement = mip_get_8(field->data);
@@ -5115,8 +5177,10 @@ static inline mip_error mip_filter_mag_dip_angle_adaptive_response_encode(
 static inline mip_error mip_filter_mag_dip_angle_adaptive_response_decode_inline(
     struct mip_filter_mag_dip_angle_adaptive_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xB5, 17);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 17) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->enable = mip_get_8(field->data);
@@ -5268,8 +5332,10 @@ static inline mip_error mip_filter_altitude_aiding_response_encode(
 static inline mip_error mip_filter_altitude_aiding_response_decode_inline(
     struct mip_filter_altitude_aiding_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xB7, 1);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->selector = mip_get_8(field->data);
@@ -5409,8 +5475,10 @@ static inline mip_error mip_filter_pitch_roll_aiding_response_encode(
 static inline mip_error mip_filter_pitch_roll_aiding_response_decode_inline(
     struct mip_filter_pitch_roll_aiding_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xBB, 1);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->aiding = mip_get_8(field->data);
@@ -5573,8 +5641,10 @@ static inline mip_error mip_filter_magnetic_inclination_source_response_encode(
 static inline mip_error mip_filter_magnetic_inclination_source_response_decode_inline(
     struct mip_filter_magnetic_inclination_source_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xBC, 5);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 5) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->source = mip_get_8(field->data);
@@ -5737,8 +5807,10 @@ static inline mip_error mip_filter_magnetic_magnitude_source_response_encode(
 static inline mip_error mip_filter_magnetic_magnitude_source_response_decode_inline(
     struct mip_filter_magnetic_magnitude_source_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xBD, 5);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 5) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->source = mip_get_8(field->data);
@@ -5900,8 +5972,10 @@ static inline mip_error mip_filter_sensor_to_vehicle_dcm_response_encode(
 static inline mip_error mip_filter_sensor_to_vehicle_dcm_response_decode_inline(
     struct mip_filter_sensor_to_vehicle_dcm_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xBE, 36);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 36) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 9; i++) {
@@ -6068,8 +6142,10 @@ static inline mip_error mip_filter_sensor_to_vehicle_quaternion_response_encode(
 static inline mip_error mip_filter_sensor_to_vehicle_quaternion_response_decode_inline(
     struct mip_filter_sensor_to_vehicle_quaternion_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xBF, 16);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 16) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 4; i++) {
@@ -6232,8 +6308,10 @@ static inline mip_error mip_filter_aiding_measurement_enable_response_encode(
 static inline mip_error mip_filter_aiding_measurement_enable_response_decode_inline(
     struct mip_filter_aiding_measurement_enable_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xD0, 3);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 3) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->aiding_source = mip_get_16(field->data);
@@ -6406,8 +6484,10 @@ static inline mip_error mip_filter_kinematic_constraint_response_encode(
 static inline mip_error mip_filter_kinematic_constraint_response_decode_inline(
     struct mip_filter_kinematic_constraint_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xD1, 3);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 3) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->accel_constraint = mip_get_8(field->data);
@@ -6629,8 +6709,10 @@ static inline mip_error mip_filter_initialization_config_response_encode(
 static inline mip_error mip_filter_initialization_config_response_decode_inline(
     struct mip_filter_initialization_config_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xD2, 40);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 40) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->wait_for_run_command = mip_get_8(field->data);
@@ -6804,8 +6886,10 @@ static inline mip_error mip_filter_adaptive_filter_options_response_encode(
 static inline mip_error mip_filter_adaptive_filter_options_response_decode_inline(
     struct mip_filter_adaptive_filter_options_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xD3, 3);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 3) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->level = mip_get_8(field->data);
@@ -6960,8 +7044,10 @@ static inline mip_error mip_filter_multi_antenna_offset_response_encode(
 static inline mip_error mip_filter_multi_antenna_offset_response_decode_inline(
     struct mip_filter_multi_antenna_offset_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xD4, 13);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 13) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->receiver_id = mip_get_8(field->data);
@@ -7130,8 +7216,10 @@ static inline mip_error mip_filter_relative_position_config_response_encode(
 static inline mip_error mip_filter_relative_position_config_response_decode_inline(
     struct mip_filter_relative_position_config_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xD5, 26);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 26) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->source = mip_get_8(field->data);
@@ -7299,8 +7387,10 @@ static inline mip_error mip_filter_reference_point_lever_arm_response_encode(
 static inline mip_error mip_filter_reference_point_lever_arm_response_decode_inline(
     struct mip_filter_reference_point_lever_arm_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xD6, 13);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 13) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->reference_point = mip_get_8(field->data);
@@ -7377,8 +7467,10 @@ static inline mip_error mip_filter_speed_measurement_encode(
 static inline mip_error mip_filter_speed_measurement_decode_inline(
     struct mip_filter_speed_measurement *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0x60, 13);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 13) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->source = mip_get_8(field->data);
@@ -7545,8 +7637,10 @@ static inline mip_error mip_filter_speed_lever_arm_response_encode(
 static inline mip_error mip_filter_speed_lever_arm_response_decode_inline(
     struct mip_filter_speed_lever_arm_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xE1, 13);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 13) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->source = mip_get_8(field->data);
@@ -7697,8 +7791,10 @@ static inline mip_error mip_filter_vertical_gyro_constraint_response_encode(
 static inline mip_error mip_filter_vertical_gyro_constraint_response_decode_inline(
     struct mip_filter_vertical_gyro_constraint_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xE2, 1);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->enable = mip_get_8(field->data);
@@ -7846,8 +7942,10 @@ static inline mip_error mip_filter_wheeled_vehicle_constraint_response_encode(
 static inline mip_error mip_filter_wheeled_vehicle_constraint_response_decode_inline(
     struct mip_filter_wheeled_vehicle_constraint_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xE3, 1);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->enable = mip_get_8(field->data);
@@ -8005,8 +8103,10 @@ static inline mip_error mip_filter_gnss_antenna_calibration_response_encode(
 static inline mip_error mip_filter_gnss_antenna_calibration_response_decode_inline(
     struct mip_filter_gnss_antenna_calibration_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0D, 0xE4, 5);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 5) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->enable = mip_get_8(field->data);

@@ -406,8 +406,10 @@ static inline mip_error mip_filter_data_llh_position_encode(
 static inline mip_error mip_filter_data_llh_position_decode_inline(
     struct mip_filter_data_llh_position *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x01, 26);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 26) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->latitude, field->data);
@@ -487,8 +489,10 @@ static inline mip_error mip_filter_data_ned_velocity_encode(
 static inline mip_error mip_filter_data_ned_velocity_decode_inline(
     struct mip_filter_data_ned_velocity *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x02, 14);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_float(&value->north, field->data);
@@ -561,8 +565,10 @@ static inline mip_error mip_filter_data_attitude_quaternion_encode(
 static inline mip_error mip_filter_data_attitude_quaternion_decode_inline(
     struct mip_filter_data_attitude_quaternion *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x03, 18);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 18) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 4; i++) {
@@ -635,8 +641,10 @@ static inline mip_error mip_filter_data_attitude_dcm_encode(
 static inline mip_error mip_filter_data_attitude_dcm_decode_inline(
     struct mip_filter_data_attitude_dcm *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x04, 38);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 38) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 9; i++) {
@@ -718,8 +726,10 @@ static inline mip_error mip_filter_data_euler_angles_encode(
 static inline mip_error mip_filter_data_euler_angles_decode_inline(
     struct mip_filter_data_euler_angles *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x05, 14);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_float(&value->roll, field->data);
@@ -790,8 +800,10 @@ static inline mip_error mip_filter_data_gyro_bias_encode(
 static inline mip_error mip_filter_data_gyro_bias_decode_inline(
     struct mip_filter_data_gyro_bias *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x06, 14);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -861,8 +873,10 @@ static inline mip_error mip_filter_data_accel_bias_encode(
 static inline mip_error mip_filter_data_accel_bias_decode_inline(
     struct mip_filter_data_accel_bias *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x07, 14);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -942,8 +956,10 @@ static inline mip_error mip_filter_data_llh_position_uncertainty_encode(
 static inline mip_error mip_filter_data_llh_position_uncertainty_decode_inline(
     struct mip_filter_data_llh_position_uncertainty *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x08, 14);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_float(&value->north, field->data);
@@ -1023,8 +1039,10 @@ static inline mip_error mip_filter_data_ned_velocity_uncertainty_encode(
 static inline mip_error mip_filter_data_ned_velocity_uncertainty_decode_inline(
     struct mip_filter_data_ned_velocity_uncertainty *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x09, 14);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_float(&value->north, field->data);
@@ -1108,8 +1126,10 @@ static inline mip_error mip_filter_data_euler_angles_uncertainty_encode(
 static inline mip_error mip_filter_data_euler_angles_uncertainty_decode_inline(
     struct mip_filter_data_euler_angles_uncertainty *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x0A, 14);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_float(&value->roll, field->data);
@@ -1180,8 +1200,10 @@ static inline mip_error mip_filter_data_gyro_bias_uncertainty_encode(
 static inline mip_error mip_filter_data_gyro_bias_uncertainty_decode_inline(
     struct mip_filter_data_gyro_bias_uncertainty *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x0B, 14);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -1251,8 +1273,10 @@ static inline mip_error mip_filter_data_accel_bias_uncertainty_encode(
 static inline mip_error mip_filter_data_accel_bias_uncertainty_decode_inline(
     struct mip_filter_data_accel_bias_uncertainty *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x0C, 14);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -1323,8 +1347,10 @@ static inline mip_error mip_filter_data_linear_accel_encode(
 static inline mip_error mip_filter_data_linear_accel_decode_inline(
     struct mip_filter_data_linear_accel *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x0D, 14);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -1395,8 +1421,10 @@ static inline mip_error mip_filter_data_comp_angular_rate_encode(
 static inline mip_error mip_filter_data_comp_angular_rate_decode_inline(
     struct mip_filter_data_comp_angular_rate *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x0E, 14);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -1468,8 +1496,10 @@ static inline mip_error mip_filter_data_wgs84_gravity_magnitude_encode(
 static inline mip_error mip_filter_data_wgs84_gravity_magnitude_decode_inline(
     struct mip_filter_data_wgs84_gravity_magnitude *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x0F, 6);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 6) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_float(&value->gravity_magnitude, field->data);
@@ -1553,8 +1583,10 @@ static inline mip_error mip_filter_data_status_encode(const struct mip_filter_da
 static inline mip_error mip_filter_data_status_decode_inline(struct mip_filter_data_status *value,
                                                              const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x10, 6);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 6) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->filter_state = mip_get_16(field->data);
@@ -1633,8 +1665,10 @@ static inline mip_error mip_filter_data_timestamp_encode(
 static inline mip_error mip_filter_data_timestamp_decode_inline(
     struct mip_filter_data_timestamp *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x11, 12);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -1705,8 +1739,10 @@ static inline mip_error mip_filter_data_quaternion_attitude_uncertainty_encode(
 static inline mip_error mip_filter_data_quaternion_attitude_uncertainty_decode_inline(
     struct mip_filter_data_quaternion_attitude_uncertainty *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x12, 18);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 18) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 4; i++) {
@@ -1778,8 +1814,10 @@ static inline mip_error mip_filter_data_gravity_vector_encode(
 static inline mip_error mip_filter_data_gravity_vector_decode_inline(
     struct mip_filter_data_gravity_vector *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x13, 14);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -1861,8 +1899,10 @@ static inline mip_error mip_filter_data_heading_update_state_encode(
 static inline mip_error mip_filter_data_heading_update_state_decode_inline(
     struct mip_filter_data_heading_update_state *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x14, 12);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_float(&value->heading, field->data);
@@ -1948,8 +1988,10 @@ static inline mip_error mip_filter_data_magnetic_model_encode(
 static inline mip_error mip_filter_data_magnetic_model_decode_inline(
     struct mip_filter_data_magnetic_model *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x15, 22);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 22) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_float(&value->intensity_north, field->data);
@@ -2023,8 +2065,10 @@ static inline mip_error mip_filter_data_gyro_scale_factor_encode(
 static inline mip_error mip_filter_data_gyro_scale_factor_decode_inline(
     struct mip_filter_data_gyro_scale_factor *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x16, 14);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -2094,8 +2138,10 @@ static inline mip_error mip_filter_data_accel_scale_factor_encode(
 static inline mip_error mip_filter_data_accel_scale_factor_decode_inline(
     struct mip_filter_data_accel_scale_factor *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x17, 14);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -2167,8 +2213,10 @@ static inline mip_error mip_filter_data_gyro_scale_factor_uncertainty_encode(
 static inline mip_error mip_filter_data_gyro_scale_factor_uncertainty_decode_inline(
     struct mip_filter_data_gyro_scale_factor_uncertainty *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x18, 14);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -2241,8 +2289,10 @@ static inline mip_error mip_filter_data_accel_scale_factor_uncertainty_encode(
 static inline mip_error mip_filter_data_accel_scale_factor_uncertainty_decode_inline(
     struct mip_filter_data_accel_scale_factor_uncertainty *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x19, 14);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -2313,8 +2363,10 @@ static inline mip_error mip_filter_data_mag_bias_encode(
 static inline mip_error mip_filter_data_mag_bias_decode_inline(
     struct mip_filter_data_mag_bias *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x1A, 14);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -2384,8 +2436,10 @@ static inline mip_error mip_filter_data_mag_bias_uncertainty_encode(
 static inline mip_error mip_filter_data_mag_bias_uncertainty_decode_inline(
     struct mip_filter_data_mag_bias_uncertainty *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x1B, 14);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -2456,8 +2510,10 @@ static inline mip_error mip_filter_data_comp_accel_encode(
 static inline mip_error mip_filter_data_comp_accel_decode_inline(
     struct mip_filter_data_comp_accel *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x1C, 14);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -2542,8 +2598,10 @@ static inline mip_error mip_filter_data_standard_atmosphere_encode(
 static inline mip_error mip_filter_data_standard_atmosphere_decode_inline(
     struct mip_filter_data_standard_atmosphere *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x20, 22);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 22) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_float(&value->geometric_altitude, field->data);
@@ -2620,8 +2678,10 @@ static inline mip_error mip_filter_data_pressure_altitude_encode(
 static inline mip_error mip_filter_data_pressure_altitude_decode_inline(
     struct mip_filter_data_pressure_altitude *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x21, 6);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 6) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_float(&value->pressure_altitude, field->data);
@@ -2685,8 +2745,10 @@ static inline mip_error mip_filter_data_density_altitude_encode(
 static inline mip_error mip_filter_data_density_altitude_decode_inline(
     struct mip_filter_data_density_altitude *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x22, 6);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 6) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_float(&value->density_altitude, field->data);
@@ -2755,8 +2817,10 @@ static inline mip_error mip_filter_data_mag_offset_encode(
 static inline mip_error mip_filter_data_mag_offset_decode_inline(
     struct mip_filter_data_mag_offset *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x25, 14);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -2829,8 +2893,10 @@ static inline mip_error mip_filter_data_mag_matrix_encode(
 static inline mip_error mip_filter_data_mag_matrix_decode_inline(
     struct mip_filter_data_mag_matrix *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x26, 38);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 38) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 9; i++) {
@@ -2901,8 +2967,10 @@ static inline mip_error mip_filter_data_mag_offset_uncertainty_encode(
 static inline mip_error mip_filter_data_mag_offset_uncertainty_decode_inline(
     struct mip_filter_data_mag_offset_uncertainty *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x28, 14);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -2973,8 +3041,10 @@ static inline mip_error mip_filter_data_mag_matrix_uncertainty_encode(
 static inline mip_error mip_filter_data_mag_matrix_uncertainty_decode_inline(
     struct mip_filter_data_mag_matrix_uncertainty *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x29, 38);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 38) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 9; i++) {
@@ -3046,8 +3116,10 @@ static inline mip_error mip_filter_data_mag_covariance_matrix_encode(
 static inline mip_error mip_filter_data_mag_covariance_matrix_decode_inline(
     struct mip_filter_data_mag_covariance_matrix *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x2A, 38);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 38) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 9; i++) {
@@ -3118,8 +3190,10 @@ static inline mip_error mip_filter_data_mag_residual_vector_encode(
 static inline mip_error mip_filter_data_mag_residual_vector_decode_inline(
     struct mip_filter_data_mag_residual_vector *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x2C, 14);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -3191,8 +3265,10 @@ static inline mip_error mip_filter_data_antenna_offset_correction_encode(
 static inline mip_error mip_filter_data_antenna_offset_correction_decode_inline(
     struct mip_filter_data_antenna_offset_correction *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x30, 14);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -3265,8 +3341,10 @@ static inline mip_error mip_filter_data_antenna_offset_uncertainty_encode(
 static inline mip_error mip_filter_data_antenna_offset_uncertainty_decode_inline(
     struct mip_filter_data_antenna_offset_uncertainty *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x31, 14);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -3342,8 +3420,10 @@ static inline mip_error mip_filter_data_clock_correction_encode(
 static inline mip_error mip_filter_data_clock_correction_decode_inline(
     struct mip_filter_data_clock_correction *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x32, 11);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 11) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->receiver_id = mip_get_8(field->data);
@@ -3420,8 +3500,10 @@ static inline mip_error mip_filter_data_clock_correction_uncertainty_encode(
 static inline mip_error mip_filter_data_clock_correction_uncertainty_decode_inline(
     struct mip_filter_data_clock_correction_uncertainty *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x33, 11);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 11) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->receiver_id = mip_get_8(field->data);
@@ -3497,8 +3579,10 @@ static inline mip_error mip_filter_data_multi_antenna_offset_correction_encode(
 static inline mip_error mip_filter_data_multi_antenna_offset_correction_decode_inline(
     struct mip_filter_data_multi_antenna_offset_correction *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x34, 15);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 15) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->receiver_id = mip_get_8(field->data);
@@ -3577,8 +3661,10 @@ static inline mip_error mip_filter_data_multi_antenna_offset_uncertainty_encode(
 static inline mip_error mip_filter_data_multi_antenna_offset_uncertainty_decode_inline(
     struct mip_filter_data_multi_antenna_offset_uncertainty *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x35, 15);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 15) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->receiver_id = mip_get_8(field->data);
@@ -3651,8 +3737,10 @@ static inline mip_error mip_filter_data_ecef_position_uncertainty_encode(
 static inline mip_error mip_filter_data_ecef_position_uncertainty_decode_inline(
     struct mip_filter_data_ecef_position_uncertainty *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x36, 14);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -3722,8 +3810,10 @@ static inline mip_error mip_filter_data_ecef_velocity_uncertainty_encode(
 static inline mip_error mip_filter_data_ecef_velocity_uncertainty_decode_inline(
     struct mip_filter_data_ecef_velocity_uncertainty *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x37, 14);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -3793,8 +3883,10 @@ static inline mip_error mip_filter_data_ecef_position_encode(
 static inline mip_error mip_filter_data_ecef_position_decode_inline(
     struct mip_filter_data_ecef_position *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x40, 26);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 26) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -3864,8 +3956,10 @@ static inline mip_error mip_filter_data_ecef_velocity_encode(
 static inline mip_error mip_filter_data_ecef_velocity_decode_inline(
     struct mip_filter_data_ecef_velocity *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x41, 14);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -3935,8 +4029,10 @@ static inline mip_error mip_filter_data_ned_relative_position_encode(
 static inline mip_error mip_filter_data_ned_relative_position_decode_inline(
     struct mip_filter_data_ned_relative_position *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x42, 26);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 26) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -4009,8 +4105,10 @@ static inline mip_error mip_filter_data_gnss_position_aiding_status_encode(
 static inline mip_error mip_filter_data_gnss_position_aiding_status_decode_inline(
     struct mip_filter_data_gnss_position_aiding_status *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x43, 15);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 15) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->receiver_id = mip_get_8(field->data);
@@ -4085,8 +4183,10 @@ static inline mip_error mip_filter_data_gnss_attitude_aiding_status_encode(
 static inline mip_error mip_filter_data_gnss_attitude_aiding_status_decode_inline(
     struct mip_filter_data_gnss_attitude_aiding_status *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x44, 14);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_float(&value->tow, field->data);
@@ -4159,8 +4259,10 @@ static inline mip_error mip_filter_data_heading_aiding_status_encode(
 static inline mip_error mip_filter_data_heading_aiding_status_decode_inline(
     struct mip_filter_data_heading_aiding_status *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x45, 13);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 13) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_float(&value->tow, field->data);
@@ -4235,8 +4337,10 @@ static inline mip_error mip_filter_data_aiding_measurement_summary_encode(
 static inline mip_error mip_filter_data_aiding_measurement_summary_decode_inline(
     struct mip_filter_data_aiding_measurement_summary *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x46, 7);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 7) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_float(&value->tow, field->data);
@@ -4307,8 +4411,10 @@ static inline mip_error mip_filter_data_odometer_scale_factor_error_encode(
 static inline mip_error mip_filter_data_odometer_scale_factor_error_decode_inline(
     struct mip_filter_data_odometer_scale_factor_error *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x47, 6);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 6) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_float(&value->scale_factor_error, field->data);
@@ -4380,8 +4486,10 @@ static inline mip_error mip_filter_data_odometer_scale_factor_uncertainty_decode
     struct mip_filter_data_odometer_scale_factor_uncertainty *value,
     const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x48, 6);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 6) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_float(&value->scale_factor_error_uncertainty, field->data);
@@ -4461,8 +4569,10 @@ static inline mip_error mip_filter_data_gnss_dual_antenna_status_encode(
 static inline mip_error mip_filter_data_gnss_dual_antenna_status_decode_inline(
     struct mip_filter_data_gnss_dual_antenna_status *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x49, 17);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 17) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_float(&value->tow, field->data);
@@ -4535,8 +4645,10 @@ static inline mip_error mip_filter_data_aiding_frame_config_error_encode(
 static inline mip_error mip_filter_data_aiding_frame_config_error_decode_inline(
     struct mip_filter_data_aiding_frame_config_error *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x50, 29);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 29) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->frame_id = mip_get_8(field->data);
@@ -4615,8 +4727,10 @@ static inline mip_error mip_filter_data_aiding_frame_error_uncertainty_encode(
 static inline mip_error mip_filter_data_aiding_frame_error_uncertainty_decode_inline(
     struct mip_filter_data_aiding_frame_error_uncertainty *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x82, 0x51, 25);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 25) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->frame_id = mip_get_8(field->data);

@@ -295,8 +295,10 @@ static inline mip_error mip_gnss_signal_config_response_encode(
 static inline mip_error mip_gnss_signal_config_response_decode_inline(
     struct mip_gnss_signal_config_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0E, 0x82, 8);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 8) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->gps_enable = mip_get_8(field->data);
@@ -447,8 +449,10 @@ static inline mip_error mip_gnss_rtk_dongle_config_response_encode(
 static inline mip_error mip_gnss_rtk_dongle_config_response_decode_inline(
     struct mip_gnss_rtk_dongle_config_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0E, 0x90, 4);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->enable = mip_get_8(field->data);
@@ -638,8 +642,10 @@ static inline mip_error mip_gnss_spartn_config_response_encode(
 static inline mip_error mip_gnss_spartn_config_response_decode_inline(
     struct mip_gnss_spartn_config_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0E, 0xA0, 78);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 78) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->enable = mip_get_8(field->data);

@@ -626,8 +626,10 @@ static inline mip_error mip_gnss_1_llh_position_encode(const struct mip_gnss_1_l
 static inline mip_error mip_gnss_1_llh_position_decode_inline(struct mip_gnss_1_llh_position *value,
                                                               const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x91, 0x03, 42);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 42) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->latitude, field->data);
@@ -708,8 +710,10 @@ static inline mip_error mip_gnss_1_ecef_position_encode(
 static inline mip_error mip_gnss_1_ecef_position_decode_inline(
     struct mip_gnss_1_ecef_position *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x91, 0x04, 30);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 30) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -806,8 +810,10 @@ static inline mip_error mip_gnss_1_ned_velocity_encode(const struct mip_gnss_1_n
 static inline mip_error mip_gnss_1_ned_velocity_decode_inline(struct mip_gnss_1_ned_velocity *value,
                                                               const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x91, 0x05, 34);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 34) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -892,8 +898,10 @@ static inline mip_error mip_gnss_1_ecef_velocity_encode(
 static inline mip_error mip_gnss_1_ecef_velocity_decode_inline(
     struct mip_gnss_1_ecef_velocity *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x91, 0x06, 18);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 18) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -974,8 +982,10 @@ static inline mip_error mip_gnss_1_dop_encode(const struct mip_gnss_1_dop *value
 static inline mip_error mip_gnss_1_dop_decode_inline(struct mip_gnss_1_dop *value,
                                                      const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x91, 0x07, 30);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 30) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_float(&value->gdop, field->data);
@@ -1080,8 +1090,10 @@ static inline mip_error mip_gnss_1_utc_time_encode(const struct mip_gnss_1_utc_t
 static inline mip_error mip_gnss_1_utc_time_decode_inline(struct mip_gnss_1_utc_time *value,
                                                           const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x91, 0x08, 13);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 13) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->year = mip_get_16(field->data);
@@ -1161,8 +1173,10 @@ static inline mip_error mip_gnss_1_gps_time_encode(const struct mip_gnss_1_gps_t
 static inline mip_error mip_gnss_1_gps_time_decode_inline(struct mip_gnss_1_gps_time *value,
                                                           const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x91, 0x09, 12);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -1241,8 +1255,10 @@ static inline mip_error mip_gnss_1_clock_info_encode(const struct mip_gnss_1_clo
 static inline mip_error mip_gnss_1_clock_info_decode_inline(struct mip_gnss_1_clock_info *value,
                                                             const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x91, 0x0A, 26);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 26) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->bias, field->data);
@@ -1319,8 +1335,10 @@ static inline mip_error mip_gnss_1_fix_info_encode(const struct mip_gnss_1_fix_i
 static inline mip_error mip_gnss_1_fix_info_decode_inline(struct mip_gnss_1_fix_info *value,
                                                           const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x91, 0x0B, 6);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 6) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->fix_type = mip_get_8(field->data);
@@ -1409,8 +1427,10 @@ static inline mip_error mip_gnss_1_sv_info_encode(const struct mip_gnss_1_sv_inf
 static inline mip_error mip_gnss_1_sv_info_decode_inline(struct mip_gnss_1_sv_info *value,
                                                          const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x91, 0x0C, 12);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->channel = mip_get_8(field->data);
@@ -1496,8 +1516,10 @@ static inline mip_error mip_gnss_1_hardware_status_encode(
 static inline mip_error mip_gnss_1_hardware_status_decode_inline(
     struct mip_gnss_1_hardware_status *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x91, 0x0D, 5);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 5) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->receiver_state = mip_get_8(field->data);
@@ -1587,8 +1609,10 @@ static inline mip_error mip_gnss_1_dgps_info_encode(const struct mip_gnss_1_dgps
 static inline mip_error mip_gnss_1_dgps_info_decode_inline(struct mip_gnss_1_dgps_info *value,
                                                            const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x91, 0x0E, 12);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_float(&value->age, field->data);
@@ -1677,8 +1701,10 @@ static inline mip_error mip_gnss_1_dgps_channel_encode(const struct mip_gnss_1_d
 static inline mip_error mip_gnss_1_dgps_channel_decode_inline(struct mip_gnss_1_dgps_channel *value,
                                                               const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x91, 0x0F, 15);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 15) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->satellite_id = mip_get_8(field->data);
@@ -1767,8 +1793,10 @@ static inline mip_error mip_gnss_1_clock_info_2_encode(const struct mip_gnss_1_c
 static inline mip_error mip_gnss_1_clock_info_2_decode_inline(struct mip_gnss_1_clock_info_2 *value,
                                                               const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x91, 0x10, 34);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 34) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->bias, field->data);
@@ -1840,8 +1868,10 @@ static inline mip_error mip_gnss_1_gps_leap_seconds_encode(
 static inline mip_error mip_gnss_1_gps_leap_seconds_decode_inline(
     struct mip_gnss_1_gps_leap_seconds *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x91, 0x11, 3);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 3) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->leap_seconds = mip_get_8(field->data);
@@ -1925,8 +1955,10 @@ static inline mip_error mip_gnss_1_sbas_info_encode(const struct mip_gnss_1_sbas
 static inline mip_error mip_gnss_1_sbas_info_decode_inline(struct mip_gnss_1_sbas_info *value,
                                                            const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x91, 0x12, 16);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 16) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -2030,8 +2062,10 @@ static inline mip_error mip_gnss_1_sbas_correction_encode(
 static inline mip_error mip_gnss_1_sbas_correction_decode_inline(
     struct mip_gnss_1_sbas_correction *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x91, 0x13, 25);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 25) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->index = mip_get_8(field->data);
@@ -2125,8 +2159,10 @@ static inline mip_error mip_gnss_1_rf_error_detection_encode(
 static inline mip_error mip_gnss_1_rf_error_detection_decode_inline(
     struct mip_gnss_1_rf_error_detection *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x91, 0x14, 9);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 9) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->rf_band = mip_get_8(field->data);
@@ -2234,8 +2270,10 @@ static inline mip_error mip_gnss_1_satellite_status_encode(
 static inline mip_error mip_gnss_1_satellite_status_decode_inline(
     struct mip_gnss_1_satellite_status *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x91, 0x20, 25);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 25) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->index = mip_get_8(field->data);
@@ -2390,8 +2428,10 @@ static inline mip_error mip_gnss_1_raw_encode(const struct mip_gnss_1_raw *value
 static inline mip_error mip_gnss_1_raw_decode_inline(struct mip_gnss_1_raw *value,
                                                      const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x91, 0x22, 61);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 61) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->index = mip_get_8(field->data);
@@ -2516,8 +2556,10 @@ static inline mip_error mip_gnss_1_base_station_info_encode(
 static inline mip_error mip_gnss_1_base_station_info_decode_inline(
     struct mip_gnss_1_base_station_info *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x91, 0x30, 44);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 44) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -2636,8 +2678,10 @@ static inline mip_error mip_gnss_1_rtk_corrections_status_encode(
 static inline mip_error mip_gnss_1_rtk_corrections_status_decode_inline(
     struct mip_gnss_1_rtk_corrections_status *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x91, 0x31, 50);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 50) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -2861,8 +2905,10 @@ static inline mip_error mip_gnss_1_gps_ephemeris_encode(
 static inline mip_error mip_gnss_1_gps_ephemeris_decode_inline(
     struct mip_gnss_1_gps_ephemeris *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x91, 0x61, 218);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 218) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->index = mip_get_8(field->data);
@@ -3096,8 +3142,10 @@ static inline mip_error mip_gnss_1_glonass_ephemeris_encode(
 static inline mip_error mip_gnss_1_glonass_ephemeris_decode_inline(
     struct mip_gnss_1_glonass_ephemeris *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x91, 0x62, 102);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 102) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->index = mip_get_8(field->data);
@@ -3362,8 +3410,10 @@ static inline mip_error mip_gnss_1_galileo_ephemeris_encode(
 static inline mip_error mip_gnss_1_galileo_ephemeris_decode_inline(
     struct mip_gnss_1_galileo_ephemeris *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x91, 0x63, 218);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 218) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->index = mip_get_8(field->data);
@@ -3634,8 +3684,10 @@ static inline mip_error mip_gnss_1_beidou_ephemeris_encode(
 static inline mip_error mip_gnss_1_beidou_ephemeris_decode_inline(
     struct mip_gnss_1_beidou_ephemeris *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x91, 0x64, 218);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 218) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->index = mip_get_8(field->data);
@@ -3780,8 +3832,10 @@ static inline mip_error mip_gnss_1_gps_iono_correction_encode(
 static inline mip_error mip_gnss_1_gps_iono_correction_decode_inline(
     struct mip_gnss_1_gps_iono_correction *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x91, 0x71, 76);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 76) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -3878,8 +3932,10 @@ static inline mip_error mip_gnss_1_galileo_iono_correction_encode(
 static inline mip_error mip_gnss_1_galileo_iono_correction_decode_inline(
     struct mip_gnss_1_galileo_iono_correction *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x91, 0x73, 37);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 37) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -3977,8 +4033,10 @@ static inline mip_error mip_gnss_1_beidou_iono_correction_encode(
 static inline mip_error mip_gnss_1_beidou_iono_correction_decode_inline(
     struct mip_gnss_1_beidou_iono_correction *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x91, 0x74, 148);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 148) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->tow, field->data);

@@ -92,8 +92,10 @@ static inline mip_error mip_gnss_2_llh_position_encode(const struct mip_gnss_2_l
 static inline mip_error mip_gnss_2_llh_position_decode_inline(struct mip_gnss_2_llh_position *value,
                                                               const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x92, 0x03, 42);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 42) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->latitude, field->data);
@@ -175,8 +177,10 @@ static inline mip_error mip_gnss_2_ecef_position_encode(
 static inline mip_error mip_gnss_2_ecef_position_decode_inline(
     struct mip_gnss_2_ecef_position *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x92, 0x04, 30);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 30) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -273,8 +277,10 @@ static inline mip_error mip_gnss_2_ned_velocity_encode(const struct mip_gnss_2_n
 static inline mip_error mip_gnss_2_ned_velocity_decode_inline(struct mip_gnss_2_ned_velocity *value,
                                                               const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x92, 0x05, 34);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 34) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -360,8 +366,10 @@ static inline mip_error mip_gnss_2_ecef_velocity_encode(
 static inline mip_error mip_gnss_2_ecef_velocity_decode_inline(
     struct mip_gnss_2_ecef_velocity *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x92, 0x06, 18);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 18) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -442,8 +450,10 @@ static inline mip_error mip_gnss_2_dop_encode(const struct mip_gnss_2_dop *value
 static inline mip_error mip_gnss_2_dop_decode_inline(struct mip_gnss_2_dop *value,
                                                      const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x92, 0x07, 30);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 30) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_float(&value->gdop, field->data);
@@ -548,8 +558,10 @@ static inline mip_error mip_gnss_2_utc_time_encode(const struct mip_gnss_2_utc_t
 static inline mip_error mip_gnss_2_utc_time_decode_inline(struct mip_gnss_2_utc_time *value,
                                                           const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x92, 0x08, 13);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 13) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->year = mip_get_16(field->data);
@@ -629,8 +641,10 @@ static inline mip_error mip_gnss_2_gps_time_encode(const struct mip_gnss_2_gps_t
 static inline mip_error mip_gnss_2_gps_time_decode_inline(struct mip_gnss_2_gps_time *value,
                                                           const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x92, 0x09, 12);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -710,8 +724,10 @@ static inline mip_error mip_gnss_2_clock_info_encode(const struct mip_gnss_2_clo
 static inline mip_error mip_gnss_2_clock_info_decode_inline(struct mip_gnss_2_clock_info *value,
                                                             const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x92, 0x0A, 26);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 26) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->bias, field->data);
@@ -788,8 +804,10 @@ static inline mip_error mip_gnss_2_fix_info_encode(const struct mip_gnss_2_fix_i
 static inline mip_error mip_gnss_2_fix_info_decode_inline(struct mip_gnss_2_fix_info *value,
                                                           const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x92, 0x0B, 6);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 6) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->fix_type = mip_get_8(field->data);
@@ -878,8 +896,10 @@ static inline mip_error mip_gnss_2_sv_info_encode(const struct mip_gnss_2_sv_inf
 static inline mip_error mip_gnss_2_sv_info_decode_inline(struct mip_gnss_2_sv_info *value,
                                                          const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x92, 0x0C, 12);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->channel = mip_get_8(field->data);
@@ -966,8 +986,10 @@ static inline mip_error mip_gnss_2_hardware_status_encode(
 static inline mip_error mip_gnss_2_hardware_status_decode_inline(
     struct mip_gnss_2_hardware_status *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x92, 0x0D, 5);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 5) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->receiver_state = mip_get_8(field->data);
@@ -1057,8 +1079,10 @@ static inline mip_error mip_gnss_2_dgps_info_encode(const struct mip_gnss_2_dgps
 static inline mip_error mip_gnss_2_dgps_info_decode_inline(struct mip_gnss_2_dgps_info *value,
                                                            const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x92, 0x0E, 12);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_float(&value->age, field->data);
@@ -1148,8 +1172,10 @@ static inline mip_error mip_gnss_2_dgps_channel_encode(const struct mip_gnss_2_d
 static inline mip_error mip_gnss_2_dgps_channel_decode_inline(struct mip_gnss_2_dgps_channel *value,
                                                               const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x92, 0x0F, 15);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 15) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->satellite_id = mip_get_8(field->data);
@@ -1238,8 +1264,10 @@ static inline mip_error mip_gnss_2_clock_info_2_encode(const struct mip_gnss_2_c
 static inline mip_error mip_gnss_2_clock_info_2_decode_inline(struct mip_gnss_2_clock_info_2 *value,
                                                               const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x92, 0x10, 34);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 34) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->bias, field->data);
@@ -1311,8 +1339,10 @@ static inline mip_error mip_gnss_2_gps_leap_seconds_encode(
 static inline mip_error mip_gnss_2_gps_leap_seconds_decode_inline(
     struct mip_gnss_2_gps_leap_seconds *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x92, 0x11, 3);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 3) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->leap_seconds = mip_get_8(field->data);
@@ -1396,8 +1426,10 @@ static inline mip_error mip_gnss_2_sbas_info_encode(const struct mip_gnss_2_sbas
 static inline mip_error mip_gnss_2_sbas_info_decode_inline(struct mip_gnss_2_sbas_info *value,
                                                            const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x92, 0x12, 16);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 16) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -1502,8 +1534,10 @@ static inline mip_error mip_gnss_2_sbas_correction_encode(
 static inline mip_error mip_gnss_2_sbas_correction_decode_inline(
     struct mip_gnss_2_sbas_correction *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x92, 0x13, 25);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 25) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->index = mip_get_8(field->data);
@@ -1598,8 +1632,10 @@ static inline mip_error mip_gnss_2_rf_error_detection_encode(
 static inline mip_error mip_gnss_2_rf_error_detection_decode_inline(
     struct mip_gnss_2_rf_error_detection *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x92, 0x14, 9);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 9) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->rf_band = mip_get_8(field->data);
@@ -1707,8 +1743,10 @@ static inline mip_error mip_gnss_2_satellite_status_encode(
 static inline mip_error mip_gnss_2_satellite_status_decode_inline(
     struct mip_gnss_2_satellite_status *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x92, 0x20, 25);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 25) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->index = mip_get_8(field->data);
@@ -1863,8 +1901,10 @@ static inline mip_error mip_gnss_2_raw_encode(const struct mip_gnss_2_raw *value
 static inline mip_error mip_gnss_2_raw_decode_inline(struct mip_gnss_2_raw *value,
                                                      const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x92, 0x22, 61);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 61) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->index = mip_get_8(field->data);
@@ -1990,8 +2030,10 @@ static inline mip_error mip_gnss_2_base_station_info_encode(
 static inline mip_error mip_gnss_2_base_station_info_decode_inline(
     struct mip_gnss_2_base_station_info *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x92, 0x30, 44);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 44) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -2111,8 +2153,10 @@ static inline mip_error mip_gnss_2_rtk_corrections_status_encode(
 static inline mip_error mip_gnss_2_rtk_corrections_status_decode_inline(
     struct mip_gnss_2_rtk_corrections_status *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x92, 0x31, 50);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 50) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -2336,8 +2380,10 @@ static inline mip_error mip_gnss_2_gps_ephemeris_encode(
 static inline mip_error mip_gnss_2_gps_ephemeris_decode_inline(
     struct mip_gnss_2_gps_ephemeris *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x92, 0x61, 218);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 218) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->index = mip_get_8(field->data);
@@ -2572,8 +2618,10 @@ static inline mip_error mip_gnss_2_glonass_ephemeris_encode(
 static inline mip_error mip_gnss_2_glonass_ephemeris_decode_inline(
     struct mip_gnss_2_glonass_ephemeris *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x92, 0x62, 102);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 102) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->index = mip_get_8(field->data);
@@ -2838,8 +2886,10 @@ static inline mip_error mip_gnss_2_galileo_ephemeris_encode(
 static inline mip_error mip_gnss_2_galileo_ephemeris_decode_inline(
     struct mip_gnss_2_galileo_ephemeris *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x92, 0x63, 218);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 218) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->index = mip_get_8(field->data);
@@ -3110,8 +3160,10 @@ static inline mip_error mip_gnss_2_beidou_ephemeris_encode(
 static inline mip_error mip_gnss_2_beidou_ephemeris_decode_inline(
     struct mip_gnss_2_beidou_ephemeris *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x92, 0x64, 218);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 218) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->index = mip_get_8(field->data);
@@ -3257,8 +3309,10 @@ static inline mip_error mip_gnss_2_gps_iono_correction_encode(
 static inline mip_error mip_gnss_2_gps_iono_correction_decode_inline(
     struct mip_gnss_2_gps_iono_correction *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x92, 0x71, 76);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 76) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -3355,8 +3409,10 @@ static inline mip_error mip_gnss_2_galileo_iono_correction_encode(
 static inline mip_error mip_gnss_2_galileo_iono_correction_decode_inline(
     struct mip_gnss_2_galileo_iono_correction *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x92, 0x73, 37);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 37) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -3454,8 +3510,10 @@ static inline mip_error mip_gnss_2_beidou_iono_correction_encode(
 static inline mip_error mip_gnss_2_beidou_iono_correction_decode_inline(
     struct mip_gnss_2_beidou_iono_correction *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x92, 0x74, 148);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 148) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->tow, field->data);

@@ -93,8 +93,10 @@ static inline mip_error mip_gnss_corrections_llh_position_encode(
 static inline mip_error mip_gnss_corrections_llh_position_decode_inline(
     struct mip_gnss_corrections_llh_position *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x93, 0x03, 42);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 42) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->latitude, field->data);
@@ -176,8 +178,10 @@ static inline mip_error mip_gnss_corrections_ecef_position_encode(
 static inline mip_error mip_gnss_corrections_ecef_position_decode_inline(
     struct mip_gnss_corrections_ecef_position *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x93, 0x04, 30);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 30) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -275,8 +279,10 @@ static inline mip_error mip_gnss_corrections_ned_velocity_encode(
 static inline mip_error mip_gnss_corrections_ned_velocity_decode_inline(
     struct mip_gnss_corrections_ned_velocity *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x93, 0x05, 34);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 34) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -362,8 +368,10 @@ static inline mip_error mip_gnss_corrections_ecef_velocity_encode(
 static inline mip_error mip_gnss_corrections_ecef_velocity_decode_inline(
     struct mip_gnss_corrections_ecef_velocity *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x93, 0x06, 18);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 18) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -445,8 +453,10 @@ static inline mip_error mip_gnss_corrections_dop_encode(
 static inline mip_error mip_gnss_corrections_dop_decode_inline(
     struct mip_gnss_corrections_dop *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x93, 0x07, 30);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 30) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_float(&value->gdop, field->data);
@@ -552,8 +562,10 @@ static inline mip_error mip_gnss_corrections_utc_time_encode(
 static inline mip_error mip_gnss_corrections_utc_time_decode_inline(
     struct mip_gnss_corrections_utc_time *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x93, 0x08, 13);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 13) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->year = mip_get_16(field->data);
@@ -634,8 +646,10 @@ static inline mip_error mip_gnss_corrections_gps_time_encode(
 static inline mip_error mip_gnss_corrections_gps_time_decode_inline(
     struct mip_gnss_corrections_gps_time *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x93, 0x09, 12);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -715,8 +729,10 @@ static inline mip_error mip_gnss_corrections_clock_info_encode(
 static inline mip_error mip_gnss_corrections_clock_info_decode_inline(
     struct mip_gnss_corrections_clock_info *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x93, 0x0A, 26);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 26) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->bias, field->data);
@@ -794,8 +810,10 @@ static inline mip_error mip_gnss_corrections_fix_info_encode(
 static inline mip_error mip_gnss_corrections_fix_info_decode_inline(
     struct mip_gnss_corrections_fix_info *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x93, 0x0B, 6);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 6) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->fix_type = mip_get_8(field->data);
@@ -884,8 +902,10 @@ static inline mip_error mip_gnss_corrections_sv_info_encode(
 static inline mip_error mip_gnss_corrections_sv_info_decode_inline(
     struct mip_gnss_corrections_sv_info *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x93, 0x0C, 12);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->channel = mip_get_8(field->data);
@@ -972,8 +992,10 @@ static inline mip_error mip_gnss_corrections_hardware_status_encode(
 static inline mip_error mip_gnss_corrections_hardware_status_decode_inline(
     struct mip_gnss_corrections_hardware_status *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x93, 0x0D, 5);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 5) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->receiver_state = mip_get_8(field->data);
@@ -1063,8 +1085,10 @@ static inline mip_error mip_gnss_corrections_dgps_info_encode(
 static inline mip_error mip_gnss_corrections_dgps_info_decode_inline(
     struct mip_gnss_corrections_dgps_info *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x93, 0x0E, 12);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_float(&value->age, field->data);
@@ -1154,8 +1178,10 @@ static inline mip_error mip_gnss_corrections_dgps_channel_encode(
 static inline mip_error mip_gnss_corrections_dgps_channel_decode_inline(
     struct mip_gnss_corrections_dgps_channel *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x93, 0x0F, 15);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 15) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->satellite_id = mip_get_8(field->data);
@@ -1245,8 +1271,10 @@ static inline mip_error mip_gnss_corrections_clock_info_2_encode(
 static inline mip_error mip_gnss_corrections_clock_info_2_decode_inline(
     struct mip_gnss_corrections_clock_info_2 *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x93, 0x10, 34);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 34) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->bias, field->data);
@@ -1319,8 +1347,10 @@ static inline mip_error mip_gnss_corrections_gps_leap_seconds_encode(
 static inline mip_error mip_gnss_corrections_gps_leap_seconds_decode_inline(
     struct mip_gnss_corrections_gps_leap_seconds *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x93, 0x11, 3);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 3) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->leap_seconds = mip_get_8(field->data);
@@ -1405,8 +1435,10 @@ static inline mip_error mip_gnss_corrections_sbas_info_encode(
 static inline mip_error mip_gnss_corrections_sbas_info_decode_inline(
     struct mip_gnss_corrections_sbas_info *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x93, 0x12, 16);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 16) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -1511,8 +1543,10 @@ static inline mip_error mip_gnss_corrections_sbas_correction_encode(
 static inline mip_error mip_gnss_corrections_sbas_correction_decode_inline(
     struct mip_gnss_corrections_sbas_correction *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x93, 0x13, 25);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 25) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->index = mip_get_8(field->data);
@@ -1607,8 +1641,10 @@ static inline mip_error mip_gnss_corrections_rf_error_detection_encode(
 static inline mip_error mip_gnss_corrections_rf_error_detection_decode_inline(
     struct mip_gnss_corrections_rf_error_detection *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x93, 0x14, 9);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 9) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->rf_band = mip_get_8(field->data);
@@ -1717,8 +1753,10 @@ static inline mip_error mip_gnss_corrections_satellite_status_encode(
 static inline mip_error mip_gnss_corrections_satellite_status_decode_inline(
     struct mip_gnss_corrections_satellite_status *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x93, 0x20, 25);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 25) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->index = mip_get_8(field->data);
@@ -1874,8 +1912,10 @@ static inline mip_error mip_gnss_corrections_raw_encode(
 static inline mip_error mip_gnss_corrections_raw_decode_inline(
     struct mip_gnss_corrections_raw *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x93, 0x22, 61);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 61) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->index = mip_get_8(field->data);
@@ -2000,8 +2040,10 @@ static inline mip_error mip_gnss_corrections_base_station_info_encode(
 static inline mip_error mip_gnss_corrections_base_station_info_decode_inline(
     struct mip_gnss_corrections_base_station_info *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x93, 0x30, 44);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 44) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -2120,8 +2162,10 @@ static inline mip_error mip_gnss_corrections_rtk_corrections_status_encode(
 static inline mip_error mip_gnss_corrections_rtk_corrections_status_decode_inline(
     struct mip_gnss_corrections_rtk_corrections_status *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x93, 0x31, 50);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 50) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -2346,8 +2390,10 @@ static inline mip_error mip_gnss_corrections_gps_ephemeris_encode(
 static inline mip_error mip_gnss_corrections_gps_ephemeris_decode_inline(
     struct mip_gnss_corrections_gps_ephemeris *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x93, 0x61, 218);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 218) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->index = mip_get_8(field->data);
@@ -2582,8 +2628,10 @@ static inline mip_error mip_gnss_corrections_glonass_ephemeris_encode(
 static inline mip_error mip_gnss_corrections_glonass_ephemeris_decode_inline(
     struct mip_gnss_corrections_glonass_ephemeris *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x93, 0x62, 102);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 102) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->index = mip_get_8(field->data);
@@ -2849,8 +2897,10 @@ static inline mip_error mip_gnss_corrections_galileo_ephemeris_encode(
 static inline mip_error mip_gnss_corrections_galileo_ephemeris_decode_inline(
     struct mip_gnss_corrections_galileo_ephemeris *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x93, 0x63, 218);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 218) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->index = mip_get_8(field->data);
@@ -3122,8 +3172,10 @@ static inline mip_error mip_gnss_corrections_beidou_ephemeris_encode(
 static inline mip_error mip_gnss_corrections_beidou_ephemeris_decode_inline(
     struct mip_gnss_corrections_beidou_ephemeris *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x93, 0x64, 218);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 218) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->index = mip_get_8(field->data);
@@ -3269,8 +3321,10 @@ static inline mip_error mip_gnss_corrections_gps_iono_correction_encode(
 static inline mip_error mip_gnss_corrections_gps_iono_correction_decode_inline(
     struct mip_gnss_corrections_gps_iono_correction *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x93, 0x71, 76);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 76) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -3367,8 +3421,10 @@ static inline mip_error mip_gnss_corrections_galileo_iono_correction_encode(
 static inline mip_error mip_gnss_corrections_galileo_iono_correction_decode_inline(
     struct mip_gnss_corrections_galileo_iono_correction *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x93, 0x73, 37);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 37) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -3466,8 +3522,10 @@ static inline mip_error mip_gnss_corrections_beidou_iono_correction_encode(
 static inline mip_error mip_gnss_corrections_beidou_iono_correction_decode_inline(
     struct mip_gnss_corrections_beidou_iono_correction *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x93, 0x74, 148);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 148) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->tow, field->data);

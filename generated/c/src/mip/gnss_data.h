@@ -95,8 +95,10 @@ static inline mip_error mip_gnss_data_llh_position_encode(
 static inline mip_error mip_gnss_data_llh_position_decode_inline(
     struct mip_gnss_data_llh_position *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x81, 0x03, 42);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 42) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->latitude, field->data);
@@ -178,8 +180,10 @@ static inline mip_error mip_gnss_data_ecef_position_encode(
 static inline mip_error mip_gnss_data_ecef_position_decode_inline(
     struct mip_gnss_data_ecef_position *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x81, 0x04, 30);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 30) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -277,8 +281,10 @@ static inline mip_error mip_gnss_data_ned_velocity_encode(
 static inline mip_error mip_gnss_data_ned_velocity_decode_inline(
     struct mip_gnss_data_ned_velocity *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x81, 0x05, 34);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 34) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -363,8 +369,10 @@ static inline mip_error mip_gnss_data_ecef_velocity_encode(
 static inline mip_error mip_gnss_data_ecef_velocity_decode_inline(
     struct mip_gnss_data_ecef_velocity *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x81, 0x06, 18);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 18) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -446,8 +454,10 @@ static inline mip_error mip_gnss_data_dop_encode(const struct mip_gnss_data_dop 
 static inline mip_error mip_gnss_data_dop_decode_inline(struct mip_gnss_data_dop *value,
                                                         const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x81, 0x07, 30);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 30) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_float(&value->gdop, field->data);
@@ -553,8 +563,10 @@ static inline mip_error mip_gnss_data_utc_time_encode(const struct mip_gnss_data
 static inline mip_error mip_gnss_data_utc_time_decode_inline(struct mip_gnss_data_utc_time *value,
                                                              const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x81, 0x08, 13);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 13) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->year = mip_get_16(field->data);
@@ -635,8 +647,10 @@ static inline mip_error mip_gnss_data_gps_time_encode(const struct mip_gnss_data
 static inline mip_error mip_gnss_data_gps_time_decode_inline(struct mip_gnss_data_gps_time *value,
                                                              const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x81, 0x09, 12);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -716,8 +730,10 @@ static inline mip_error mip_gnss_data_clock_info_encode(
 static inline mip_error mip_gnss_data_clock_info_decode_inline(
     struct mip_gnss_data_clock_info *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x81, 0x0A, 26);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 26) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->bias, field->data);
@@ -795,8 +811,10 @@ static inline mip_error mip_gnss_data_fix_info_encode(const struct mip_gnss_data
 static inline mip_error mip_gnss_data_fix_info_decode_inline(struct mip_gnss_data_fix_info *value,
                                                              const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x81, 0x0B, 6);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 6) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->fix_type = mip_get_8(field->data);
@@ -885,8 +903,10 @@ static inline mip_error mip_gnss_data_sv_info_encode(const struct mip_gnss_data_
 static inline mip_error mip_gnss_data_sv_info_decode_inline(struct mip_gnss_data_sv_info *value,
                                                             const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x81, 0x0C, 12);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->channel = mip_get_8(field->data);
@@ -973,8 +993,10 @@ static inline mip_error mip_gnss_data_hardware_status_encode(
 static inline mip_error mip_gnss_data_hardware_status_decode_inline(
     struct mip_gnss_data_hardware_status *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x81, 0x0D, 5);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 5) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->receiver_state = mip_get_8(field->data);
@@ -1065,8 +1087,10 @@ static inline mip_error mip_gnss_data_dgps_info_encode(const struct mip_gnss_dat
 static inline mip_error mip_gnss_data_dgps_info_decode_inline(struct mip_gnss_data_dgps_info *value,
                                                               const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x81, 0x0E, 12);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_float(&value->age, field->data);
@@ -1156,8 +1180,10 @@ static inline mip_error mip_gnss_data_dgps_channel_encode(
 static inline mip_error mip_gnss_data_dgps_channel_decode_inline(
     struct mip_gnss_data_dgps_channel *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x81, 0x0F, 15);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 15) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->satellite_id = mip_get_8(field->data);
@@ -1247,8 +1273,10 @@ static inline mip_error mip_gnss_data_clock_info_2_encode(
 static inline mip_error mip_gnss_data_clock_info_2_decode_inline(
     struct mip_gnss_data_clock_info_2 *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x81, 0x10, 34);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 34) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->bias, field->data);
@@ -1321,8 +1349,10 @@ static inline mip_error mip_gnss_data_gps_leap_seconds_encode(
 static inline mip_error mip_gnss_data_gps_leap_seconds_decode_inline(
     struct mip_gnss_data_gps_leap_seconds *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x81, 0x11, 3);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 3) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->leap_seconds = mip_get_8(field->data);
@@ -1407,8 +1437,10 @@ static inline mip_error mip_gnss_data_sbas_info_encode(const struct mip_gnss_dat
 static inline mip_error mip_gnss_data_sbas_info_decode_inline(struct mip_gnss_data_sbas_info *value,
                                                               const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x81, 0x12, 16);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 16) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -1513,8 +1545,10 @@ static inline mip_error mip_gnss_data_sbas_correction_encode(
 static inline mip_error mip_gnss_data_sbas_correction_decode_inline(
     struct mip_gnss_data_sbas_correction *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x81, 0x13, 25);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 25) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->index = mip_get_8(field->data);
@@ -1609,8 +1643,10 @@ static inline mip_error mip_gnss_data_rf_error_detection_encode(
 static inline mip_error mip_gnss_data_rf_error_detection_decode_inline(
     struct mip_gnss_data_rf_error_detection *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x81, 0x14, 9);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 9) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->rf_band = mip_get_8(field->data);
@@ -1719,8 +1755,10 @@ static inline mip_error mip_gnss_data_satellite_status_encode(
 static inline mip_error mip_gnss_data_satellite_status_decode_inline(
     struct mip_gnss_data_satellite_status *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x81, 0x20, 25);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 25) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->index = mip_get_8(field->data);
@@ -1876,8 +1914,10 @@ static inline mip_error mip_gnss_data_raw_encode(const struct mip_gnss_data_raw 
 static inline mip_error mip_gnss_data_raw_decode_inline(struct mip_gnss_data_raw *value,
                                                         const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x81, 0x22, 61);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 61) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->index = mip_get_8(field->data);
@@ -2003,8 +2043,10 @@ static inline mip_error mip_gnss_data_base_station_info_encode(
 static inline mip_error mip_gnss_data_base_station_info_decode_inline(
     struct mip_gnss_data_base_station_info *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x81, 0x30, 44);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 44) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -2124,8 +2166,10 @@ static inline mip_error mip_gnss_data_rtk_corrections_status_encode(
 static inline mip_error mip_gnss_data_rtk_corrections_status_decode_inline(
     struct mip_gnss_data_rtk_corrections_status *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x81, 0x31, 50);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 50) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -2350,8 +2394,10 @@ static inline mip_error mip_gnss_data_gps_ephemeris_encode(
 static inline mip_error mip_gnss_data_gps_ephemeris_decode_inline(
     struct mip_gnss_data_gps_ephemeris *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x81, 0x61, 218);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 218) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->index = mip_get_8(field->data);
@@ -2586,8 +2632,10 @@ static inline mip_error mip_gnss_data_glonass_ephemeris_encode(
 static inline mip_error mip_gnss_data_glonass_ephemeris_decode_inline(
     struct mip_gnss_data_glonass_ephemeris *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x81, 0x62, 102);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 102) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->index = mip_get_8(field->data);
@@ -2853,8 +2901,10 @@ static inline mip_error mip_gnss_data_galileo_ephemeris_encode(
 static inline mip_error mip_gnss_data_galileo_ephemeris_decode_inline(
     struct mip_gnss_data_galileo_ephemeris *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x81, 0x63, 218);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 218) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->index = mip_get_8(field->data);
@@ -3126,8 +3176,10 @@ static inline mip_error mip_gnss_data_beidou_ephemeris_encode(
 static inline mip_error mip_gnss_data_beidou_ephemeris_decode_inline(
     struct mip_gnss_data_beidou_ephemeris *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x81, 0x64, 218);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 218) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->index = mip_get_8(field->data);
@@ -3273,8 +3325,10 @@ static inline mip_error mip_gnss_data_gps_iono_correction_encode(
 static inline mip_error mip_gnss_data_gps_iono_correction_decode_inline(
     struct mip_gnss_data_gps_iono_correction *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x81, 0x71, 76);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 76) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -3371,8 +3425,10 @@ static inline mip_error mip_gnss_data_galileo_iono_correction_encode(
 static inline mip_error mip_gnss_data_galileo_iono_correction_decode_inline(
     struct mip_gnss_data_galileo_iono_correction *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x81, 0x73, 37);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 37) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -3470,8 +3526,10 @@ static inline mip_error mip_gnss_data_beidou_iono_correction_encode(
 static inline mip_error mip_gnss_data_beidou_iono_correction_decode_inline(
     struct mip_gnss_data_beidou_iono_correction *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x81, 0x74, 148);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 148) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->tow, field->data);

@@ -95,8 +95,10 @@ static inline mip_error mip_gnss_external_llh_position_encode(
 static inline mip_error mip_gnss_external_llh_position_decode_inline(
     struct mip_gnss_external_llh_position *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x94, 0x03, 42);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 42) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->latitude, field->data);
@@ -178,8 +180,10 @@ static inline mip_error mip_gnss_external_ecef_position_encode(
 static inline mip_error mip_gnss_external_ecef_position_decode_inline(
     struct mip_gnss_external_ecef_position *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x94, 0x04, 30);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 30) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -276,8 +280,10 @@ static inline mip_error mip_gnss_external_ned_velocity_encode(
 static inline mip_error mip_gnss_external_ned_velocity_decode_inline(
     struct mip_gnss_external_ned_velocity *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x94, 0x05, 34);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 34) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -363,8 +369,10 @@ static inline mip_error mip_gnss_external_ecef_velocity_encode(
 static inline mip_error mip_gnss_external_ecef_velocity_decode_inline(
     struct mip_gnss_external_ecef_velocity *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x94, 0x06, 18);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 18) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -446,8 +454,10 @@ static inline mip_error mip_gnss_external_dop_encode(const struct mip_gnss_exter
 static inline mip_error mip_gnss_external_dop_decode_inline(struct mip_gnss_external_dop *value,
                                                             const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x94, 0x07, 30);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 30) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_float(&value->gdop, field->data);
@@ -552,8 +562,10 @@ static inline mip_error mip_gnss_external_utc_time_encode(
 static inline mip_error mip_gnss_external_utc_time_decode_inline(
     struct mip_gnss_external_utc_time *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x94, 0x08, 13);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 13) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->year = mip_get_16(field->data);
@@ -634,8 +646,10 @@ static inline mip_error mip_gnss_external_gps_time_encode(
 static inline mip_error mip_gnss_external_gps_time_decode_inline(
     struct mip_gnss_external_gps_time *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x94, 0x09, 12);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -715,8 +729,10 @@ static inline mip_error mip_gnss_external_clock_info_encode(
 static inline mip_error mip_gnss_external_clock_info_decode_inline(
     struct mip_gnss_external_clock_info *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x94, 0x0A, 26);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 26) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->bias, field->data);
@@ -793,8 +809,10 @@ static inline mip_error mip_gnss_external_fix_info_encode(
 static inline mip_error mip_gnss_external_fix_info_decode_inline(
     struct mip_gnss_external_fix_info *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x94, 0x0B, 6);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 6) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->fix_type = mip_get_8(field->data);
@@ -883,8 +901,10 @@ static inline mip_error mip_gnss_external_sv_info_encode(
 static inline mip_error mip_gnss_external_sv_info_decode_inline(
     struct mip_gnss_external_sv_info *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x94, 0x0C, 12);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->channel = mip_get_8(field->data);
@@ -971,8 +991,10 @@ static inline mip_error mip_gnss_external_hardware_status_encode(
 static inline mip_error mip_gnss_external_hardware_status_decode_inline(
     struct mip_gnss_external_hardware_status *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x94, 0x0D, 5);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 5) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->receiver_state = mip_get_8(field->data);
@@ -1062,8 +1084,10 @@ static inline mip_error mip_gnss_external_dgps_info_encode(
 static inline mip_error mip_gnss_external_dgps_info_decode_inline(
     struct mip_gnss_external_dgps_info *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x94, 0x0E, 12);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_float(&value->age, field->data);
@@ -1153,8 +1177,10 @@ static inline mip_error mip_gnss_external_dgps_channel_encode(
 static inline mip_error mip_gnss_external_dgps_channel_decode_inline(
     struct mip_gnss_external_dgps_channel *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x94, 0x0F, 15);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 15) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->satellite_id = mip_get_8(field->data);
@@ -1244,8 +1270,10 @@ static inline mip_error mip_gnss_external_clock_info_2_encode(
 static inline mip_error mip_gnss_external_clock_info_2_decode_inline(
     struct mip_gnss_external_clock_info_2 *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x94, 0x10, 34);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 34) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->bias, field->data);
@@ -1318,8 +1346,10 @@ static inline mip_error mip_gnss_external_gps_leap_seconds_encode(
 static inline mip_error mip_gnss_external_gps_leap_seconds_decode_inline(
     struct mip_gnss_external_gps_leap_seconds *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x94, 0x11, 3);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 3) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->leap_seconds = mip_get_8(field->data);
@@ -1404,8 +1434,10 @@ static inline mip_error mip_gnss_external_sbas_info_encode(
 static inline mip_error mip_gnss_external_sbas_info_decode_inline(
     struct mip_gnss_external_sbas_info *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x94, 0x12, 16);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 16) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -1510,8 +1542,10 @@ static inline mip_error mip_gnss_external_sbas_correction_encode(
 static inline mip_error mip_gnss_external_sbas_correction_decode_inline(
     struct mip_gnss_external_sbas_correction *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x94, 0x13, 25);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 25) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->index = mip_get_8(field->data);
@@ -1606,8 +1640,10 @@ static inline mip_error mip_gnss_external_rf_error_detection_encode(
 static inline mip_error mip_gnss_external_rf_error_detection_decode_inline(
     struct mip_gnss_external_rf_error_detection *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x94, 0x14, 9);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 9) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->rf_band = mip_get_8(field->data);
@@ -1715,8 +1751,10 @@ static inline mip_error mip_gnss_external_satellite_status_encode(
 static inline mip_error mip_gnss_external_satellite_status_decode_inline(
     struct mip_gnss_external_satellite_status *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x94, 0x20, 25);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 25) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->index = mip_get_8(field->data);
@@ -1872,8 +1910,10 @@ static inline mip_error mip_gnss_external_raw_encode(const struct mip_gnss_exter
 static inline mip_error mip_gnss_external_raw_decode_inline(struct mip_gnss_external_raw *value,
                                                             const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x94, 0x22, 61);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 61) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->index = mip_get_8(field->data);
@@ -1999,8 +2039,10 @@ static inline mip_error mip_gnss_external_base_station_info_encode(
 static inline mip_error mip_gnss_external_base_station_info_decode_inline(
     struct mip_gnss_external_base_station_info *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x94, 0x30, 44);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 44) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -2120,8 +2162,10 @@ static inline mip_error mip_gnss_external_rtk_corrections_status_encode(
 static inline mip_error mip_gnss_external_rtk_corrections_status_decode_inline(
     struct mip_gnss_external_rtk_corrections_status *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x94, 0x31, 50);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 50) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -2346,8 +2390,10 @@ static inline mip_error mip_gnss_external_gps_ephemeris_encode(
 static inline mip_error mip_gnss_external_gps_ephemeris_decode_inline(
     struct mip_gnss_external_gps_ephemeris *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x94, 0x61, 218);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 218) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->index = mip_get_8(field->data);
@@ -2582,8 +2628,10 @@ static inline mip_error mip_gnss_external_glonass_ephemeris_encode(
 static inline mip_error mip_gnss_external_glonass_ephemeris_decode_inline(
     struct mip_gnss_external_glonass_ephemeris *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x94, 0x62, 102);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 102) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->index = mip_get_8(field->data);
@@ -2849,8 +2897,10 @@ static inline mip_error mip_gnss_external_galileo_ephemeris_encode(
 static inline mip_error mip_gnss_external_galileo_ephemeris_decode_inline(
     struct mip_gnss_external_galileo_ephemeris *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x94, 0x63, 218);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 218) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->index = mip_get_8(field->data);
@@ -3122,8 +3172,10 @@ static inline mip_error mip_gnss_external_beidou_ephemeris_encode(
 static inline mip_error mip_gnss_external_beidou_ephemeris_decode_inline(
     struct mip_gnss_external_beidou_ephemeris *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x94, 0x64, 218);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 218) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->index = mip_get_8(field->data);
@@ -3269,8 +3321,10 @@ static inline mip_error mip_gnss_external_gps_iono_correction_encode(
 static inline mip_error mip_gnss_external_gps_iono_correction_decode_inline(
     struct mip_gnss_external_gps_iono_correction *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x94, 0x71, 76);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 76) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -3367,8 +3421,10 @@ static inline mip_error mip_gnss_external_galileo_iono_correction_encode(
 static inline mip_error mip_gnss_external_galileo_iono_correction_decode_inline(
     struct mip_gnss_external_galileo_iono_correction *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x94, 0x73, 37);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 37) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -3466,8 +3522,10 @@ static inline mip_error mip_gnss_external_beidou_iono_correction_encode(
 static inline mip_error mip_gnss_external_beidou_iono_correction_decode_inline(
     struct mip_gnss_external_beidou_iono_correction *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x94, 0x74, 148);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 148) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->tow, field->data);

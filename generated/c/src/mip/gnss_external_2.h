@@ -94,8 +94,10 @@ static inline mip_error mip_gnss_external_2_llh_position_encode(
 static inline mip_error mip_gnss_external_2_llh_position_decode_inline(
     struct mip_gnss_external_2_llh_position *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x95, 0x03, 42);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 42) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->latitude, field->data);
@@ -177,8 +179,10 @@ static inline mip_error mip_gnss_external_2_ecef_position_encode(
 static inline mip_error mip_gnss_external_2_ecef_position_decode_inline(
     struct mip_gnss_external_2_ecef_position *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x95, 0x04, 30);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 30) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -276,8 +280,10 @@ static inline mip_error mip_gnss_external_2_ned_velocity_encode(
 static inline mip_error mip_gnss_external_2_ned_velocity_decode_inline(
     struct mip_gnss_external_2_ned_velocity *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x95, 0x05, 34);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 34) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -363,8 +369,10 @@ static inline mip_error mip_gnss_external_2_ecef_velocity_encode(
 static inline mip_error mip_gnss_external_2_ecef_velocity_decode_inline(
     struct mip_gnss_external_2_ecef_velocity *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x95, 0x06, 18);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 18) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -446,8 +454,10 @@ static inline mip_error mip_gnss_external_2_dop_encode(const struct mip_gnss_ext
 static inline mip_error mip_gnss_external_2_dop_decode_inline(struct mip_gnss_external_2_dop *value,
                                                               const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x95, 0x07, 30);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 30) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_float(&value->gdop, field->data);
@@ -553,8 +563,10 @@ static inline mip_error mip_gnss_external_2_utc_time_encode(
 static inline mip_error mip_gnss_external_2_utc_time_decode_inline(
     struct mip_gnss_external_2_utc_time *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x95, 0x08, 13);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 13) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->year = mip_get_16(field->data);
@@ -635,8 +647,10 @@ static inline mip_error mip_gnss_external_2_gps_time_encode(
 static inline mip_error mip_gnss_external_2_gps_time_decode_inline(
     struct mip_gnss_external_2_gps_time *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x95, 0x09, 12);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -716,8 +730,10 @@ static inline mip_error mip_gnss_external_2_clock_info_encode(
 static inline mip_error mip_gnss_external_2_clock_info_decode_inline(
     struct mip_gnss_external_2_clock_info *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x95, 0x0A, 26);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 26) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->bias, field->data);
@@ -795,8 +811,10 @@ static inline mip_error mip_gnss_external_2_fix_info_encode(
 static inline mip_error mip_gnss_external_2_fix_info_decode_inline(
     struct mip_gnss_external_2_fix_info *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x95, 0x0B, 6);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 6) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->fix_type = mip_get_8(field->data);
@@ -885,8 +903,10 @@ static inline mip_error mip_gnss_external_2_sv_info_encode(
 static inline mip_error mip_gnss_external_2_sv_info_decode_inline(
     struct mip_gnss_external_2_sv_info *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x95, 0x0C, 12);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->channel = mip_get_8(field->data);
@@ -973,8 +993,10 @@ static inline mip_error mip_gnss_external_2_hardware_status_encode(
 static inline mip_error mip_gnss_external_2_hardware_status_decode_inline(
     struct mip_gnss_external_2_hardware_status *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x95, 0x0D, 5);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 5) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->receiver_state = mip_get_8(field->data);
@@ -1064,8 +1086,10 @@ static inline mip_error mip_gnss_external_2_dgps_info_encode(
 static inline mip_error mip_gnss_external_2_dgps_info_decode_inline(
     struct mip_gnss_external_2_dgps_info *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x95, 0x0E, 12);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_float(&value->age, field->data);
@@ -1155,8 +1179,10 @@ static inline mip_error mip_gnss_external_2_dgps_channel_encode(
 static inline mip_error mip_gnss_external_2_dgps_channel_decode_inline(
     struct mip_gnss_external_2_dgps_channel *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x95, 0x0F, 15);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 15) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->satellite_id = mip_get_8(field->data);
@@ -1246,8 +1272,10 @@ static inline mip_error mip_gnss_external_2_clock_info_2_encode(
 static inline mip_error mip_gnss_external_2_clock_info_2_decode_inline(
     struct mip_gnss_external_2_clock_info_2 *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x95, 0x10, 34);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 34) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->bias, field->data);
@@ -1320,8 +1348,10 @@ static inline mip_error mip_gnss_external_2_gps_leap_seconds_encode(
 static inline mip_error mip_gnss_external_2_gps_leap_seconds_decode_inline(
     struct mip_gnss_external_2_gps_leap_seconds *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x95, 0x11, 3);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 3) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->leap_seconds = mip_get_8(field->data);
@@ -1406,8 +1436,10 @@ static inline mip_error mip_gnss_external_2_sbas_info_encode(
 static inline mip_error mip_gnss_external_2_sbas_info_decode_inline(
     struct mip_gnss_external_2_sbas_info *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x95, 0x12, 16);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 16) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -1512,8 +1544,10 @@ static inline mip_error mip_gnss_external_2_sbas_correction_encode(
 static inline mip_error mip_gnss_external_2_sbas_correction_decode_inline(
     struct mip_gnss_external_2_sbas_correction *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x95, 0x13, 25);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 25) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->index = mip_get_8(field->data);
@@ -1608,8 +1642,10 @@ static inline mip_error mip_gnss_external_2_rf_error_detection_encode(
 static inline mip_error mip_gnss_external_2_rf_error_detection_decode_inline(
     struct mip_gnss_external_2_rf_error_detection *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x95, 0x14, 9);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 9) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->rf_band = mip_get_8(field->data);
@@ -1718,8 +1754,10 @@ static inline mip_error mip_gnss_external_2_satellite_status_encode(
 static inline mip_error mip_gnss_external_2_satellite_status_decode_inline(
     struct mip_gnss_external_2_satellite_status *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x95, 0x20, 25);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 25) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->index = mip_get_8(field->data);
@@ -1875,8 +1913,10 @@ static inline mip_error mip_gnss_external_2_raw_encode(const struct mip_gnss_ext
 static inline mip_error mip_gnss_external_2_raw_decode_inline(struct mip_gnss_external_2_raw *value,
                                                               const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x95, 0x22, 61);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 61) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->index = mip_get_8(field->data);
@@ -2002,8 +2042,10 @@ static inline mip_error mip_gnss_external_2_base_station_info_encode(
 static inline mip_error mip_gnss_external_2_base_station_info_decode_inline(
     struct mip_gnss_external_2_base_station_info *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x95, 0x30, 44);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 44) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -2123,8 +2165,10 @@ static inline mip_error mip_gnss_external_2_rtk_corrections_status_encode(
 static inline mip_error mip_gnss_external_2_rtk_corrections_status_decode_inline(
     struct mip_gnss_external_2_rtk_corrections_status *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x95, 0x31, 50);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 50) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -2349,8 +2393,10 @@ static inline mip_error mip_gnss_external_2_gps_ephemeris_encode(
 static inline mip_error mip_gnss_external_2_gps_ephemeris_decode_inline(
     struct mip_gnss_external_2_gps_ephemeris *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x95, 0x61, 218);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 218) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->index = mip_get_8(field->data);
@@ -2585,8 +2631,10 @@ static inline mip_error mip_gnss_external_2_glonass_ephemeris_encode(
 static inline mip_error mip_gnss_external_2_glonass_ephemeris_decode_inline(
     struct mip_gnss_external_2_glonass_ephemeris *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x95, 0x62, 102);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 102) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->index = mip_get_8(field->data);
@@ -2852,8 +2900,10 @@ static inline mip_error mip_gnss_external_2_galileo_ephemeris_encode(
 static inline mip_error mip_gnss_external_2_galileo_ephemeris_decode_inline(
     struct mip_gnss_external_2_galileo_ephemeris *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x95, 0x63, 218);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 218) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->index = mip_get_8(field->data);
@@ -3125,8 +3175,10 @@ static inline mip_error mip_gnss_external_2_beidou_ephemeris_encode(
 static inline mip_error mip_gnss_external_2_beidou_ephemeris_decode_inline(
     struct mip_gnss_external_2_beidou_ephemeris *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x95, 0x64, 218);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 218) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->index = mip_get_8(field->data);
@@ -3272,8 +3324,10 @@ static inline mip_error mip_gnss_external_2_gps_iono_correction_encode(
 static inline mip_error mip_gnss_external_2_gps_iono_correction_decode_inline(
     struct mip_gnss_external_2_gps_iono_correction *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x95, 0x71, 76);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 76) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -3370,8 +3424,10 @@ static inline mip_error mip_gnss_external_2_galileo_iono_correction_encode(
 static inline mip_error mip_gnss_external_2_galileo_iono_correction_decode_inline(
     struct mip_gnss_external_2_galileo_iono_correction *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x95, 0x73, 37);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 37) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -3469,8 +3525,10 @@ static inline mip_error mip_gnss_external_2_beidou_iono_correction_encode(
 static inline mip_error mip_gnss_external_2_beidou_iono_correction_decode_inline(
     struct mip_gnss_external_2_beidou_iono_correction *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x95, 0x74, 148);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 148) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->tow, field->data);

@@ -153,8 +153,10 @@ static inline mip_error mip_rtk_get_status_flags_response_encode(
 static inline mip_error mip_rtk_get_status_flags_response_decode_inline(
     struct mip_rtk_get_status_flags_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0F, 0x81, 4);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->flags = mip_get_32(field->data);
@@ -248,8 +250,10 @@ static inline mip_error mip_rtk_get_imei_response_encode(
 static inline mip_error mip_rtk_get_imei_response_decode_inline(
     struct mip_rtk_get_imei_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0F, 0x82, 32);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 32) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     memcpy(value->imei, field->data, 32);
@@ -344,8 +348,10 @@ static inline mip_error mip_rtk_get_imsi_response_encode(
 static inline mip_error mip_rtk_get_imsi_response_decode_inline(
     struct mip_rtk_get_imsi_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0F, 0x83, 32);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 32) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     memcpy(value->imsi, field->data, 32);
@@ -440,8 +446,10 @@ static inline mip_error mip_rtk_get_iccid_response_encode(
 static inline mip_error mip_rtk_get_iccid_response_decode_inline(
     struct mip_rtk_get_iccid_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0F, 0x84, 32);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 32) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     memcpy(value->iccid, field->data, 32);
@@ -541,8 +549,10 @@ static inline mip_error mip_rtk_get_rssi_response_encode(
 static inline mip_error mip_rtk_get_rssi_response_decode_inline(
     struct mip_rtk_get_rssi_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0F, 0x85, 9);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 9) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->valid = mip_get_8(field->data);
@@ -684,8 +694,10 @@ static inline mip_error mip_rtk_connected_device_type_response_encode(
 static inline mip_error mip_rtk_connected_device_type_response_decode_inline(
     struct mip_rtk_connected_device_type_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0F, 0x86, 1);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->device_type = mip_get_8(field->data);
@@ -780,8 +792,10 @@ static inline mip_error mip_rtk_get_activation_code_response_encode(
 static inline mip_error mip_rtk_get_activation_code_response_decode_inline(
     struct mip_rtk_get_activation_code_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0F, 0x87, 32);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 32) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     memcpy(value->activation_code, field->data, 32);
@@ -876,8 +890,10 @@ static inline mip_error mip_rtk_get_modem_firmware_version_response_encode(
 static inline mip_error mip_rtk_get_modem_firmware_version_response_decode_inline(
     struct mip_rtk_get_modem_firmware_version_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0F, 0x88, 32);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 32) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     memcpy(value->modem_firmware_version, field->data, 32);
@@ -942,8 +958,10 @@ static inline mip_error mip_rtk_service_status_encode(const struct mip_rtk_servi
 static inline mip_error mip_rtk_service_status_decode_inline(struct mip_rtk_service_status *value,
                                                              const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0F, 0x0A, 8);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 8) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->reserved1 = mip_get_32(field->data);
@@ -1011,8 +1029,10 @@ static inline mip_error mip_rtk_service_status_response_encode(
 static inline mip_error mip_rtk_service_status_response_decode_inline(
     struct mip_rtk_service_status_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0F, 0x8A, 17);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 17) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->flags = mip_get_8(field->data);
@@ -1082,8 +1102,10 @@ static inline mip_error mip_rtk_erase_storage_encode(const struct mip_rtk_erase_
 static inline mip_error mip_rtk_erase_storage_decode_inline(struct mip_rtk_erase_storage *value,
                                                             const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0F, 0x20, 1);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->media = mip_get_8(field->data);
@@ -1157,8 +1179,10 @@ static inline mip_error mip_rtk_led_control_encode(const struct mip_rtk_led_cont
 static inline mip_error mip_rtk_led_control_decode_inline(struct mip_rtk_led_control *value,
                                                           const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0F, 0x21, 11);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 11) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     memcpy(value->primary_color, field->data, 3);

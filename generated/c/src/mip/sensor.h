@@ -89,8 +89,10 @@ static inline mip_error mip_sensor_raw_accel_encode(const struct mip_sensor_raw_
 static inline mip_error mip_sensor_raw_accel_decode_inline(struct mip_sensor_raw_accel *value,
                                                            const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x80, 0x01, 12);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -153,8 +155,10 @@ static inline mip_error mip_sensor_raw_gyro_encode(const struct mip_sensor_raw_g
 static inline mip_error mip_sensor_raw_gyro_decode_inline(struct mip_sensor_raw_gyro *value,
                                                           const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x80, 0x02, 12);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -221,8 +225,10 @@ static inline mip_error mip_sensor_raw_mag_encode(const struct mip_sensor_raw_ma
 static inline mip_error mip_sensor_raw_mag_decode_inline(struct mip_sensor_raw_mag *value,
                                                          const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x80, 0x03, 12);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -286,8 +292,10 @@ static inline mip_error mip_sensor_scaled_accel_encode(const struct mip_sensor_s
 static inline mip_error mip_sensor_scaled_accel_decode_inline(struct mip_sensor_scaled_accel *value,
                                                               const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x80, 0x04, 12);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -351,8 +359,10 @@ static inline mip_error mip_sensor_scaled_gyro_encode(const struct mip_sensor_sc
 static inline mip_error mip_sensor_scaled_gyro_decode_inline(struct mip_sensor_scaled_gyro *value,
                                                              const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x80, 0x05, 12);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -415,8 +425,10 @@ static inline mip_error mip_sensor_scaled_mag_encode(const struct mip_sensor_sca
 static inline mip_error mip_sensor_scaled_mag_decode_inline(struct mip_sensor_scaled_mag *value,
                                                             const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x80, 0x06, 12);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -480,8 +492,10 @@ static inline mip_error mip_sensor_delta_theta_encode(const struct mip_sensor_de
 static inline mip_error mip_sensor_delta_theta_decode_inline(struct mip_sensor_delta_theta *value,
                                                              const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x80, 0x07, 12);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -547,8 +561,10 @@ static inline mip_error mip_sensor_delta_velocity_encode(
 static inline mip_error mip_sensor_delta_velocity_decode_inline(
     struct mip_sensor_delta_velocity *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x80, 0x08, 12);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -617,8 +633,10 @@ static inline mip_error mip_sensor_comp_orientation_matrix_encode(
 static inline mip_error mip_sensor_comp_orientation_matrix_decode_inline(
     struct mip_sensor_comp_orientation_matrix *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x80, 0x09, 36);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 36) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 9; i++) {
@@ -688,8 +706,10 @@ static inline mip_error mip_sensor_comp_quaternion_encode(
 static inline mip_error mip_sensor_comp_quaternion_decode_inline(
     struct mip_sensor_comp_quaternion *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x80, 0x0A, 16);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 16) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 4; i++) {
@@ -756,8 +776,10 @@ static inline mip_error mip_sensor_comp_orientation_update_matrix_encode(
 static inline mip_error mip_sensor_comp_orientation_update_matrix_decode_inline(
     struct mip_sensor_comp_orientation_update_matrix *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x80, 0x0B, 36);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 36) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 9; i++) {
@@ -827,8 +849,10 @@ static inline mip_error mip_sensor_comp_euler_angles_encode(
 static inline mip_error mip_sensor_comp_euler_angles_decode_inline(
     struct mip_sensor_comp_euler_angles *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x80, 0x0C, 12);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_float(&value->roll, field->data);
@@ -894,8 +918,10 @@ static inline mip_error mip_sensor_orientation_raw_temperature_encode(
 static inline mip_error mip_sensor_orientation_raw_temperature_decode_inline(
     struct mip_sensor_orientation_raw_temperature *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x80, 0x0D, 8);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 8) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 4; i++) {
@@ -959,8 +985,10 @@ static inline mip_error mip_sensor_internal_timestamp_encode(
 static inline mip_error mip_sensor_internal_timestamp_decode_inline(
     struct mip_sensor_internal_timestamp *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x80, 0x0E, 4);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->counts = mip_get_32(field->data);
@@ -1022,8 +1050,10 @@ static inline mip_error mip_sensor_pps_timestamp_encode(
 static inline mip_error mip_sensor_pps_timestamp_decode_inline(
     struct mip_sensor_pps_timestamp *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x80, 0x0F, 8);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 8) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->seconds = mip_get_32(field->data);
@@ -1088,8 +1118,10 @@ static inline mip_error mip_sensor_north_vector_encode(const struct mip_sensor_n
 static inline mip_error mip_sensor_north_vector_decode_inline(struct mip_sensor_north_vector *value,
                                                               const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x80, 0x10, 12);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -1157,8 +1189,10 @@ static inline mip_error mip_sensor_up_vector_encode(const struct mip_sensor_up_v
 static inline mip_error mip_sensor_up_vector_decode_inline(struct mip_sensor_up_vector *value,
                                                            const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x80, 0x11, 12);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -1245,8 +1279,10 @@ static inline mip_error mip_sensor_gps_timestamp_encode(
 static inline mip_error mip_sensor_gps_timestamp_decode_inline(
     struct mip_sensor_gps_timestamp *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x80, 0x12, 12);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -1315,8 +1351,10 @@ static inline mip_error mip_sensor_temperature_statistics_encode(
 static inline mip_error mip_sensor_temperature_statistics_decode_inline(
     struct mip_sensor_temperature_statistics *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x80, 0x14, 12);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_float(&value->min_temperature, field->data);
@@ -1379,8 +1417,10 @@ static inline mip_error mip_sensor_raw_pressure_encode(const struct mip_sensor_r
 static inline mip_error mip_sensor_raw_pressure_decode_inline(struct mip_sensor_raw_pressure *value,
                                                               const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x80, 0x16, 4);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_float(&value->raw_pressure, field->data);
@@ -1440,8 +1480,10 @@ static inline mip_error mip_sensor_scaled_pressure_encode(
 static inline mip_error mip_sensor_scaled_pressure_decode_inline(
     struct mip_sensor_scaled_pressure *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x80, 0x17, 4);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_float(&value->scaled_pressure, field->data);
@@ -1500,8 +1542,10 @@ static inline mip_error mip_sensor_overrange_status_encode(
 static inline mip_error mip_sensor_overrange_status_decode_inline(
     struct mip_sensor_overrange_status *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x80, 0x18, 2);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->status = mip_get_16(field->data);
@@ -1570,8 +1614,10 @@ static inline mip_error mip_sensor_odometer_encode(const struct mip_sensor_odome
 static inline mip_error mip_sensor_odometer_decode_inline(struct mip_sensor_odometer *value,
                                                           const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x80, 0x40, 10);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 10) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_float(&value->speed, field->data);

@@ -79,8 +79,10 @@ static inline mip_error mip_shared_event_source_encode(const struct mip_shared_e
 static inline mip_error mip_shared_event_source_decode_inline(struct mip_shared_event_source *value,
                                                               const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0xFF, 0xD0, 1);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->trigger_id = mip_get_8(field->data);
@@ -143,8 +145,10 @@ static inline mip_error mip_shared_ticks_encode(const struct mip_shared_ticks *v
 static inline mip_error mip_shared_ticks_decode_inline(struct mip_shared_ticks *value,
                                                        const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0xFF, 0xD1, 4);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->ticks = mip_get_32(field->data);
@@ -206,8 +210,10 @@ static inline mip_error mip_shared_delta_ticks_encode(const struct mip_shared_de
 static inline mip_error mip_shared_delta_ticks_decode_inline(struct mip_shared_delta_ticks *value,
                                                              const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0xFF, 0xD2, 4);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->ticks = mip_get_32(field->data);
@@ -287,8 +293,10 @@ static inline mip_error mip_shared_gps_timestamp_encode(
 static inline mip_error mip_shared_gps_timestamp_decode_inline(
     struct mip_shared_gps_timestamp *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0xFF, 0xD3, 12);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->tow, field->data);
@@ -355,8 +363,10 @@ static inline mip_error mip_shared_delta_time_encode(const struct mip_shared_del
 static inline mip_error mip_shared_delta_time_decode_inline(struct mip_shared_delta_time *value,
                                                             const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0xFF, 0xD4, 8);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 8) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->seconds, field->data);
@@ -419,8 +429,10 @@ static inline mip_error mip_shared_reference_timestamp_encode(
 static inline mip_error mip_shared_reference_timestamp_decode_inline(
     struct mip_shared_reference_timestamp *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0xFF, 0xD5, 8);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 8) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->nanoseconds = mip_get_64(field->data);
@@ -481,8 +493,10 @@ static inline mip_error mip_shared_reference_time_delta_encode(
 static inline mip_error mip_shared_reference_time_delta_decode_inline(
     struct mip_shared_reference_time_delta *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0xFF, 0xD6, 8);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 8) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->dt_nanos = mip_get_64(field->data);
@@ -552,8 +566,10 @@ static inline mip_error mip_shared_external_timestamp_encode(
 static inline mip_error mip_shared_external_timestamp_decode_inline(
     struct mip_shared_external_timestamp *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0xFF, 0xD7, 10);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 10) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->nanoseconds = mip_get_64(field->data);
@@ -623,8 +639,10 @@ static inline mip_error mip_shared_external_time_delta_encode(
 static inline mip_error mip_shared_external_time_delta_decode_inline(
     struct mip_shared_external_time_delta *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0xFF, 0xD8, 10);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 10) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->dt_nanos = mip_get_64(field->data);

@@ -225,8 +225,10 @@ static inline mip_error mip_system_interface_control_response_encode(
 static inline mip_error mip_system_interface_control_response_decode_inline(
     struct mip_system_interface_control_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x7F, 0x82, 9);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 9) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->port = mip_get_8(field->data);
@@ -378,8 +380,10 @@ static inline mip_error mip_system_comm_mode_response_encode(
 static inline mip_error mip_system_comm_mode_response_decode_inline(
     struct mip_system_comm_mode_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x7F, 0x90, 1);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->mode = mip_get_8(field->data);

@@ -84,8 +84,10 @@ static inline mip_error mip_system_data_built_in_test_encode(
 static inline mip_error mip_system_data_built_in_test_decode_inline(
     struct mip_system_data_built_in_test *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0xA0, 0x01, 16);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 16) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     memcpy(value->result, field->data, 16);
@@ -146,8 +148,10 @@ static inline mip_error mip_system_data_time_sync_status_encode(
 static inline mip_error mip_system_data_time_sync_status_decode_inline(
     struct mip_system_data_time_sync_status *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0xA0, 0x02, 2);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->time_sync = mip_get_8(field->data);
@@ -217,8 +221,10 @@ static inline mip_error mip_system_data_gpio_state_encode(
 static inline mip_error mip_system_data_gpio_state_decode_inline(
     struct mip_system_data_gpio_state *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0xA0, 0x03, 1);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->states = mip_get_8(field->data);
@@ -281,8 +287,10 @@ static inline mip_error mip_system_data_gpio_analog_value_encode(
 static inline mip_error mip_system_data_gpio_analog_value_decode_inline(
     struct mip_system_data_gpio_analog_value *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0xA0, 0x04, 5);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 5) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->gpio_id = mip_get_8(field->data);

@@ -5,8 +5,9 @@
 
 const char *mip_names_label(const struct mip_names *names, size_t index) {
     const char *label = names->labels;
-    for (; index > 0; index--) {
-        label += strlen(label) + 1;
+    while (index > 0) {
+        index -= *label == '\0';
+        label++;
     }
     return label;
 }

@@ -67,8 +67,10 @@ static inline mip_error mip_3d_default_encode(const struct mip_3d_default *value
 static inline mip_error mip_3d_default_decode_inline(struct mip_3d_default *value,
                                                      const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x0C, 0x10, 5);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 5) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->class_ = mip_get_8(field->data);

@@ -108,6 +108,9 @@ mip_error mip_decode(const struct mip_codec *codec, void *value, const struct mi
     const mip_error error = mip_field_check(field, codec->descriptor_set, codec->descriptor,
                                             QUICK ? codec->numbers : 0);
     if (QUICK && codec->numbers > 0 && error == MIP_OK) {
+        if (codec->size != codec->numbers) { /* gaps between members are zeroed, too */
+            memset(value, 0, codec->size);
+        }
         read_all(field->data, codec->program, (uint8_t *)value);
         if (trailing != NULL) {
             *trailing = (size_t)field->size - codec->numbers;

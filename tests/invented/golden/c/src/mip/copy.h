@@ -71,8 +71,10 @@ static inline mip_error mip_copy_acc_encode(const struct mip_copy_acc *value,
 static inline mip_error mip_copy_acc_decode_inline(struct mip_copy_acc *value,
                                                    const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x92, 0x01, 14);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -160,8 +162,10 @@ static inline mip_error mip_copy_numbers_encode(const struct mip_copy_numbers *v
 static inline mip_error mip_copy_numbers_decode_inline(struct mip_copy_numbers *value,
                                                        const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x92, 0x02, 44);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 44) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->u8 = mip_get_8(field->data);
@@ -290,8 +294,10 @@ static inline mip_error mip_copy_health_encode(const struct mip_copy_health *val
 static inline mip_error mip_copy_health_decode_inline(struct mip_copy_health *value,
                                                       const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x92, 0x04, 20);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 20) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     memcpy(value->result.bytes, field->data, 16);
@@ -363,8 +369,10 @@ static inline mip_error mip_copy_arrays_encode(const struct mip_copy_arrays *val
 static inline mip_error mip_copy_arrays_decode_inline(struct mip_copy_arrays *value,
                                                       const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x92, 0x05, 53);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 53) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     memcpy(value->modes, field->data, 3);
@@ -521,8 +529,10 @@ static inline mip_error mip_copy_radio_encode(const struct mip_copy_radio *value
 static inline mip_error mip_copy_radio_decode_inline(struct mip_copy_radio *value,
                                                      const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x92, 0x07, 29);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 29) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->connected = mip_get_8(field->data);
@@ -696,8 +706,10 @@ static inline mip_error mip_copy_breeze_encode(const struct mip_copy_breeze *val
 static inline mip_error mip_copy_breeze_decode_inline(struct mip_copy_breeze *value,
                                                       const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x92, 0x0A, 24);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 24) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->place.x = (int16_t)mip_get_16(field->data);

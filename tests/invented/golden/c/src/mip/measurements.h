@@ -71,8 +71,10 @@ static inline mip_error mip_measurements_accel_encode(const struct mip_measureme
 static inline mip_error mip_measurements_accel_decode_inline(struct mip_measurements_accel *value,
                                                              const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x80, 0x01, 14);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -159,8 +161,10 @@ static inline mip_error mip_measurements_numbers_encode(
 static inline mip_error mip_measurements_numbers_decode_inline(
     struct mip_measurements_numbers *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x80, 0x02, 44);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 44) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->u8 = mip_get_8(field->data);
@@ -287,8 +291,10 @@ static inline mip_error mip_measurements_health_encode(const struct mip_measurem
 static inline mip_error mip_measurements_health_decode_inline(struct mip_measurements_health *value,
                                                               const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x80, 0x04, 20);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 20) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     memcpy(value->result.bytes, field->data, 16);
@@ -359,8 +365,10 @@ static inline mip_error mip_measurements_arrays_encode(const struct mip_measurem
 static inline mip_error mip_measurements_arrays_decode_inline(struct mip_measurements_arrays *value,
                                                               const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x80, 0x05, 53);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 53) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     memcpy(value->modes, field->data, 3);
@@ -518,8 +526,10 @@ static inline mip_error mip_measurements_radio_encode(const struct mip_measureme
 static inline mip_error mip_measurements_radio_decode_inline(struct mip_measurements_radio *value,
                                                              const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x80, 0x07, 29);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 29) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->connected = mip_get_8(field->data);
@@ -690,8 +700,10 @@ static inline mip_error mip_measurements_breeze_encode(const struct mip_measurem
 static inline mip_error mip_measurements_breeze_decode_inline(struct mip_measurements_breeze *value,
                                                               const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x80, 0x0A, 24);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 24) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->place.x = (int16_t)mip_get_16(field->data);

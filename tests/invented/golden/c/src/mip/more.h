@@ -67,8 +67,10 @@ static inline mip_error mip_more_accel_encode(const struct mip_more_accel *value
 static inline mip_error mip_more_accel_decode_inline(struct mip_more_accel *value,
                                                      const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x81, 0x01, 14);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 14) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -177,8 +179,10 @@ static inline mip_error mip_more_own_encode(const struct mip_more_own *value,
 static inline mip_error mip_more_own_decode_inline(struct mip_more_own *value,
                                                    const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x81, 0x07, 1);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->mode = mip_get_8(field->data);

@@ -77,8 +77,10 @@ static inline mip_error mip_protocol_acknowledge_encode(
 static inline mip_error mip_protocol_acknowledge_decode_inline(
     struct mip_protocol_acknowledge *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x00, 0xF1, 2);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->command = mip_get_8(field->data);

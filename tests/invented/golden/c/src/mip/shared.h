@@ -61,8 +61,10 @@ static inline mip_error mip_shared_timestamp_encode(const struct mip_shared_time
 static inline mip_error mip_shared_timestamp_decode_inline(struct mip_shared_timestamp *value,
                                                            const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0xFF, 0xD3, 10);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 10) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     mip_get_double(&value->tow, field->data);

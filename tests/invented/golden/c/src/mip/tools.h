@@ -356,8 +356,10 @@ static inline mip_error mip_tools_settings_response_encode(
 static inline mip_error mip_tools_settings_response_decode_inline(
     struct mip_tools_settings_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x01, 0x82, 9);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 9) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->port = mip_get_8(field->data);
@@ -499,8 +501,10 @@ static inline mip_error mip_tools_set_time_fast_response_encode(
 static inline mip_error mip_tools_set_time_fast_response_decode_inline(
     struct mip_tools_set_time_fast_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x01, 0x83, 4);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->value = mip_get_32(field->data);
@@ -557,8 +561,10 @@ static inline mip_error mip_tools_set_time_slow_response_encode(
 static inline mip_error mip_tools_set_time_slow_response_decode_inline(
     struct mip_tools_set_time_slow_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x01, 0x84, 4);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->value = mip_get_32(field->data);
@@ -912,8 +918,10 @@ static inline mip_error mip_tools_bias_vector_encode(const struct mip_tools_bias
 static inline mip_error mip_tools_bias_vector_decode_inline(struct mip_tools_bias_vector *value,
                                                             const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x01, 0x9B, 12);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 12) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     for (size_t i = 0; i < 3; i++) {
@@ -977,8 +985,10 @@ static inline mip_error mip_tools_capture_bias_encode(const struct mip_tools_cap
 static inline mip_error mip_tools_capture_bias_decode_inline(struct mip_tools_capture_bias *value,
                                                              const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x01, 0x06, 2);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->time = mip_get_16(field->data);
@@ -1477,8 +1487,10 @@ static inline mip_error mip_tools_pin_response_encode(const struct mip_tools_pin
 static inline mip_error mip_tools_pin_response_decode_inline(struct mip_tools_pin_response *value,
                                                              const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x01, 0x8B, 2);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 2) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->drive = mip_get_8(field->data);
@@ -1585,8 +1597,10 @@ static inline mip_error mip_tools_hello_response_encode(
 static inline mip_error mip_tools_hello_response_decode_inline(
     struct mip_tools_hello_response *value, const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x01, 0x8C, 4);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 4) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->seen = mip_get_32(field->data);
@@ -1645,8 +1659,10 @@ static inline mip_error mip_tools_readings_encode(const struct mip_tools_reading
 static inline mip_error mip_tools_readings_decode_inline(struct mip_tools_readings *value,
                                                          const struct mip_field *field) {
     const mip_error error = mip_field_check(field, 0x01, 0x0D, 1);
-    if (error != MIP_OK) {
+    if (error != MIP_OK || sizeof(*value) != 1) { /* gaps are zeroed, too */
         memset(value, 0, sizeof(*value));
+    }
+    if (error != MIP_OK) {
         return error;
     }
     value->drive = mip_get_8(field->data);
