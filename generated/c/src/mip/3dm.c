@@ -157,8 +157,8 @@ const struct mip_codec mip_3dm_get_gnss_base_rate_response_codec = {
     program_get_gnss_base_rate_response};
 
 static const uint8_t program_imu_message_format[] = {
-    MIP_REQUIRED(2, 0, 2),
-    MIP_GROUP(1, 2),
+    MIP_REQUIRED(1, 2),
+    MIP_GROUP(2),
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_imu_message_format, num_descriptors)),
     MIP_COUNTED(MIP_SIZE(struct mip_3dm_imu_message_format, num_descriptors), 83, 3,
                 MIP_AT(struct mip_3dm_imu_message_format, num_descriptors)),
@@ -212,8 +212,8 @@ const struct mip_codec mip_3dm_imu_message_format_response_codec = {
     program_imu_message_format_response};
 
 static const uint8_t program_gnss_message_format[] = {
-    MIP_REQUIRED(2, 0, 2),
-    MIP_GROUP(1, 2),
+    MIP_REQUIRED(1, 2),
+    MIP_GROUP(2),
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_gnss_message_format, num_descriptors)),
     MIP_COUNTED(MIP_SIZE(struct mip_3dm_gnss_message_format, num_descriptors), 83, 3,
                 MIP_AT(struct mip_3dm_gnss_message_format, num_descriptors)),
@@ -267,8 +267,8 @@ const struct mip_codec mip_3dm_gnss_message_format_response_codec = {
     program_gnss_message_format_response};
 
 static const uint8_t program_filter_message_format[] = {
-    MIP_REQUIRED(2, 0, 2),
-    MIP_GROUP(1, 2),
+    MIP_REQUIRED(1, 2),
+    MIP_GROUP(2),
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_filter_message_format, num_descriptors)),
     MIP_COUNTED(MIP_SIZE(struct mip_3dm_filter_message_format, num_descriptors), 83, 3,
                 MIP_AT(struct mip_3dm_filter_message_format, num_descriptors)),
@@ -356,8 +356,8 @@ const struct mip_codec mip_3dm_get_filter_base_rate_response_codec = {
     program_get_filter_base_rate_response};
 
 static const uint8_t program_nmea_message_format[] = {
-    MIP_REQUIRED(2, 0, 2),
-    MIP_GROUP(1, 2),
+    MIP_REQUIRED(1, 2),
+    MIP_GROUP(2),
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_nmea_message_format, count)),
     MIP_COUNTED(MIP_SIZE(struct mip_3dm_nmea_message_format, count), 50, 5,
                 MIP_AT(struct mip_3dm_nmea_message_format, count)),
@@ -460,10 +460,10 @@ const struct mip_codec mip_3dm_get_base_rate_response_codec = {
     program_get_base_rate_response};
 
 static const uint8_t program_message_format[] = {
-    MIP_REQUIRED(6, 0, 3, 1, 1, 1, 1),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(5, 3, 1, 1, 1, 1),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_message_format, descriptor_set)),
-    MIP_GROUP(2, 3),
+    MIP_GROUP(2),
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_message_format, num_descriptors)),
     MIP_COUNTED(MIP_SIZE(struct mip_3dm_message_format, num_descriptors), 83, 3,
                 MIP_AT(struct mip_3dm_message_format, num_descriptors)),
@@ -526,10 +526,10 @@ const struct mip_command mip_3dm_factory_streaming_command = {&mip_3dm_factory_s
                                                               NULL, NULL, 0};
 
 static const uint8_t program_data_stream_control[] = {
-    MIP_REQUIRED(6, 0, 2, 1, 1, 1, 1),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(5, 2, 1, 1, 1, 1),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_data_stream_control, descriptor_set)),
-    MIP_GROUP(2, 2),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_data_stream_control, enable)),
     MIP_END,
 };
@@ -569,10 +569,10 @@ const struct mip_codec mip_3dm_data_stream_control_response_codec = {
     program_data_stream_control_response};
 
 static const uint8_t program_constellation_settings[] = {
-    MIP_REQUIRED(2, 0, 3),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 3),
+    MIP_GROUP(1),
     MIP_16_BITS(1, MIP_AT(struct mip_3dm_constellation_settings, max_channels)),
-    MIP_GROUP(2, 3),
+    MIP_GROUP(2),
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_constellation_settings, config_count)),
     MIP_COUNTED(MIP_SIZE(struct mip_3dm_constellation_settings, config_count), 41, 6,
                 MIP_AT(struct mip_3dm_constellation_settings, config_count)),
@@ -628,12 +628,12 @@ const struct mip_codec mip_3dm_constellation_settings_response_codec = {
     program_constellation_settings_response};
 
 static const uint8_t program_gnss_sbas_settings[] = {
-    MIP_REQUIRED(2, 0, 4),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 4),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_gnss_sbas_settings, enable_sbas)),
-    MIP_GROUP(2, 2),
+    MIP_GROUP(1),
     MIP_16_BITS(1, MIP_AT(struct mip_3dm_gnss_sbas_settings, sbas_options)),
-    MIP_GROUP(3, 4),
+    MIP_GROUP(2),
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_gnss_sbas_settings, num_included_prns)),
     MIP_COUNTED(MIP_SIZE(struct mip_3dm_gnss_sbas_settings, num_included_prns), 124, 2,
                 MIP_AT(struct mip_3dm_gnss_sbas_settings, num_included_prns)),
@@ -681,10 +681,10 @@ const struct mip_codec mip_3dm_gnss_sbas_settings_response_codec = {
     program_gnss_sbas_settings_response};
 
 static const uint8_t program_gnss_assisted_fix[] = {
-    MIP_REQUIRED(2, 0, 2),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 2),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_gnss_assisted_fix, option)),
-    MIP_GROUP(2, 2),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_gnss_assisted_fix, flags)),
     MIP_END,
 };
@@ -723,12 +723,12 @@ const struct mip_codec mip_3dm_gnss_assisted_fix_response_codec = {
     program_gnss_assisted_fix_response};
 
 static const uint8_t program_gnss_time_assistance[] = {
-    MIP_REQUIRED(2, 0, 3),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 3),
+    MIP_GROUP(1),
     MIP_DOUBLES(1, MIP_AT(struct mip_3dm_gnss_time_assistance, tow)),
-    MIP_GROUP(2, 2),
+    MIP_GROUP(1),
     MIP_16_BITS(1, MIP_AT(struct mip_3dm_gnss_time_assistance, week_number)),
-    MIP_GROUP(3, 3),
+    MIP_GROUP(1),
     MIP_32_BITS(1, MIP_AT(struct mip_3dm_gnss_time_assistance, accuracy)),
     MIP_END,
 };
@@ -771,8 +771,8 @@ const struct mip_codec mip_3dm_gnss_time_assistance_response_codec = {
     program_gnss_time_assistance_response};
 
 static const uint8_t program_pps_source_control[] = {
-    MIP_REQUIRED(2, 0, 1),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 1),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_pps_source_control, source)),
     MIP_END,
 };
@@ -851,10 +851,10 @@ const struct mip_codec mip_3dm_get_event_support_response_codec = {
     program_get_event_support_response};
 
 static const uint8_t program_event_control[] = {
-    MIP_REQUIRED(6, 0, 2, 1, 1, 1, 1),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(5, 2, 1, 1, 1, 1),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_event_control, instance)),
-    MIP_GROUP(2, 2),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_event_control, mode)),
     MIP_END,
 };
@@ -975,12 +975,12 @@ const struct mip_codec mip_3dm_get_event_action_status_response_codec = {
     program_get_event_action_status_response};
 
 static const uint8_t program_event_trigger_config[] = {
-    MIP_REQUIRED(6, 0, 3, 1, 1, 1, 1),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(5, 3, 1, 1, 1, 1),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_event_trigger_config, instance)),
-    MIP_GROUP(2, 2),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_event_trigger_config, type)),
-    MIP_GROUP(3, 3),
+    MIP_GROUP(1),
     MIP_SWITCH(1, 3, MIP_AT(struct mip_3dm_event_trigger_config, type)),
     MIP_CASE(3, 0x01),
     MIP_8_BITS(2, MIP_AT(struct mip_3dm_event_trigger_config, parameters.gpio.pin)),
@@ -1065,14 +1065,14 @@ const struct mip_codec mip_3dm_event_trigger_config_response_codec = {
     program_event_trigger_config_response};
 
 static const uint8_t program_event_action_config[] = {
-    MIP_REQUIRED(6, 0, 4, 1, 1, 1, 1),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(5, 4, 1, 1, 1, 1),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_event_action_config, instance)),
-    MIP_GROUP(2, 2),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_event_action_config, trigger)),
-    MIP_GROUP(3, 3),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_event_action_config, type)),
-    MIP_GROUP(4, 4),
+    MIP_GROUP(1),
     MIP_SWITCH(1, 2, MIP_AT(struct mip_3dm_event_action_config, type)),
     MIP_CASE(3, 0x01),
     MIP_8_BITS(2, MIP_AT(struct mip_3dm_event_action_config, parameters.gpio.pin)),
@@ -1151,12 +1151,12 @@ const struct mip_command mip_3dm_device_settings_command = {&mip_3dm_device_sett
                                                             NULL, 1000};
 
 static const uint8_t program_sensor_to_vehicle_euler[] = {
-    MIP_REQUIRED(2, 0, 3),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 3),
+    MIP_GROUP(1),
     MIP_32_BITS(1, MIP_AT(struct mip_3dm_sensor_to_vehicle_euler, roll)),
-    MIP_GROUP(2, 2),
+    MIP_GROUP(1),
     MIP_32_BITS(1, MIP_AT(struct mip_3dm_sensor_to_vehicle_euler, pitch)),
-    MIP_GROUP(3, 3),
+    MIP_GROUP(1),
     MIP_32_BITS(1, MIP_AT(struct mip_3dm_sensor_to_vehicle_euler, yaw)),
     MIP_END,
 };
@@ -1197,8 +1197,8 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_euler_response_codec = {
     program_sensor_to_vehicle_euler_response};
 
 static const uint8_t program_sensor_to_vehicle_quaternion[] = {
-    MIP_REQUIRED(2, 0, 1),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 1),
+    MIP_GROUP(1),
     MIP_32_BITS(4, MIP_AT(struct mip_3dm_sensor_to_vehicle_quaternion, q)),
     MIP_END,
 };
@@ -1239,8 +1239,8 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_quaternion_response_codec = {
     program_sensor_to_vehicle_quaternion_response};
 
 static const uint8_t program_sensor_to_vehicle_dcm[] = {
-    MIP_REQUIRED(2, 0, 1),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 1),
+    MIP_GROUP(1),
     MIP_32_BITS(9, MIP_AT(struct mip_3dm_sensor_to_vehicle_dcm, dcm)),
     MIP_END,
 };
@@ -1281,8 +1281,8 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_dcm_response_codec = {
     program_sensor_to_vehicle_dcm_response};
 
 static const uint8_t program_accel_bias[] = {
-    MIP_REQUIRED(7, 0, 1, 0, 0, 0, 0, 1),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(6, 1, 0, 0, 0, 0, 1),
+    MIP_GROUP(1),
     MIP_32_BITS(3, MIP_AT(struct mip_3dm_accel_bias, bias)),
     MIP_END,
 };
@@ -1322,8 +1322,8 @@ const struct mip_codec mip_3dm_accel_bias_response_codec = {
     program_accel_bias_response};
 
 static const uint8_t program_gyro_bias[] = {
-    MIP_REQUIRED(7, 0, 1, 0, 0, 0, 0, 1),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(6, 1, 0, 0, 0, 0, 1),
+    MIP_GROUP(1),
     MIP_32_BITS(3, MIP_AT(struct mip_3dm_gyro_bias, bias)),
     MIP_END,
 };
@@ -1383,8 +1383,8 @@ const struct mip_command mip_3dm_capture_gyro_bias_command = {
     &mip_3dm_capture_gyro_bias_codec, NULL, responses_capture_gyro_bias, 31000};
 
 static const uint8_t program_mag_hard_iron_offset[] = {
-    MIP_REQUIRED(7, 0, 1, 0, 0, 0, 0, 1),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(6, 1, 0, 0, 0, 0, 1),
+    MIP_GROUP(1),
     MIP_32_BITS(3, MIP_AT(struct mip_3dm_mag_hard_iron_offset, offset)),
     MIP_END,
 };
@@ -1432,8 +1432,8 @@ const struct mip_codec mip_3dm_mag_hard_iron_offset_response_codec = {
     program_mag_hard_iron_offset_response};
 
 static const uint8_t program_mag_soft_iron_matrix[] = {
-    MIP_REQUIRED(7, 0, 1, 0, 0, 0, 0, 1),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(6, 1, 0, 0, 0, 0, 1),
+    MIP_GROUP(1),
     MIP_32_BITS(9, MIP_AT(struct mip_3dm_mag_soft_iron_matrix, matrix)),
     MIP_END,
 };
@@ -1481,8 +1481,8 @@ const struct mip_codec mip_3dm_mag_soft_iron_matrix_response_codec = {
     program_mag_soft_iron_matrix_response};
 
 static const uint8_t program_coning_sculling_enable[] = {
-    MIP_REQUIRED(2, 0, 1),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 1),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_coning_sculling_enable, enable)),
     MIP_END,
 };
@@ -1523,8 +1523,8 @@ const struct mip_codec mip_3dm_coning_sculling_enable_response_codec = {
     program_coning_sculling_enable_response};
 
 static const uint8_t program_uart_baud_rate[] = {
-    MIP_REQUIRED(2, 0, 1),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 1),
+    MIP_GROUP(1),
     MIP_32_BITS(1, MIP_AT(struct mip_3dm_uart_baud_rate, baud)),
     MIP_END,
 };
@@ -1559,14 +1559,14 @@ const struct mip_codec mip_3dm_uart_baud_rate_response_codec = {
     program_uart_baud_rate_response};
 
 static const uint8_t program_gpio_config[] = {
-    MIP_REQUIRED(6, 0, 4, 1, 1, 1, 1),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(5, 4, 1, 1, 1, 1),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_gpio_config, pin)),
-    MIP_GROUP(2, 2),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_gpio_config, feature)),
-    MIP_GROUP(3, 3),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_gpio_config, behavior)),
-    MIP_GROUP(4, 4),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_gpio_config, pin_mode)),
     MIP_END,
 };
@@ -1601,10 +1601,10 @@ const struct mip_codec mip_3dm_gpio_config_response_codec = {
     program_gpio_config_response};
 
 static const uint8_t program_gpio_state[] = {
-    MIP_REQUIRED(3, 0, 2, 1),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(2, 2, 1),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_gpio_state, pin)),
-    MIP_GROUP(2, 2),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_gpio_state, state)),
     MIP_END,
 };
@@ -1639,12 +1639,12 @@ const struct mip_codec mip_3dm_gpio_state_response_codec = {
     program_gpio_state_response};
 
 static const uint8_t program_odometer_config[] = {
-    MIP_REQUIRED(2, 0, 3),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 3),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_odometer_config, mode)),
-    MIP_GROUP(2, 2),
+    MIP_GROUP(1),
     MIP_32_BITS(1, MIP_AT(struct mip_3dm_odometer_config, scaling)),
-    MIP_GROUP(3, 3),
+    MIP_GROUP(1),
     MIP_32_BITS(1, MIP_AT(struct mip_3dm_odometer_config, uncertainty)),
     MIP_END,
 };
@@ -1680,16 +1680,16 @@ const struct mip_codec mip_3dm_odometer_config_response_codec = {
     program_odometer_config_response};
 
 static const uint8_t program_imu_low_pass_filter[] = {
-    MIP_REQUIRED(6, 0, 5, 1, 1, 1, 1),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(5, 5, 1, 1, 1, 1),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_imu_low_pass_filter, target_descriptor)),
-    MIP_GROUP(2, 2),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_imu_low_pass_filter, enable)),
-    MIP_GROUP(3, 3),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_imu_low_pass_filter, manual)),
-    MIP_GROUP(4, 4),
+    MIP_GROUP(1),
     MIP_16_BITS(1, MIP_AT(struct mip_3dm_imu_low_pass_filter, frequency)),
-    MIP_GROUP(5, 5),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_imu_low_pass_filter, reserved)),
     MIP_END,
 };
@@ -1731,14 +1731,14 @@ const struct mip_codec mip_3dm_imu_low_pass_filter_response_codec = {
     program_imu_low_pass_filter_response};
 
 static const uint8_t program_complementary_filter[] = {
-    MIP_REQUIRED(2, 0, 4),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 4),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_complementary_filter, pitch_roll_enable)),
-    MIP_GROUP(2, 2),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_complementary_filter, heading_enable)),
-    MIP_GROUP(3, 3),
+    MIP_GROUP(1),
     MIP_32_BITS(1, MIP_AT(struct mip_3dm_complementary_filter, pitch_roll_time_constant)),
-    MIP_GROUP(4, 4),
+    MIP_GROUP(1),
     MIP_32_BITS(1, MIP_AT(struct mip_3dm_complementary_filter, heading_time_constant)),
     MIP_END,
 };
@@ -1780,10 +1780,10 @@ const struct mip_codec mip_3dm_complementary_filter_response_codec = {
     program_complementary_filter_response};
 
 static const uint8_t program_sensor_range[] = {
-    MIP_REQUIRED(6, 0, 2, 1, 1, 1, 1),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(5, 2, 1, 1, 1, 1),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_sensor_range, sensor)),
-    MIP_GROUP(2, 2),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_sensor_range, setting)),
     MIP_END,
 };
@@ -1859,16 +1859,16 @@ const struct mip_codec mip_3dm_get_calibrated_sensor_ranges_response_codec = {
     program_get_calibrated_sensor_ranges_response};
 
 static const uint8_t program_low_pass_filter[] = {
-    MIP_REQUIRED(6, 0, 5, 2, 2, 2, 2),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(5, 5, 2, 2, 2, 2),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_low_pass_filter, descriptor_set)),
-    MIP_GROUP(2, 2),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_low_pass_filter, field_descriptor)),
-    MIP_GROUP(3, 3),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_low_pass_filter, enable)),
-    MIP_GROUP(4, 4),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_3dm_low_pass_filter, manual)),
-    MIP_GROUP(5, 5),
+    MIP_GROUP(1),
     MIP_32_BITS(1, MIP_AT(struct mip_3dm_low_pass_filter, frequency)),
     MIP_END,
 };

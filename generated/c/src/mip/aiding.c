@@ -4,16 +4,16 @@
 #include "mip/program.h"
 
 static const uint8_t program_frame_config[] = {
-    MIP_REQUIRED(6, 0, 5, 2, 1, 1, 1),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(5, 5, 2, 1, 1, 1),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_aiding_frame_config, frame_id)),
-    MIP_GROUP(2, 2),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_aiding_frame_config, format)),
-    MIP_GROUP(3, 3),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_aiding_frame_config, tracking_enabled)),
-    MIP_GROUP(4, 4),
+    MIP_GROUP(1),
     MIP_32_BITS(3, MIP_AT(struct mip_aiding_frame_config, translation)),
-    MIP_GROUP(5, 5),
+    MIP_GROUP(1),
     MIP_SWITCH(1, 2, MIP_AT(struct mip_aiding_frame_config, format)),
     MIP_CASE(3, 0x01),
     MIP_32_BITS(3, MIP_AT(struct mip_aiding_frame_config, rotation.euler)),
@@ -62,8 +62,8 @@ const struct mip_codec mip_aiding_frame_config_response_codec = {
     program_frame_config_response};
 
 static const uint8_t program_echo_control[] = {
-    MIP_REQUIRED(2, 0, 1),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 1),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_aiding_echo_control, mode)),
     MIP_END,
 };

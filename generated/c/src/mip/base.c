@@ -193,10 +193,10 @@ const struct mip_codec mip_base_continuous_built_in_test_response_codec = {
     program_continuous_built_in_test_response};
 
 static const uint8_t program_comm_speed[] = {
-    MIP_REQUIRED(6, 0, 2, 1, 1, 1, 1),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(5, 2, 1, 1, 1, 1),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_base_comm_speed, port)),
-    MIP_GROUP(2, 2),
+    MIP_GROUP(1),
     MIP_32_BITS(1, MIP_AT(struct mip_base_comm_speed, baud)),
     MIP_END,
 };
@@ -232,10 +232,10 @@ const struct mip_codec mip_base_comm_speed_response_codec = {
     program_comm_speed_response};
 
 static const uint8_t program_gps_time_update[] = {
-    MIP_REQUIRED(7, 0, 2, 1, 0, 0, 0, 2),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(6, 2, 1, 0, 0, 0, 2),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_base_gps_time_update, field_id)),
-    MIP_GROUP(2, 2),
+    MIP_GROUP(1),
     MIP_32_BITS(1, MIP_AT(struct mip_base_gps_time_update, value)),
     MIP_END,
 };

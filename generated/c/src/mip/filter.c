@@ -54,8 +54,8 @@ const struct mip_codec mip_filter_run_codec = {
 const struct mip_command mip_filter_run_command = {&mip_filter_run_codec, NULL, NULL, 0};
 
 static const uint8_t program_vehicle_dynamics_mode[] = {
-    MIP_REQUIRED(2, 0, 1),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 1),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_filter_vehicle_dynamics_mode, mode)),
     MIP_END,
 };
@@ -96,12 +96,12 @@ const struct mip_codec mip_filter_vehicle_dynamics_mode_response_codec = {
     program_vehicle_dynamics_mode_response};
 
 static const uint8_t program_sensor_to_vehicle_euler[] = {
-    MIP_REQUIRED(2, 0, 3),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 3),
+    MIP_GROUP(1),
     MIP_32_BITS(1, MIP_AT(struct mip_filter_sensor_to_vehicle_euler, roll)),
-    MIP_GROUP(2, 2),
+    MIP_GROUP(1),
     MIP_32_BITS(1, MIP_AT(struct mip_filter_sensor_to_vehicle_euler, pitch)),
-    MIP_GROUP(3, 3),
+    MIP_GROUP(1),
     MIP_32_BITS(1, MIP_AT(struct mip_filter_sensor_to_vehicle_euler, yaw)),
     MIP_END,
 };
@@ -142,8 +142,8 @@ const struct mip_codec mip_filter_sensor_to_vehicle_euler_response_codec = {
     program_sensor_to_vehicle_euler_response};
 
 static const uint8_t program_sensor_to_vehicle_offset[] = {
-    MIP_REQUIRED(2, 0, 1),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 1),
+    MIP_GROUP(1),
     MIP_32_BITS(3, MIP_AT(struct mip_filter_sensor_to_vehicle_offset, offset)),
     MIP_END,
 };
@@ -184,8 +184,8 @@ const struct mip_codec mip_filter_sensor_to_vehicle_offset_response_codec = {
     program_sensor_to_vehicle_offset_response};
 
 static const uint8_t program_antenna_offset[] = {
-    MIP_REQUIRED(2, 0, 1),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 1),
+    MIP_GROUP(1),
     MIP_32_BITS(3, MIP_AT(struct mip_filter_antenna_offset, offset)),
     MIP_END,
 };
@@ -220,8 +220,8 @@ const struct mip_codec mip_filter_antenna_offset_response_codec = {
     program_antenna_offset_response};
 
 static const uint8_t program_estimation_control[] = {
-    MIP_REQUIRED(2, 0, 1),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 1),
+    MIP_GROUP(1),
     MIP_16_BITS(1, MIP_AT(struct mip_filter_estimation_control, flags)),
     MIP_END,
 };
@@ -262,8 +262,8 @@ const struct mip_codec mip_filter_estimation_control_response_codec = {
     program_estimation_control_response};
 
 static const uint8_t program_gnss_source[] = {
-    MIP_REQUIRED(2, 0, 1),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 1),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_filter_gnss_source, source)),
     MIP_END,
 };
@@ -334,8 +334,8 @@ const struct mip_command mip_filter_external_heading_update_command = {
     &mip_filter_external_heading_update_codec, NULL, NULL, 0};
 
 static const uint8_t program_heading_source[] = {
-    MIP_REQUIRED(2, 0, 1),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 1),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_filter_heading_source, source)),
     MIP_END,
 };
@@ -370,8 +370,8 @@ const struct mip_codec mip_filter_heading_source_response_codec = {
     program_heading_source_response};
 
 static const uint8_t program_auto_initialization_control[] = {
-    MIP_REQUIRED(2, 0, 1),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 1),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_filter_auto_initialization_control, enable)),
     MIP_END,
 };
@@ -412,8 +412,8 @@ const struct mip_codec mip_filter_auto_initialization_control_response_codec = {
     program_auto_initialization_control_response};
 
 static const uint8_t program_accel_noise[] = {
-    MIP_REQUIRED(2, 0, 1),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 1),
+    MIP_GROUP(1),
     MIP_32_BITS(3, MIP_AT(struct mip_filter_accel_noise, noise)),
     MIP_END,
 };
@@ -448,8 +448,8 @@ const struct mip_codec mip_filter_accel_noise_response_codec = {
     program_accel_noise_response};
 
 static const uint8_t program_gyro_noise[] = {
-    MIP_REQUIRED(2, 0, 1),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 1),
+    MIP_GROUP(1),
     MIP_32_BITS(3, MIP_AT(struct mip_filter_gyro_noise, noise)),
     MIP_END,
 };
@@ -484,10 +484,10 @@ const struct mip_codec mip_filter_gyro_noise_response_codec = {
     program_gyro_noise_response};
 
 static const uint8_t program_accel_bias_model[] = {
-    MIP_REQUIRED(2, 0, 2),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 2),
+    MIP_GROUP(1),
     MIP_32_BITS(3, MIP_AT(struct mip_filter_accel_bias_model, beta)),
-    MIP_GROUP(2, 2),
+    MIP_GROUP(1),
     MIP_32_BITS(3, MIP_AT(struct mip_filter_accel_bias_model, noise)),
     MIP_END,
 };
@@ -527,10 +527,10 @@ const struct mip_codec mip_filter_accel_bias_model_response_codec = {
     program_accel_bias_model_response};
 
 static const uint8_t program_gyro_bias_model[] = {
-    MIP_REQUIRED(2, 0, 2),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 2),
+    MIP_GROUP(1),
     MIP_32_BITS(3, MIP_AT(struct mip_filter_gyro_bias_model, beta)),
-    MIP_GROUP(2, 2),
+    MIP_GROUP(1),
     MIP_32_BITS(3, MIP_AT(struct mip_filter_gyro_bias_model, noise)),
     MIP_END,
 };
@@ -565,10 +565,10 @@ const struct mip_codec mip_filter_gyro_bias_model_response_codec = {
     program_gyro_bias_model_response};
 
 static const uint8_t program_auto_zupt[] = {
-    MIP_REQUIRED(2, 0, 2),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 2),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_filter_auto_zupt, enable)),
-    MIP_GROUP(2, 2),
+    MIP_GROUP(1),
     MIP_32_BITS(1, MIP_AT(struct mip_filter_auto_zupt, threshold)),
     MIP_END,
 };
@@ -623,10 +623,10 @@ const struct mip_command mip_filter_external_heading_update_with_time_command = 
     &mip_filter_external_heading_update_with_time_codec, NULL, NULL, 0};
 
 static const uint8_t program_auto_angular_zupt[] = {
-    MIP_REQUIRED(2, 0, 2),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 2),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_filter_auto_angular_zupt, enable)),
-    MIP_GROUP(2, 2),
+    MIP_GROUP(1),
     MIP_32_BITS(1, MIP_AT(struct mip_filter_auto_angular_zupt, threshold)),
     MIP_END,
 };
@@ -668,8 +668,8 @@ const struct mip_codec mip_filter_auto_angular_zupt_response_codec = {
     program_auto_angular_zupt_response};
 
 static const uint8_t program_tare_orientation[] = {
-    MIP_REQUIRED(2, 0, 1),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 1),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_filter_tare_orientation, axes)),
     MIP_END,
 };
@@ -734,14 +734,14 @@ const struct mip_command mip_filter_commanded_angular_zupt_command = {
     &mip_filter_commanded_angular_zupt_codec, NULL, NULL, 0};
 
 static const uint8_t program_reference_position[] = {
-    MIP_REQUIRED(2, 0, 4),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 4),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_filter_reference_position, enable)),
-    MIP_GROUP(2, 2),
+    MIP_GROUP(1),
     MIP_DOUBLES(1, MIP_AT(struct mip_filter_reference_position, latitude)),
-    MIP_GROUP(3, 3),
+    MIP_GROUP(1),
     MIP_DOUBLES(1, MIP_AT(struct mip_filter_reference_position, longitude)),
-    MIP_GROUP(4, 4),
+    MIP_GROUP(1),
     MIP_DOUBLES(1, MIP_AT(struct mip_filter_reference_position, altitude)),
     MIP_END,
 };
@@ -799,8 +799,8 @@ const struct mip_command mip_filter_mag_capture_auto_calibration_command = {
     &mip_filter_mag_capture_auto_calibration_codec, NULL, NULL, 0};
 
 static const uint8_t program_gravity_noise[] = {
-    MIP_REQUIRED(2, 0, 1),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 1),
+    MIP_GROUP(1),
     MIP_32_BITS(3, MIP_AT(struct mip_filter_gravity_noise, noise)),
     MIP_END,
 };
@@ -835,8 +835,8 @@ const struct mip_codec mip_filter_gravity_noise_response_codec = {
     program_gravity_noise_response};
 
 static const uint8_t program_pressure_altitude_noise[] = {
-    MIP_REQUIRED(2, 0, 1),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 1),
+    MIP_GROUP(1),
     MIP_32_BITS(1, MIP_AT(struct mip_filter_pressure_altitude_noise, noise)),
     MIP_END,
 };
@@ -877,8 +877,8 @@ const struct mip_codec mip_filter_pressure_altitude_noise_response_codec = {
     program_pressure_altitude_noise_response};
 
 static const uint8_t program_hard_iron_offset_noise[] = {
-    MIP_REQUIRED(2, 0, 1),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 1),
+    MIP_GROUP(1),
     MIP_32_BITS(3, MIP_AT(struct mip_filter_hard_iron_offset_noise, noise)),
     MIP_END,
 };
@@ -919,8 +919,8 @@ const struct mip_codec mip_filter_hard_iron_offset_noise_response_codec = {
     program_hard_iron_offset_noise_response};
 
 static const uint8_t program_soft_iron_matrix_noise[] = {
-    MIP_REQUIRED(2, 0, 1),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 1),
+    MIP_GROUP(1),
     MIP_32_BITS(9, MIP_AT(struct mip_filter_soft_iron_matrix_noise, noise)),
     MIP_END,
 };
@@ -961,8 +961,8 @@ const struct mip_codec mip_filter_soft_iron_matrix_noise_response_codec = {
     program_soft_iron_matrix_noise_response};
 
 static const uint8_t program_enable_measurements[] = {
-    MIP_REQUIRED(2, 0, 1),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 1),
+    MIP_GROUP(1),
     MIP_16_BITS(1, MIP_AT(struct mip_filter_enable_measurements, control)),
     MIP_END,
 };
@@ -1003,8 +1003,8 @@ const struct mip_codec mip_filter_enable_measurements_response_codec = {
     program_enable_measurements_response};
 
 static const uint8_t program_mag_noise[] = {
-    MIP_REQUIRED(2, 0, 1),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 1),
+    MIP_GROUP(1),
     MIP_32_BITS(3, MIP_AT(struct mip_filter_mag_noise, noise)),
     MIP_END,
 };
@@ -1039,10 +1039,10 @@ const struct mip_codec mip_filter_mag_noise_response_codec = {
     program_mag_noise_response};
 
 static const uint8_t program_magnetic_declination_source[] = {
-    MIP_REQUIRED(2, 0, 2),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 2),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_filter_magnetic_declination_source, source)),
-    MIP_GROUP(2, 2),
+    MIP_GROUP(1),
     MIP_32_BITS(1, MIP_AT(struct mip_filter_magnetic_declination_source, declination)),
     MIP_END,
 };
@@ -1084,20 +1084,20 @@ const struct mip_codec mip_filter_magnetic_declination_source_response_codec = {
     program_magnetic_declination_source_response};
 
 static const uint8_t program_accel_magnitude_adaptive[] = {
-    MIP_REQUIRED(2, 0, 1),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 1),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_filter_accel_magnitude_adaptive, adaptive_measurement)),
-    MIP_GROUP(2, 2),
+    MIP_GROUP(1),
     MIP_32_BITS(1, MIP_AT(struct mip_filter_accel_magnitude_adaptive, frequency)),
-    MIP_GROUP(3, 3),
+    MIP_GROUP(1),
     MIP_32_BITS(1, MIP_AT(struct mip_filter_accel_magnitude_adaptive, low_limit)),
-    MIP_GROUP(4, 4),
+    MIP_GROUP(1),
     MIP_32_BITS(1, MIP_AT(struct mip_filter_accel_magnitude_adaptive, high_limit)),
-    MIP_GROUP(5, 5),
+    MIP_GROUP(1),
     MIP_32_BITS(1, MIP_AT(struct mip_filter_accel_magnitude_adaptive, low_limit_uncertainty)),
-    MIP_GROUP(6, 6),
+    MIP_GROUP(1),
     MIP_32_BITS(1, MIP_AT(struct mip_filter_accel_magnitude_adaptive, high_limit_uncertainty)),
-    MIP_GROUP(7, 7),
+    MIP_GROUP(1),
     MIP_32_BITS(1, MIP_AT(struct mip_filter_accel_magnitude_adaptive, minimum_uncertainty)),
     MIP_END,
 };
@@ -1140,20 +1140,20 @@ const struct mip_codec mip_filter_accel_magnitude_adaptive_response_codec = {
     program_accel_magnitude_adaptive_response};
 
 static const uint8_t program_mag_magnitude_adaptive[] = {
-    MIP_REQUIRED(2, 0, 7),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 7),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_filter_mag_magnitude_adaptive, adaptive_measurement)),
-    MIP_GROUP(2, 2),
+    MIP_GROUP(1),
     MIP_32_BITS(1, MIP_AT(struct mip_filter_mag_magnitude_adaptive, frequency)),
-    MIP_GROUP(3, 3),
+    MIP_GROUP(1),
     MIP_32_BITS(1, MIP_AT(struct mip_filter_mag_magnitude_adaptive, low_limit)),
-    MIP_GROUP(4, 4),
+    MIP_GROUP(1),
     MIP_32_BITS(1, MIP_AT(struct mip_filter_mag_magnitude_adaptive, high_limit)),
-    MIP_GROUP(5, 5),
+    MIP_GROUP(1),
     MIP_32_BITS(1, MIP_AT(struct mip_filter_mag_magnitude_adaptive, low_limit_uncertainty)),
-    MIP_GROUP(6, 6),
+    MIP_GROUP(1),
     MIP_32_BITS(1, MIP_AT(struct mip_filter_mag_magnitude_adaptive, high_limit_uncertainty)),
-    MIP_GROUP(7, 7),
+    MIP_GROUP(1),
     MIP_32_BITS(1, MIP_AT(struct mip_filter_mag_magnitude_adaptive, minimum_uncertainty)),
     MIP_END,
 };
@@ -1195,16 +1195,16 @@ const struct mip_codec mip_filter_mag_magnitude_adaptive_response_codec = {
     program_mag_magnitude_adaptive_response};
 
 static const uint8_t program_mag_dip_angle_adaptive[] = {
-    MIP_REQUIRED(2, 0, 5),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 5),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_filter_mag_dip_angle_adaptive, enable)),
-    MIP_GROUP(2, 2),
+    MIP_GROUP(1),
     MIP_32_BITS(1, MIP_AT(struct mip_filter_mag_dip_angle_adaptive, frequency)),
-    MIP_GROUP(3, 3),
+    MIP_GROUP(1),
     MIP_32_BITS(1, MIP_AT(struct mip_filter_mag_dip_angle_adaptive, high_limit)),
-    MIP_GROUP(4, 4),
+    MIP_GROUP(1),
     MIP_32_BITS(1, MIP_AT(struct mip_filter_mag_dip_angle_adaptive, high_limit_uncertainty)),
-    MIP_GROUP(5, 5),
+    MIP_GROUP(1),
     MIP_32_BITS(1, MIP_AT(struct mip_filter_mag_dip_angle_adaptive, minimum_uncertainty)),
     MIP_END,
 };
@@ -1246,8 +1246,8 @@ const struct mip_codec mip_filter_mag_dip_angle_adaptive_response_codec = {
     program_mag_dip_angle_adaptive_response};
 
 static const uint8_t program_altitude_aiding[] = {
-    MIP_REQUIRED(2, 0, 1),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 1),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_filter_altitude_aiding, selector)),
     MIP_END,
 };
@@ -1282,8 +1282,8 @@ const struct mip_codec mip_filter_altitude_aiding_response_codec = {
     program_altitude_aiding_response};
 
 static const uint8_t program_pitch_roll_aiding[] = {
-    MIP_REQUIRED(2, 0, 1),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 1),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_filter_pitch_roll_aiding, aiding)),
     MIP_END,
 };
@@ -1324,10 +1324,10 @@ const struct mip_codec mip_filter_pitch_roll_aiding_response_codec = {
     program_pitch_roll_aiding_response};
 
 static const uint8_t program_magnetic_inclination_source[] = {
-    MIP_REQUIRED(2, 0, 2),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 2),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_filter_magnetic_inclination_source, source)),
-    MIP_GROUP(2, 2),
+    MIP_GROUP(1),
     MIP_32_BITS(1, MIP_AT(struct mip_filter_magnetic_inclination_source, inclination)),
     MIP_END,
 };
@@ -1369,10 +1369,10 @@ const struct mip_codec mip_filter_magnetic_inclination_source_response_codec = {
     program_magnetic_inclination_source_response};
 
 static const uint8_t program_magnetic_magnitude_source[] = {
-    MIP_REQUIRED(2, 0, 2),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 2),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_filter_magnetic_magnitude_source, source)),
-    MIP_GROUP(2, 2),
+    MIP_GROUP(1),
     MIP_32_BITS(1, MIP_AT(struct mip_filter_magnetic_magnitude_source, magnitude)),
     MIP_END,
 };
@@ -1414,8 +1414,8 @@ const struct mip_codec mip_filter_magnetic_magnitude_source_response_codec = {
     program_magnetic_magnitude_source_response};
 
 static const uint8_t program_sensor_to_vehicle_dcm[] = {
-    MIP_REQUIRED(2, 0, 1),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 1),
+    MIP_GROUP(1),
     MIP_32_BITS(9, MIP_AT(struct mip_filter_sensor_to_vehicle_dcm, dcm)),
     MIP_END,
 };
@@ -1456,8 +1456,8 @@ const struct mip_codec mip_filter_sensor_to_vehicle_dcm_response_codec = {
     program_sensor_to_vehicle_dcm_response};
 
 static const uint8_t program_sensor_to_vehicle_quaternion[] = {
-    MIP_REQUIRED(2, 0, 1),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 1),
+    MIP_GROUP(1),
     MIP_32_BITS(4, MIP_AT(struct mip_filter_sensor_to_vehicle_quaternion, q)),
     MIP_END,
 };
@@ -1499,10 +1499,10 @@ const struct mip_codec mip_filter_sensor_to_vehicle_quaternion_response_codec = 
     program_sensor_to_vehicle_quaternion_response};
 
 static const uint8_t program_aiding_measurement_enable[] = {
-    MIP_REQUIRED(6, 0, 2, 1, 1, 1, 1),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(5, 2, 1, 1, 1, 1),
+    MIP_GROUP(1),
     MIP_16_BITS(1, MIP_AT(struct mip_filter_aiding_measurement_enable, aiding_source)),
-    MIP_GROUP(2, 2),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_filter_aiding_measurement_enable, enable)),
     MIP_END,
 };
@@ -1544,12 +1544,12 @@ const struct mip_codec mip_filter_aiding_measurement_enable_response_codec = {
     program_aiding_measurement_enable_response};
 
 static const uint8_t program_kinematic_constraint[] = {
-    MIP_REQUIRED(2, 0, 3),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 3),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_filter_kinematic_constraint, accel_constraint)),
-    MIP_GROUP(2, 2),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_filter_kinematic_constraint, velocity_constraint)),
-    MIP_GROUP(3, 3),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_filter_kinematic_constraint, angular_constraint)),
     MIP_END,
 };
@@ -1590,24 +1590,24 @@ const struct mip_codec mip_filter_kinematic_constraint_response_codec = {
     program_kinematic_constraint_response};
 
 static const uint8_t program_initialization_config[] = {
-    MIP_REQUIRED(2, 0, 9),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 9),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_filter_initialization_config, wait_for_run_command)),
-    MIP_GROUP(2, 2),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_filter_initialization_config, initial_condition_source)),
-    MIP_GROUP(3, 3),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_filter_initialization_config, auto_heading_alignment_selector)),
-    MIP_GROUP(4, 4),
+    MIP_GROUP(1),
     MIP_32_BITS(1, MIP_AT(struct mip_filter_initialization_config, initial_heading)),
-    MIP_GROUP(5, 5),
+    MIP_GROUP(1),
     MIP_32_BITS(1, MIP_AT(struct mip_filter_initialization_config, initial_pitch)),
-    MIP_GROUP(6, 6),
+    MIP_GROUP(1),
     MIP_32_BITS(1, MIP_AT(struct mip_filter_initialization_config, initial_roll)),
-    MIP_GROUP(7, 7),
+    MIP_GROUP(1),
     MIP_32_BITS(3, MIP_AT(struct mip_filter_initialization_config, initial_position)),
-    MIP_GROUP(8, 8),
+    MIP_GROUP(1),
     MIP_32_BITS(3, MIP_AT(struct mip_filter_initialization_config, initial_velocity)),
-    MIP_GROUP(9, 9),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_filter_initialization_config, reference_frame_selector)),
     MIP_END,
 };
@@ -1651,10 +1651,10 @@ const struct mip_codec mip_filter_initialization_config_response_codec = {
     program_initialization_config_response};
 
 static const uint8_t program_adaptive_filter_options[] = {
-    MIP_REQUIRED(2, 0, 2),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 2),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_filter_adaptive_filter_options, level)),
-    MIP_GROUP(2, 2),
+    MIP_GROUP(1),
     MIP_16_BITS(1, MIP_AT(struct mip_filter_adaptive_filter_options, time_limit)),
     MIP_END,
 };
@@ -1696,10 +1696,10 @@ const struct mip_codec mip_filter_adaptive_filter_options_response_codec = {
     program_adaptive_filter_options_response};
 
 static const uint8_t program_multi_antenna_offset[] = {
-    MIP_REQUIRED(6, 0, 2, 1, 1, 1, 1),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(5, 2, 1, 1, 1, 1),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_filter_multi_antenna_offset, receiver_id)),
-    MIP_GROUP(2, 2),
+    MIP_GROUP(1),
     MIP_32_BITS(3, MIP_AT(struct mip_filter_multi_antenna_offset, antenna_offset)),
     MIP_END,
 };
@@ -1741,12 +1741,12 @@ const struct mip_codec mip_filter_multi_antenna_offset_response_codec = {
     program_multi_antenna_offset_response};
 
 static const uint8_t program_relative_position_config[] = {
-    MIP_REQUIRED(2, 0, 3),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 3),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_filter_relative_position_config, source)),
-    MIP_GROUP(2, 2),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_filter_relative_position_config, reference_frame_selector)),
-    MIP_GROUP(3, 3),
+    MIP_GROUP(1),
     MIP_DOUBLES(3, MIP_AT(struct mip_filter_relative_position_config, reference_coordinates)),
     MIP_END,
 };
@@ -1789,10 +1789,10 @@ const struct mip_codec mip_filter_relative_position_config_response_codec = {
     program_relative_position_config_response};
 
 static const uint8_t program_reference_point_lever_arm[] = {
-    MIP_REQUIRED(2, 0, 2),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 2),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_filter_reference_point_lever_arm, reference_point)),
-    MIP_GROUP(2, 2),
+    MIP_GROUP(1),
     MIP_32_BITS(3, MIP_AT(struct mip_filter_reference_point_lever_arm, lever_arm_offset)),
     MIP_END,
 };
@@ -1851,10 +1851,10 @@ const struct mip_command mip_filter_speed_measurement_command = {
     &mip_filter_speed_measurement_codec, NULL, NULL, 0};
 
 static const uint8_t program_speed_lever_arm[] = {
-    MIP_REQUIRED(6, 0, 2, 1, 1, 1, 1),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(5, 2, 1, 1, 1, 1),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_filter_speed_lever_arm, source)),
-    MIP_GROUP(2, 2),
+    MIP_GROUP(1),
     MIP_32_BITS(3, MIP_AT(struct mip_filter_speed_lever_arm, lever_arm_offset)),
     MIP_END,
 };
@@ -1890,8 +1890,8 @@ const struct mip_codec mip_filter_speed_lever_arm_response_codec = {
     program_speed_lever_arm_response};
 
 static const uint8_t program_vertical_gyro_constraint[] = {
-    MIP_REQUIRED(2, 0, 1),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 1),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_filter_vertical_gyro_constraint, enable)),
     MIP_END,
 };
@@ -1932,8 +1932,8 @@ const struct mip_codec mip_filter_vertical_gyro_constraint_response_codec = {
     program_vertical_gyro_constraint_response};
 
 static const uint8_t program_wheeled_vehicle_constraint[] = {
-    MIP_REQUIRED(2, 0, 1),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 1),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_filter_wheeled_vehicle_constraint, enable)),
     MIP_END,
 };
@@ -1974,10 +1974,10 @@ const struct mip_codec mip_filter_wheeled_vehicle_constraint_response_codec = {
     program_wheeled_vehicle_constraint_response};
 
 static const uint8_t program_gnss_antenna_calibration[] = {
-    MIP_REQUIRED(2, 0, 2),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 2),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_filter_gnss_antenna_calibration, enable)),
-    MIP_GROUP(2, 2),
+    MIP_GROUP(1),
     MIP_32_BITS(1, MIP_AT(struct mip_filter_gnss_antenna_calibration, max_offset)),
     MIP_END,
 };

@@ -38,16 +38,16 @@ const struct mip_codec mip_gnss_receiver_info_response_codec = {
     program_receiver_info_response};
 
 static const uint8_t program_signal_config[] = {
-    MIP_REQUIRED(2, 0, 5),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 5),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_gnss_signal_config, gps_enable)),
-    MIP_GROUP(2, 2),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_gnss_signal_config, glonass_enable)),
-    MIP_GROUP(3, 3),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_gnss_signal_config, galileo_enable)),
-    MIP_GROUP(4, 4),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_gnss_signal_config, beidou_enable)),
-    MIP_GROUP(5, 5),
+    MIP_GROUP(1),
     MIP_8_BITS(4, MIP_AT(struct mip_gnss_signal_config, reserved)),
     MIP_END,
 };
@@ -82,10 +82,10 @@ const struct mip_codec mip_gnss_signal_config_response_codec = {
     program_signal_config_response};
 
 static const uint8_t program_rtk_dongle_config[] = {
-    MIP_REQUIRED(2, 0, 2),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 2),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_gnss_rtk_dongle_config, enable)),
-    MIP_GROUP(2, 2),
+    MIP_GROUP(1),
     MIP_8_BITS(3, MIP_AT(struct mip_gnss_rtk_dongle_config, reserved)),
     MIP_END,
 };
@@ -126,22 +126,22 @@ const struct mip_codec mip_gnss_rtk_dongle_config_response_codec = {
 
 static const uint8_t program_spartn_config[] = {
     MIP_FAR,
-    MIP_REQUIRED(2, 0, 8),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 8),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_FAR_AT(struct mip_gnss_spartn_config, enable)),
-    MIP_GROUP(2, 2),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_FAR_AT(struct mip_gnss_spartn_config, type)),
-    MIP_GROUP(3, 3),
+    MIP_GROUP(1),
     MIP_32_BITS(1, MIP_FAR_AT(struct mip_gnss_spartn_config, current_key_tow)),
-    MIP_GROUP(4, 4),
+    MIP_GROUP(1),
     MIP_16_BITS(1, MIP_FAR_AT(struct mip_gnss_spartn_config, current_key_week)),
-    MIP_GROUP(5, 5),
+    MIP_GROUP(1),
     MIP_8_BITS(0, MIP_MANY(32, MIP_FAR_AT(struct mip_gnss_spartn_config, current_key))),
-    MIP_GROUP(6, 6),
+    MIP_GROUP(1),
     MIP_32_BITS(1, MIP_FAR_AT(struct mip_gnss_spartn_config, next_key_tow)),
-    MIP_GROUP(7, 7),
+    MIP_GROUP(1),
     MIP_16_BITS(1, MIP_FAR_AT(struct mip_gnss_spartn_config, next_key_week)),
-    MIP_GROUP(8, 8),
+    MIP_GROUP(1),
     MIP_8_BITS(0, MIP_MANY(32, MIP_FAR_AT(struct mip_gnss_spartn_config, next_key))),
     MIP_END,
 };

@@ -48,8 +48,6 @@ enum {
     MIP_STEP_LAYOUT,
     /** Of MIP_OPTIONAL and MIP_REQUIRED. */
     MIP_STEP_OPTIONAL,
-    /** Of MIP_GROUP. */
-    MIP_STEP_GROUP,
     /** Of MIP_CONSTANT. */
     MIP_STEP_CONSTANT,
     /** Of MIP_COUNTED. */
@@ -59,7 +57,9 @@ enum {
     /** Of MIP_EACH. */
     MIP_STEP_EACH,
     /** Of MIP_SWITCH. */
-    MIP_STEP_SWITCH
+    MIP_STEP_SWITCH,
+    /** Of MIP_GROUP. */
+    MIP_STEP_GROUP
 };
 
 /** The end of a program, or of a part of it. */
@@ -73,13 +73,15 @@ enum {
  * is in the data, and its value. */
 #define MIP_LAYOUT(shortest, longest, bytes, ...) \
     MIP_STEP_LAYOUT, shortest, longest, bytes, __VA_ARGS__
-/** The structure begins with the number of present parameters. */
-#define MIP_OPTIONAL MIP_STEP_OPTIONAL, 0
+/** The structure begins with the number of present parameters; those up to `last` always are. */
+#define MIP_OPTIONAL(last) MIP_STEP_OPTIONAL, 0, last
 /** The same, and the function selector follows: the number of functions, and how many parameters
- * each requires, by its value. */
+ * each requires, from function 1 on. */
 #define MIP_REQUIRED(functions, ...) MIP_STEP_OPTIONAL, functions, __VA_ARGS__
-/** The following parameters, numbers `first` to `last`, are present together or not at all. */
-#define MIP_GROUP(first, last) MIP_STEP_GROUP, first, last
+/** The next 1 to 16 parameters are present together or not at all. */
+#define MIP_GROUP(count) MIP_STEP_GROUP + (count)
+/** The same for more of them. */
+#define MIP_LARGE_GROUP(count) MIP_STEP_GROUP, count
 /** Bytes that are always the same. */
 #define MIP_CONSTANT(size, ...) MIP_STEP_CONSTANT, size, __VA_ARGS__
 /** The next step is taken as often as a member of `size` bytes says, and at most `capacity` times;

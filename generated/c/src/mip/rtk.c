@@ -142,8 +142,8 @@ const struct mip_codec mip_rtk_get_rssi_response_codec = {0x0F,
                                                           program_get_rssi_response};
 
 static const uint8_t program_connected_device_type[] = {
-    MIP_REQUIRED(2, 0, 1),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 1),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_rtk_connected_device_type, device_type)),
     MIP_END,
 };

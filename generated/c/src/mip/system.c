@@ -4,12 +4,12 @@
 #include "mip/program.h"
 
 static const uint8_t program_interface_control[] = {
-    MIP_REQUIRED(6, 0, 3, 1, 1, 1, 1),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(5, 3, 1, 1, 1, 1),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_system_interface_control, port)),
-    MIP_GROUP(2, 2),
+    MIP_GROUP(1),
     MIP_32_BITS(1, MIP_AT(struct mip_system_interface_control, protocols_incoming)),
-    MIP_GROUP(3, 3),
+    MIP_GROUP(1),
     MIP_32_BITS(1, MIP_AT(struct mip_system_interface_control, protocols_outgoing)),
     MIP_END,
 };
@@ -51,8 +51,8 @@ const struct mip_codec mip_system_interface_control_response_codec = {
     program_interface_control_response};
 
 static const uint8_t program_comm_mode[] = {
-    MIP_REQUIRED(2, 0, 1),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 1),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_system_comm_mode, mode)),
     MIP_END,
 };

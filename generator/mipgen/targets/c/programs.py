@@ -19,6 +19,9 @@ from .tables import required
 #: The most numbers that the first byte of a step can count.
 _FEW = 31
 
+#: The most parameters of a group that the first byte of a step can count.
+_GROUP = 16
+
 #: In the arguments of a step: the bytes of the program behind it.
 LENGTH = object()
 
@@ -109,10 +112,13 @@ def _layout(f: m.Field, sizes: range) -> Step:
 
 
 def _optional(f: m.Field) -> Step:
-    table = required(f) if f.functions else []
-    while table and table[-1] == 0 and len(table) > 1:  # what an unknown function requires, too
+    if not f.functions:
+        before = next(op.first for op in f.operations if isinstance(op, m.GroupOp)) - 1
+        return Step("MIP_OPTIONAL", (before,), 3)
+    table = required(f)[1:]
+    while table[-1:] == [0] and len(table) > 1:  # what an unknown function requires, too
         table.pop()
-    return Step("MIP_REQUIRED", (len(table), *table), 2 + len(table)) if table else Step("MIP_OPTIONAL", (), 2)
+    return Step("MIP_REQUIRED", (len(table), *table), 2 + len(table))
 
 
 def _source(steps: Sequence[Step | Numbers | Part], far: bool) -> tuple[list[str], int]:
@@ -154,7 +160,8 @@ def _step(op: m.Operation, base: str, record: str, of: str) -> Iterator[Step | N
     """`of`: what comes before the member; it differs from `record` in a union."""
     match op:
         case m.GroupOp():
-            yield Step("MIP_GROUP", (op.first, op.last), 3)
+            count = op.last - op.first + 1
+            yield Step("MIP_GROUP", (count,), 1) if count <= _GROUP else Step("MIP_LARGE_GROUP", (count,), 2)
             yield from _steps(op.body, base, record)
         case m.ScalarOp() | m.CounterOp():
             yield _numbers(op.scalar, 1, (base, of + member(op.member)))

@@ -145,9 +145,10 @@ static inline bool mip_walk_next(struct mip_walk *walk, struct mip_field *field)
  * Shared fields have the same key in every data set, the acknowledge has it in every command set.
  */
 static inline uint16_t mip_field_key(const struct mip_field *field) {
-    const bool data = field->descriptor_set >= 0x80;
-    const bool common = data ? field->descriptor >= MIP_FIRST_SHARED : field->descriptor == 0xF1;
-    const uint32_t set = !common ? field->descriptor_set : data ? 0xFF : 0;
+    uint32_t set = field->descriptor_set;
+    if (field->descriptor >= MIP_FIRST_SHARED) {
+        set = set >= 0x80 ? 0xFF : field->descriptor == 0xF1 ? 0 : set;
+    }
     return (uint16_t)(set << 8 | field->descriptor);
 }
 

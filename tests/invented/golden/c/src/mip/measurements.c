@@ -72,9 +72,9 @@ const struct mip_codec mip_measurements_arrays_codec = {
     0x80, 0x05, MIP_DATA, 0, sizeof(struct mip_measurements_arrays), program_arrays};
 
 static const uint8_t program_growing[] = {
-    MIP_OPTIONAL,    MIP_16_BITS(1, MIP_AT(struct mip_measurements_growing, first)),
-    MIP_GROUP(2, 2), MIP_16_BITS(1, MIP_AT(struct mip_measurements_growing, second)),
-    MIP_GROUP(3, 3), MIP_32_BITS(1, MIP_AT(struct mip_measurements_growing, third)),
+    MIP_OPTIONAL(1), MIP_16_BITS(1, MIP_AT(struct mip_measurements_growing, first)),
+    MIP_GROUP(1),    MIP_16_BITS(1, MIP_AT(struct mip_measurements_growing, second)),
+    MIP_GROUP(1),    MIP_32_BITS(1, MIP_AT(struct mip_measurements_growing, third)),
     MIP_END,
 };
 

@@ -13,16 +13,16 @@ const struct mip_codec mip_tools_ping_codec = {
 const struct mip_command mip_tools_ping_command = {&mip_tools_ping_codec, NULL, NULL, 0};
 
 static const uint8_t program_settings[] = {
-    MIP_REQUIRED(7, 0, 3, 2, 1, 1, 1, 3),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(6, 3, 2, 1, 1, 1, 3),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_tools_settings, port)),
-    MIP_GROUP(2, 2),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_tools_settings, mode)),
-    MIP_GROUP(3, 3),
+    MIP_GROUP(1),
     MIP_32_BITS(1, MIP_AT(struct mip_tools_settings, baud)),
-    MIP_GROUP(4, 4),
+    MIP_GROUP(1),
     MIP_16_BITS(1, MIP_AT(struct mip_tools_settings, limit)),
-    MIP_GROUP(5, 5),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_tools_settings, reserved)),
     MIP_END,
 };
@@ -65,10 +65,10 @@ const struct mip_codec mip_tools_settings_response_codec = {
     program_settings_response};
 
 static const uint8_t program_set_time[] = {
-    MIP_REQUIRED(7, 0, 2, 1, 0, 0, 0, 2),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(6, 2, 1, 0, 0, 0, 2),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_tools_set_time, part)),
-    MIP_GROUP(2, 2),
+    MIP_GROUP(1),
     MIP_32_BITS(1, MIP_AT(struct mip_tools_set_time, value)),
     MIP_END,
 };
@@ -204,8 +204,8 @@ const struct mip_codec mip_tools_full_codec = {
     0x01, 0x90, MIP_RESPONSE, 0, sizeof(struct mip_tools_full), program_full};
 
 static const uint8_t program_bias[] = {
-    MIP_REQUIRED(2, 0, 1),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(1, 1),
+    MIP_GROUP(1),
     MIP_32_BITS(3, MIP_AT(struct mip_tools_bias, bias)),
     MIP_END,
 };
@@ -273,12 +273,12 @@ const struct mip_command mip_tools_formats_command = {&mip_tools_formats_codec, 
                                                       NULL, 0};
 
 static const uint8_t program_choice[] = {
-    MIP_REQUIRED(3, 0, 3, 1),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(2, 3, 1),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_tools_choice, instance)),
-    MIP_GROUP(2, 2),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_tools_choice, shape)),
-    MIP_GROUP(3, 3),
+    MIP_GROUP(1),
     MIP_SWITCH(1, 4, MIP_AT(struct mip_tools_choice, shape)),
     MIP_CASE(21, 0x01),
     MIP_16_BITS(2, MIP_AT(struct mip_tools_choice, parameters.circle.center.x)),
@@ -364,8 +364,8 @@ const struct mip_codec mip_tools_choice_response_codec = {
     0x01, 0x88, MIP_RESPONSE, 0, sizeof(struct mip_tools_choice_response), program_choice_response};
 
 static const uint8_t program_list[] = {
-    MIP_REQUIRED(2, 0, 2),
-    MIP_GROUP(1, 2),
+    MIP_REQUIRED(1, 2),
+    MIP_GROUP(2),
     MIP_8_BITS(1, MIP_AT(struct mip_tools_list, count)),
     MIP_COUNTED(MIP_SIZE(struct mip_tools_list, count), 125, 2,
                 MIP_AT(struct mip_tools_list, count)),
@@ -424,10 +424,10 @@ const struct mip_codec mip_tools_stock_response_codec = {
     0x01, 0x8A, MIP_RESPONSE, 0, sizeof(struct mip_tools_stock_response), program_stock_response};
 
 static const uint8_t program_pin[] = {
-    MIP_REQUIRED(3, 0, 2, 1),
-    MIP_GROUP(1, 1),
+    MIP_REQUIRED(2, 2, 1),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_tools_pin, drive)),
-    MIP_GROUP(2, 2),
+    MIP_GROUP(1),
     MIP_8_BITS(1, MIP_AT(struct mip_tools_pin, use)),
     MIP_END,
 };
@@ -456,8 +456,8 @@ const struct mip_codec mip_tools_pin_response_codec = {
     0x01, 0x8B, MIP_RESPONSE, 2, sizeof(struct mip_tools_pin_response), program_pin_response};
 
 static const uint8_t program_hello[] = {
-    MIP_OPTIONAL,    MIP_32_BITS(1, MIP_AT(struct mip_tools_hello, reserved)),
-    MIP_GROUP(2, 2), MIP_DOUBLES(2, MIP_AT(struct mip_tools_hello, later)),
+    MIP_OPTIONAL(1), MIP_32_BITS(1, MIP_AT(struct mip_tools_hello, reserved)),
+    MIP_GROUP(1),    MIP_DOUBLES(2, MIP_AT(struct mip_tools_hello, later)),
     MIP_END,
 };
 
