@@ -12,7 +12,8 @@
 #include <string.h>
 #include <time.h>
 
-enum { CHUNK = 4096, BUILT = 44 };
+enum { CHUNK = 4096,
+       BUILT = 44 };
 
 /** Keeps the compiler from leaving out what has been computed, without an instruction. */
 static void use(const void *value) {
@@ -209,9 +210,9 @@ FUNCTION(plain_build) {
 static const struct {
     const char *name;
     size_t (*run)(const uint8_t *data, size_t size);
-} ROWS[] = {ROW(ours_parse),     ROW(ours_bytewise),     ROW(ours_direct),      ROW(ours_table),
-            ROW(ours_registry),  ROW(ours_build_direct), ROW(ours_build_table), ROW(plain_parse),
-            ROW(plain_bytewise), ROW(plain_both),        ROW(plain_build)};
+} ROWS[] = {ROW(ours_parse), ROW(ours_bytewise), ROW(ours_direct), ROW(ours_table),
+            ROW(ours_registry), ROW(ours_build_direct), ROW(ours_build_table), ROW(plain_parse),
+            ROW(plain_bytewise), ROW(plain_both), ROW(plain_build)};
 
 int main(int count, char **arguments) {
     FILE *file = count == 4 ? fopen(arguments[1], "rb") : NULL;

@@ -304,7 +304,7 @@ static void busy(void) {
 }
 
 static void outcome_names(void) {
-    static const char *const names[] = {"not sent",  "acknowledged",     "sent",        "refused", "timed out",
+    static const char *const names[] = {"not sent", "acknowledged", "sent", "refused", "timed out",
                                         "missing response", "undecodable", "closed", "busy"};
     for (int i = 0; i < 9; i++) {
         CHECK(strcmp(mip_outcome_name((enum mip_outcome)i), names[i]) == 0);
