@@ -300,7 +300,7 @@ impl<const N: usize> Client<N> {
     /// which a part has come is kept.
     pub fn poll<'p>(&mut self, parser: &'p mut Parser, now_ms: u64) -> Option<Packet<'p>> {
         let late = self.pending.iter().any(|p| p.deadline <= now_ms);
-        let found = if late { parser.look_behind() } else { parser.next(&mut [].as_slice()) };
+        let found = if late { parser.look_behind() } else { parser.complete() };
         if found.is_none() {
             while let Some(at) = self.pending.iter().position(|p| p.deadline <= now_ms) {
                 let Some(Pending { id, set, descriptor, .. }) = remove(&mut self.pending, at)

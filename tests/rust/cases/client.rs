@@ -298,13 +298,13 @@ fn an_answer_behind_noise() {
     let reply = Reply::new().ack(1, AckCode::OK);
     let stream = [b"ue\x80\xFF", reply.0.bytes(), data.bytes()].concat();
     // The last packet is not complete yet; it is not given up.
-    let (mut input, mut rest) = stream.split_at(stream.len() - 3);
-    assert!(parser.next(&mut input).is_none());
+    let (input, rest) = stream.split_at(stream.len() - 3);
+    assert!(parser.feed(input).next().is_none());
     assert!(client.poll(&mut parser, 999).is_none() && client.is_pending(&ticket));
     let packet = client.poll(&mut parser, 1000).unwrap();
     assert_eq!(client.receive(&packet).count(), 1);
     assert!(client.poll(&mut parser, 1000).is_none());
-    assert_eq!(parser.next(&mut rest).unwrap().bytes(), data.bytes());
+    assert_eq!(parser.feed(rest).next().unwrap().bytes(), data.bytes());
     assert_eq!(parser.skipped(), 4);
 }
 

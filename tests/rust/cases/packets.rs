@@ -3,7 +3,7 @@
 #![allow(deprecated)] // of the fields that are tested here
 
 use mip_protocol::packet::{checksum, MAX_FIELD_DATA, MAX_PAYLOAD};
-use mip_protocol::{measurements, protocol, shared, tools, types};
+use mip_protocol::{measurements, packets, protocol, shared, tools, types};
 use mip_protocol::{
     CapacityError, EncodeError, Field, FieldLengthError, List, Packet, PacketBuilder, PacketError,
     PacketReader, Parser, RawField, Text, VarText,
@@ -137,11 +137,11 @@ fn parse(stream: &[u8], cuts: &[usize]) -> (Vec<Vec<u8>>, u64) {
     let mut packets = Vec::new();
     let mut start = 0;
     for end in cuts.iter().copied().chain([stream.len()]) {
-        let mut chunk = &stream[start..end];
-        while let Some(packet) = parser.next(&mut chunk) {
+        let mut found = parser.feed(&stream[start..end]);
+        while let Some(packet) = found.next() {
             packets.push(packet.bytes().to_vec());
         }
-        assert!(chunk.is_empty());
+        assert!(found.rest().is_empty());
         start = end;
     }
     while let Some(packet) = parser.flush() {
@@ -150,6 +150,9 @@ fn parse(stream: &[u8], cuts: &[usize]) -> (Vec<Vec<u8>>, u64) {
     assert_eq!(parser.pending(), 0);
     let whole: usize = packets.iter().map(Vec::len).sum();
     assert_eq!(whole as u64 + parser.skipped(), stream.len() as u64);
+    let mut all = mip_protocol::packets(stream);
+    assert!(all.by_ref().map(|packet| packet.bytes()).eq(packets.iter()));
+    assert_eq!((all.skipped() + all.remainder().len()) as u64, parser.skipped());
     (packets, parser.skipped())
 }
 
@@ -189,16 +192,14 @@ fn every_chunking_gives_the_same_packets() {
 fn flush_loses_no_packet_inside_of_what_it_gives_up() {
     let mut parser = Parser::new();
     let stream = [&[0x75, 0x65, 0x80, 0xFF][..], &PING, &PING, b"ue"].concat();
-    let mut chunk = &stream[..];
-    assert!(parser.next(&mut chunk).is_none());
+    assert!(parser.feed(&stream).next().is_none());
     assert_eq!((parser.pending(), parser.skipped()), (stream.len(), 0));
     assert_eq!(parser.flush().unwrap().bytes(), PING);
     assert_eq!(parser.flush().unwrap().bytes(), PING);
     assert!(parser.flush().is_none());
     assert_eq!((parser.pending(), parser.skipped()), (0, 6));
     // It goes on as if nothing had been.
-    let mut chunk = &PING[..];
-    assert_eq!(parser.next(&mut chunk).unwrap().bytes(), PING);
+    assert_eq!(parser.feed(&PING).next().unwrap().bytes(), PING);
     assert!(parser.flush().is_none());
     assert_eq!(parser.skipped(), 6);
 }
@@ -206,9 +207,8 @@ fn flush_loses_no_packet_inside_of_what_it_gives_up() {
 #[test]
 fn a_packet_that_was_given_is_not_given_again_by_flush() {
     let mut parser = Parser::new();
-    let (mut first, mut second) = (&PING[..3], &PING[3..]);
-    assert!(parser.next(&mut first).is_none());
-    assert_eq!(parser.next(&mut second).unwrap().bytes(), PING);
+    assert!(parser.feed(&PING[..3]).next().is_none());
+    assert_eq!(parser.feed(&PING[3..]).next().unwrap().bytes(), PING);
     assert_eq!(parser.pending(), 0);
     assert!(parser.flush().is_none());
     assert_eq!(parser.skipped(), 0);
@@ -225,6 +225,66 @@ fn long_garbage_full_of_false_syncs_passes() {
         assert_eq!(packets, [PING]);
         assert_eq!(skipped, 14_000);
     }
+}
+
+#[test]
+fn what_is_not_asked_for_stays_in_the_chunk() {
+    let mut parser = Parser::new();
+    let stream = [&PING[..], &PING, b"no", &PING[..5]].concat();
+    let mut packets = parser.feed(&stream);
+    assert_eq!(packets.next().unwrap().bytes(), PING);
+    let rest = packets.rest();
+    assert_eq!(rest, &stream[8..]);
+    assert_eq!((parser.pending(), parser.skipped()), (0, 0));
+    let mut packets = parser.feed(rest);
+    assert_eq!(packets.next().unwrap().bytes(), PING);
+    assert!(packets.next().is_none() && packets.next().is_none() && packets.rest().is_empty());
+    assert_eq!(parser.feed(&PING[5..]).next().unwrap().bytes(), PING);
+    assert_eq!((parser.pending(), parser.skipped()), (0, 2));
+}
+
+#[test]
+fn stopping_anywhere_loses_nothing() {
+    let broken = [&[0x75, 0x65, 0x80, 30][..], &PING, &PING, b"ueu"].concat();
+    let stream = [b"u", &broken[..], &PING, &broken, NMEA, &PING, b"ue"].concat();
+    let wanted = parse(&stream, &[]);
+    for size in 1..=stream.len() {
+        let (mut parser, mut found) = (Parser::new(), Vec::new());
+        for mut chunk in stream.chunks(size) {
+            while !chunk.is_empty() {
+                let mut packets = parser.feed(chunk);
+                found.extend(packets.next().map(|packet| packet.bytes().to_vec()));
+                chunk = packets.rest();
+            }
+        }
+        while let Some(packet) = parser.flush() {
+            found.push(packet.bytes().to_vec());
+        }
+        assert_eq!((found, parser.skipped()), wanted, "{size}");
+    }
+}
+
+#[test]
+fn the_packets_of_a_slice_borrow_it() {
+    let noise: &[u8] = b"ue\x80\xFF";
+    let stream = [&PING[..], noise, &PING, NMEA, &PING[..7]].concat();
+    let mut found = packets(&stream);
+    assert_eq!(found.next().map(|packet| packet.bytes()), Some(&PING[..]));
+    assert_eq!((found.skipped(), found.remainder()), (0, &stream[8..]));
+    let last = {
+        let all: Vec<Packet<'_>> = found.by_ref().collect(); // of which one is behind a false sync
+        assert_eq!(all.len(), 1);
+        all[0]
+    };
+    assert_eq!(last.bytes().as_ptr(), stream[12..].as_ptr());
+    for _ in 0..2 {
+        assert_eq!(found.next(), None);
+        assert_eq!((found.skipped(), found.remainder()), (4 + NMEA.len(), &PING[..7]));
+    }
+    let mut none = packets(&[]);
+    assert_eq!((none.next(), none.skipped(), none.remainder()), (None, 0, &[][..]));
+    let mut noise = packets(b"uuxu");
+    assert_eq!((noise.next(), noise.skipped(), noise.remainder()), (None, 3, &b"u"[..]));
 }
 
 /// Gives little at a time, with interruptions and a time-out.
@@ -259,6 +319,39 @@ fn packets_of_a_source() {
     assert_eq!(found, 3);
     assert!(late > 0);
     assert_eq!(packets.parser().skipped(), NMEA.len() as u64 + 4);
+}
+
+/// A port that gives nothing now and then: one piece of the list for each read.
+struct Pieces(Vec<std::io::Result<&'static [u8]>>);
+
+impl std::io::Read for Pieces {
+    fn read(&mut self, buffer: &mut [u8]) -> std::io::Result<usize> {
+        let piece = if self.0.is_empty() { Ok(&[][..]) } else { self.0.remove(0) }?;
+        buffer[..piece.len()].copy_from_slice(piece);
+        Ok(piece.len())
+    }
+}
+
+#[test]
+fn a_source_that_pauses_loses_no_packet() {
+    let pause = || Err(std::io::ErrorKind::WouldBlock.into());
+    let interrupted = || Err(std::io::ErrorKind::Interrupted.into());
+    let (head, tail): (&[u8], &[u8]) = (b"\x75\x65\x01", b"\x02\x02\x01\xE0\xC6");
+    let pieces =
+        vec![Ok(head), Ok(&[][..]), Ok(tail), Ok(head), pause(), interrupted(), Ok(tail), Ok(head)];
+    let mut packets = PacketReader::new(Pieces(pieces));
+    assert!(packets.next_packet().unwrap().is_none()); // nothing for now
+    assert_eq!(packets.parser().pending(), 3);
+    assert_eq!(packets.next_packet().unwrap().unwrap().bytes(), PING);
+    let error = packets.next_packet().unwrap_err();
+    assert_eq!((error.kind(), packets.parser().pending()), (std::io::ErrorKind::WouldBlock, 3));
+    assert_eq!(packets.next_packet().unwrap().unwrap().bytes(), PING);
+    for _ in 0..2 {
+        assert!(packets.next_packet().unwrap().is_none());
+        assert_eq!((packets.parser().pending(), packets.parser().skipped()), (3, 0));
+    }
+    assert!(packets.get_ref().0.is_empty() && packets.get_mut().0.is_empty());
+    assert!(packets.into_inner().0.is_empty());
 }
 
 // ---------------------------------------------------------------------------------- lists and text

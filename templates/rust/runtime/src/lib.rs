@@ -30,6 +30,7 @@ pub mod field;
 mod list;
 pub mod packet;
 mod parser;
+mod slice;
 #[cfg(feature = "std")]
 mod stream;
 mod text;
@@ -50,8 +51,9 @@ pub use codec::{Bool, DecodeError, EncodeError, Reader, Union, Wire, Writer};
 pub use field::{Command, Field, RawField, Response, ResponseCheck, ResponseOf, Role};
 pub use list::{CapacityError, List};
 pub use packet::{checksum, FieldLengthError, Packet, PacketBuilder, PacketError};
-pub use parser::Parser;
+pub use parser::{Feed, Parser};
 pub use registry::AnyField;
+pub use slice::{packets, Packets};
 #[cfg(feature = "std")]
 pub use stream::PacketReader;
 pub use text::{Text, VarText};

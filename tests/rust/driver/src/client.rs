@@ -138,8 +138,9 @@ impl Session {
         Ok(())
     }
 
-    fn arrived(&mut self, mut data: &[u8], parser: &mut Parser) {
-        while let Some(packet) = parser.next(&mut data) {
+    fn arrived(&mut self, data: &[u8], parser: &mut Parser) {
+        let mut packets = parser.feed(data);
+        while let Some(packet) = packets.next() {
             self.take(&packet);
         }
         self.poll(parser);

@@ -53,8 +53,9 @@ fn parse(request: &Json) -> Answer {
     let chunk = request.get("chunk").and_then(Json::integer).filter(|n| *n > 0_usize);
     let mut parser = Parser::new();
     let mut packets = Vec::new();
-    for mut chunk in stream.chunks(chunk.ok_or("request")?) {
-        while let Some(packet) = parser.next(&mut chunk) {
+    for chunk in stream.chunks(chunk.ok_or("request")?) {
+        let mut found = parser.feed(chunk);
+        while let Some(packet) = found.next() {
             packets.push(hex(packet.bytes()));
         }
     }
