@@ -227,7 +227,7 @@ open_enum! {
     /// of triggers.
     EventTriggerType: u8 {
         /// The slot is free. It is never active and cannot be enabled.
-        NONE = 0, "none";
+        NONE_ = 0, "none";
         /// Watches a GPIO pin.
         GPIO = 1, "gpio";
         /// Compares one value of a data field with thresholds.
@@ -244,7 +244,7 @@ open_enum! {
     /// actions.
     EventActionType: u8 {
         /// The slot is free.
-        NONE = 0, "none";
+        NONE_ = 0, "none";
         /// Controls a GPIO pin.
         GPIO = 1, "gpio";
         /// Sends a data packet.
@@ -341,7 +341,7 @@ record! {
     /// A trigger on a GPIO pin.
     ///
     /// Source: 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct EventTriggerGpio {
         /// GPIO pin, counted from 1.
         ///
@@ -352,6 +352,7 @@ record! {
     }
 }
 
+item! { EventTriggerGpio { pin mode } }
 constructors! {
     EventTriggerGpio
 
@@ -361,7 +362,7 @@ constructors! {
 
 record! {
     /// Two thresholds with a window between them.
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct EventThresholdWindow {
         /// Lower threshold, in the unit of the watched value.
         pub low_threshold: f64,
@@ -371,6 +372,7 @@ record! {
     }
 }
 
+item! { EventThresholdWindow { low_threshold high_threshold } }
 constructors! {
     EventThresholdWindow
 
@@ -380,7 +382,7 @@ constructors! {
 
 record! {
     /// A threshold inside a repeating interval.
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct EventThresholdInterval {
         /// The trigger is active while the remainder is at most this, in the unit of the watched
         /// value.
@@ -392,6 +394,7 @@ record! {
     }
 }
 
+item! { EventThresholdInterval { interval_threshold interval } }
 constructors! {
     EventThresholdInterval
 
@@ -404,7 +407,7 @@ record! {
     /// compared.
     ///
     /// Source: 3dm-cv7-gnss-ins: ThresholdParams.
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct EventTriggerThreshold {
         /// Data descriptor set of the watched value.
         pub descriptor_set: u8,
@@ -415,6 +418,7 @@ record! {
         /// Range: at least 1.
         pub parameter_id: u8,
         /// Kind of comparison.
+        #[cfg_attr(feature = "serde", serde(rename = "type"))]
         pub type_: EventThresholdType,
         /// What the value is compared with.
         ///
@@ -432,19 +436,23 @@ record! {
 
 union! {
     /// The alternatives of `thresholds` in [`EventTriggerThreshold`].
+    #[derive(Copy)]
     pub enum EventTriggerThresholdThresholds: EventThresholdType {
         /// The value lies between two thresholds.
         ///
         /// If `type_` is [`EventThresholdType::WINDOW`].
+        #[cfg_attr(feature = "serde", serde(rename = "window"))]
         WINDOW => Window(EventThresholdWindow) "window",
         /// The remainder of the value by an interval is at most a threshold.
         ///
         /// If `type_` is [`EventThresholdType::INTERVAL`].
+        #[cfg_attr(feature = "serde", serde(rename = "interval"))]
         INTERVAL => Interval(EventThresholdInterval) "interval",
     }
     default EventTriggerThresholdThresholds::Other(EventThresholdType(0))
 }
 
+item! { EventTriggerThreshold { descriptor_set field_descriptor parameter_id type_ thresholds } }
 constructors! {
     EventTriggerThreshold
 
@@ -461,7 +469,7 @@ record! {
     /// A trigger that combines up to four others.
     ///
     /// Source: 3dm-cv7-gnss-ins: CombinationParams; 3dm-cv7-gnss-ins: Logical Truth Table.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct EventTriggerCombination {
         /// Bit n is the output when n = a + 2b + 4c + 8d, with a to d the states (0 or 1) of the
         /// four inputs.
@@ -473,6 +481,7 @@ record! {
     }
 }
 
+item! { EventTriggerCombination { logic_table input_triggers } }
 constructors! {
     EventTriggerCombination
 
@@ -484,7 +493,7 @@ record! {
     /// An action on a GPIO pin, which needs the gpio feature and an output behavior.
     ///
     /// Source: 3dm-cv7-gnss-ins: GpioParams.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct EventActionGpio {
         /// GPIO pin, counted from 1.
         ///
@@ -495,6 +504,7 @@ record! {
     }
 }
 
+item! { EventActionGpio { pin mode } }
 constructors! {
     EventActionGpio
 
@@ -509,7 +519,7 @@ record! {
     /// elements of `descriptors`. Range: 0 to 12.
     ///
     /// Source: 3dm-cv7-gnss-ins: MessageParams.
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct EventActionMessage {
         /// Data descriptor set of the packet.
         pub descriptor_set: u8,
@@ -528,6 +538,7 @@ record! {
     }
 }
 
+item! { EventActionMessage { descriptor_set decimation descriptors } }
 constructors! {
     EventActionMessage
 
@@ -878,7 +889,7 @@ record! {
     /// An NMEA-0183 sentence with its talker, its data source and how often it is sent.
     ///
     /// Source: 3dm-cv7-gnss-ins: Sources and Talker IDs.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct NmeaMessage {
         /// The sentence.
         pub message_id: NmeaMessageId,
@@ -891,6 +902,7 @@ record! {
     }
 }
 
+item! { NmeaMessage { message_id talker_id source_descriptor_set decimation } }
 constructors! {
     NmeaMessage
 
@@ -1080,7 +1092,7 @@ open_enum! {
 
 record! {
     /// A field of a message format and how often it is sent.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct DescriptorRate {
         /// Field descriptor.
         pub descriptor: u8,
@@ -1089,6 +1101,7 @@ record! {
     }
 }
 
+item! { DescriptorRate { descriptor decimation } }
 constructors! {
     DescriptorRate
 

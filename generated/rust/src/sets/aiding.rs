@@ -49,6 +49,7 @@ open_enum! {
 
 record! {
     /// When a measurement was taken.
+    #[derive(Copy, Eq, Hash)]
     pub struct MeasurementTime {
         /// Clock of the time.
         pub timebase: Timebase,
@@ -61,6 +62,7 @@ record! {
     }
 }
 
+item! { MeasurementTime { timebase reserved nanoseconds } }
 #[rustfmt::skip]
 impl core::default::Default for MeasurementTime {
     fn default() -> Self {
@@ -123,6 +125,7 @@ record! {
     /// - A read names the format that the answer shall have.
     ///
     /// Source: 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01); 3dm-cv7-gnss-ins: Aiding Frames.
+    #[derive(Copy)]
     pub struct FrameConfig {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -159,15 +162,18 @@ record! {
 
 union! {
     /// The alternatives of `rotation` in [`FrameConfig`].
+    #[derive(Copy)]
     pub enum FrameConfigRotation: AidingFrameFormat {
         /// Roll, pitch and yaw.
         ///
         /// If `format` is [`AidingFrameFormat::EULER`]. Elements: x, y, z. Unit: rad. Range:
         /// -3.141592653589793 to 3.141592653589793.
+        #[cfg_attr(feature = "serde", serde(rename = "euler"))]
         EULER => Euler(types::Vector3f) "euler",
         /// Quaternion, scalar part first.
         ///
         /// If `format` is [`AidingFrameFormat::QUATERNION`]. Elements: w, x, y, z. Unit: 1.
+        #[cfg_attr(feature = "serde", serde(rename = "quaternion"))]
         QUATERNION => Quaternion(types::Quatf) "quaternion",
     }
     default FrameConfigRotation::Other(AidingFrameFormat(0))
@@ -218,6 +224,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F); 3dm-cv7-gnss-ins: Aiding Command Echo
     /// Control.
+    #[derive(Copy, Eq, Hash)]
     pub struct EchoControl {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -274,7 +281,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: ECEF Position (0x13,0x21); 3dm-cv7-gnss-ins: Filter Aiding
     /// Measurements \> ECEF Position.
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct EcefPosition {
         /// When the measurement was taken.
         pub time: MeasurementTime,
@@ -334,7 +341,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: LLH Position (0x13,0x22); 3dm-cv7-gnss-ins: Filter Aiding
     /// Measurements \> LLH Position.
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct LlhPosition {
         /// When the measurement was taken.
         pub time: MeasurementTime,
@@ -402,7 +409,7 @@ record! {
     ///   unknown layout.
     ///
     /// Source: 3dm-cv7-gnss-ins: Height Above Ellipsoid (0x13,0x23).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct HeightAboveEllipsoid {
         /// When the measurement was taken.
         pub time: MeasurementTime,
@@ -459,7 +466,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: ECEF Velocity (0x13,0x28); 3dm-cv7-gnss-ins: Filter Aiding
     /// Measurements \> ECEF Velocity.
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct EcefVelocity {
         /// When the measurement was taken.
         pub time: MeasurementTime,
@@ -520,7 +527,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: NED Velocity (0x13,0x29); 3dm-cv7-gnss-ins: Filter Aiding
     /// Measurements \> NED Velocity.
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct NedVelocity {
         /// When the measurement was taken.
         pub time: MeasurementTime,
@@ -585,7 +592,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: Body Frame Velocity (0x13,0x2A); 3dm-cv7-gnss-ins: Filter Aiding
     /// Measurements \> Body Frame Velocity; 3dm-cv7-gnss-ins: Filter Kinematic Constraints.
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct BodyFrameVelocity {
         /// When the measurement was taken.
         pub time: MeasurementTime,
@@ -645,7 +652,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: True Heading (0x13,0x31); 3dm-cv7-gnss-ins: Filter Aiding
     /// Measurements \> True Heading.
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct TrueHeading {
         /// When the measurement was taken.
         pub time: MeasurementTime,
@@ -701,7 +708,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: Magnetic Field (0x13,0x32); 3dm-cv7-gnss-ins: Filter Aiding
     /// Measurements \> External Magnetometer.
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct MagneticField {
         /// When the measurement was taken.
         pub time: MeasurementTime,
@@ -760,7 +767,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: Pressure (0x13,0x33); 3dm-cv7-gnss-ins: Filter Aiding Measurements
     /// \> External Pressure.
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct Pressure {
         /// When the measurement was taken.
         pub time: MeasurementTime,
@@ -808,7 +815,7 @@ record! {
     /// Answers [`FrameConfig`]. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01); 3dm-cv7-gnss-ins: Aiding Frames.
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct FrameConfigResponse {
         /// Number of the frame.
         ///
@@ -848,7 +855,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F); 3dm-cv7-gnss-ins: Aiding Command Echo
     /// Control.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct EchoControlResponse {
         /// How they are answered.
         pub mode: AidingEchoMode,

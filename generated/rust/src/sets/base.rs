@@ -14,7 +14,7 @@ record! {
     ///
     /// Source: 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03); 3dm-cv7-gnss-ins: Get device
     /// information (0x01,0x03).
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct BaseDeviceInfo {
         /// Firmware version as one decimal number: 1202 stands for 1.2.02.
         pub firmware_version: u16,
@@ -31,6 +31,7 @@ record! {
     }
 }
 
+item! { BaseDeviceInfo { firmware_version model_name model_number serial_number lot_number device_options } }
 constructors! {
     BaseDeviceInfo
 
@@ -70,7 +71,7 @@ record! {
     /// - A device that is not in a normal operating mode may refuse the command.
     ///
     /// Source: 3dm-gx5-15: 4.1.1 Ping (0x01, 0x01); 3dm-cv7-gnss-ins: Ping (0x01,0x01).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct Ping;
 }
 
@@ -106,7 +107,7 @@ record! {
     ///
     /// Source: 3dm-gx5-15: 4.1.2 Set To Idle (0x01, 0x02); 3dm-cv7-gnss-ins: Set to idle
     /// (0x01,0x02).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct SetIdle;
 }
 
@@ -140,7 +141,7 @@ record! {
     ///
     /// Source: 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03); 3dm-cv7-gnss-ins: Get device
     /// information (0x01,0x03).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GetDeviceInfo;
 }
 
@@ -178,7 +179,7 @@ record! {
     ///
     /// Source: 3dm-gx5-15: 4.1.4 Get Device Descriptor Sets (0x01, 0x04); 3dm-cv7-gnss-ins: Get
     /// device descriptors (0x01,0x04).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GetDeviceDescriptors;
 }
 
@@ -215,7 +216,7 @@ record! {
     ///
     /// Source: 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05); 3dm-cv7-gnss-ins: Built in test
     /// (0x01,0x05); 3dm-cv7-gnss-ins: Commanded Built-in Test.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct BuiltInTest;
 }
 
@@ -251,7 +252,7 @@ record! {
     /// - If the device was not idle, it enters its default mode (3DM-GX5-15).
     ///
     /// Source: 3dm-gx5-15: 4.1.6 Resume (0x01, 0x06); 3dm-cv7-gnss-ins: Resume (0x01,0x06).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct Resume;
 }
 
@@ -282,7 +283,7 @@ record! {
     ///
     /// Source: 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07);
     /// 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GetExtendedDescriptors;
 }
 
@@ -316,7 +317,7 @@ record! {
     /// - The self-test flags change only when the built-in test command runs.
     ///
     /// Source: 3dm-cv7-gnss-ins: Continuous built-in test (0x01,0x08).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct ContinuousBuiltInTest;
 }
 
@@ -349,6 +350,7 @@ record! {
     /// - Commands and data during the change may be lost or come at either rate.
     ///
     /// Source: 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09).
+    #[derive(Copy, Eq, Hash)]
     pub struct CommSpeed {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -413,6 +415,7 @@ record! {
     ///
     /// Source: 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72); 3dm-cv7-gnss-ins: GPS Time Update
     /// Command (0x01,0x72).
+    #[derive(Copy, Eq, Hash)]
     pub struct GpsTimeUpdate {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -458,10 +461,13 @@ command! {
 
 responses! {
     /// What [`GpsTimeUpdate`] is answered with.
+    #[derive(Copy, Eq, Hash)]
     pub enum GpsTimeUpdateResponses {
         /// The response [`GpsTimeUpdateWeekNumberResponse`].
+        #[cfg_attr(feature = "serde", serde(rename = "gps_time_update_week_number_response"))]
         WeekNumber(GpsTimeUpdateWeekNumberResponse),
         /// The response [`GpsTimeUpdateTowResponse`].
+        #[cfg_attr(feature = "serde", serde(rename = "gps_time_update_tow_response"))]
         Tow(GpsTimeUpdateTowResponse),
     }
 }
@@ -476,7 +482,7 @@ record! {
     ///
     /// Source: 3dm-gx5-15: 4.1.9 Device Reset (0x01, 0x7E); 3dm-cv7-gnss-ins: Reset device
     /// (0x01,0x7E).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct SoftReset;
 }
 
@@ -508,7 +514,7 @@ record! {
     ///
     /// Source: 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03); 3dm-cv7-gnss-ins: Get device
     /// information (0x01,0x03).
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct GetDeviceInfoResponse {
         /// Identity of the device.
         pub device_info: BaseDeviceInfo,
@@ -533,7 +539,7 @@ record! {
     ///
     /// Source: 3dm-gx5-15: 4.1.4 Get Device Descriptor Sets (0x01, 0x04); 3dm-cv7-gnss-ins: Get
     /// device descriptors (0x01,0x04).
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct GetDeviceDescriptorsResponse {
         /// Supported descriptors: the descriptor set in the high byte, the field descriptor in the
         /// low byte.
@@ -554,7 +560,7 @@ record! {
     ///
     /// Source: 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05); 3dm-cv7-gnss-ins: Built in test
     /// (0x01,0x05); 3dm-cv7-gnss-ins: Commanded Built-in Test.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct BuiltInTestResponse {
         /// Failure flags, defined by each device. Zero means that every test passed.
         ///
@@ -599,7 +605,7 @@ record! {
     ///
     /// Source: 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72); 3dm-cv7-gnss-ins: GPS Time Update
     /// Command (0x01,0x72).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GpsTimeUpdateWeekNumberResponse {
         /// GPS week number.
         ///
@@ -623,7 +629,7 @@ record! {
     ///
     /// Source: 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72); 3dm-cv7-gnss-ins: GPS Time Update
     /// Command (0x01,0x72).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GpsTimeUpdateTowResponse {
         /// GPS time of week in whole seconds.
         ///
@@ -645,7 +651,7 @@ record! {
     ///
     /// Source: 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07);
     /// 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07).
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct GetExtendedDescriptorsResponse {
         /// Supported descriptors: the descriptor set in the high byte, the field descriptor in the
         /// low byte.
@@ -665,7 +671,7 @@ record! {
     /// 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Continuous built-in test (0x01,0x08).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct ContinuousBuiltInTestResponse {
         /// Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the
         /// second byte.
@@ -697,7 +703,7 @@ record! {
     /// Answers [`CommSpeed`]. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct CommSpeedResponse {
         /// Port id of the device; 0 means all ports, and is for save, load and default only.
         pub port: u8,

@@ -89,7 +89,7 @@ open_enum! {
     /// mip-sdk-4: Heading Source (0x0D,0x18).
     HeadingUpdateSource: u8 {
         /// No heading updates.
-        NONE = 0, "none";
+        NONE_ = 0, "none";
         /// The magnetometer.
         MAG = 1, "mag";
         /// The velocity that the GNSS receiver measures.
@@ -103,7 +103,7 @@ open_enum! {
         /// Magnetometer and the messages of the user.
         MAG_AND_EXTERNAL = 6, "mag_and_external";
         /// All three.
-        ALL = 7, "all";
+        ALL_ = 7, "all";
     }
 }
 
@@ -138,7 +138,7 @@ open_enum! {
     /// Where the declination, the inclination or the magnitude of the magnetic field comes from.
     MagParameterSource: u8 {
         /// No source. Uncertain: What the device does without a source.
-        NONE = 1, "none";
+        NONE_ = 1, "none";
         /// The World Magnetic Model, at the estimated position.
         WMM = 2, "wmm";
         /// The value that the command gives.
@@ -164,7 +164,7 @@ open_enum! {
     /// Source: mip-sdk-4: Altitude Aiding (0x0D,0x47).
     AltitudeAidingSource: u8 {
         /// No aiding.
-        NONE = 0, "none";
+        NONE_ = 0, "none";
         /// The pressure sensor.
         PRESSURE = 1, "pressure";
     }
@@ -174,7 +174,7 @@ open_enum! {
     /// What aids pitch and roll.
     PitchRollAidingSource: u8 {
         /// No aiding.
-        NONE = 0, "none";
+        NONE_ = 0, "none";
         /// The measured gravity vector.
         GRAVITY_VECTOR = 1, "gravity_vector";
     }
@@ -202,7 +202,7 @@ open_enum! {
         /// Velocity in the vehicle that the user sends.
         BODY_FRAME_VELOCITY = 8, "body_frame_velocity";
         /// All sources, for save, load and default.
-        ALL = 65535, "all";
+        ALL_ = 65535, "all";
     }
 }
 
@@ -212,7 +212,7 @@ open_enum! {
     /// Source: mip-sdk-4: Kinematic Constraint (0x0D,0x51).
     AccelConstraint: u8 {
         /// Nothing.
-        NONE = 0, "none";
+        NONE_ = 0, "none";
         /// It is zero.
         ZERO_ACCEL = 1, "zero_accel";
     }
@@ -224,7 +224,7 @@ open_enum! {
     /// Source: mip-sdk-4: Kinematic Constraint (0x0D,0x51).
     VelocityConstraint: u8 {
         /// Nothing.
-        NONE = 0, "none";
+        NONE_ = 0, "none";
         /// It is zero.
         ZERO_VELOCITY = 1, "zero_velocity";
         /// It is that of a wheeled vehicle.
@@ -238,7 +238,7 @@ open_enum! {
     /// Source: mip-sdk-4: Kinematic Constraint (0x0D,0x51).
     AngularConstraint: u8 {
         /// Nothing.
-        NONE = 0, "none";
+        NONE_ = 0, "none";
         /// It is zero.
         ZERO_ANGULAR_RATE = 1, "zero_angular_rate";
     }
@@ -333,7 +333,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: Reset Navigation Filter (0x0D,0x01); 3dm-gx5-15: 4.3.1 Reset
     /// Filter (0x0D, 0x01).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct Reset;
 }
 
@@ -362,7 +362,7 @@ record! {
     /// - Accepted only in the initialization state.
     ///
     /// Source: 3dm-gx5-15: 4.3.2 Set Initial Attitude (0x0D, 0x02).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct SetInitialAttitude {
         /// Roll angle.
         ///
@@ -412,7 +412,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: Set Initial Heading Control (0x0D,0x03); 3dm-gx5-15: 4.3.3 Set
     /// Initial Heading (0x0D, 0x03).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct SetInitialHeading {
         /// Initial heading.
         ///
@@ -447,7 +447,7 @@ record! {
     ///   [`InitializationConfig`] is set.
     ///
     /// Source: 3dm-cv7-gnss-ins: Run Navigation Filter (0x0D,0x05).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct Run;
 }
 
@@ -476,6 +476,7 @@ record! {
     /// only.
     ///
     /// Source: mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10).
+    #[derive(Copy, Eq, Hash)]
     pub struct VehicleDynamicsMode {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -534,6 +535,7 @@ record! {
     ///   [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler).
     ///
     /// Source: 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11).
+    #[derive(Copy)]
     pub struct SensorToVehicleRotationEuler {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -604,6 +606,7 @@ record! {
     /// - The shift is constant. It does not follow the attitude, as a lever arm would.
     ///
     /// Source: mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12).
+    #[derive(Copy)]
     pub struct SensorToVehicleOffset {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -660,6 +663,7 @@ record! {
     ///   commands use [`aiding::FrameConfig`](crate::aiding::FrameConfig).
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13).
+    #[derive(Copy)]
     pub struct AntennaOffset {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -714,6 +718,7 @@ record! {
     /// 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
     ///
     /// Source: 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14).
+    #[derive(Copy, Eq, Hash)]
     pub struct EstimationControl {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -777,6 +782,7 @@ record! {
     ///   gives data.
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15).
+    #[derive(Copy, Eq, Hash)]
     pub struct GnssSource {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -906,7 +912,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: External Heading Update (0x0D,0x17); 3dm-gx5-15: 4.3.7 External
     /// Heading Update (0x0D, 0x17).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct ExternalHeadingUpdate {
         /// Heading relative to the north that `type` names.
         ///
@@ -917,6 +923,7 @@ record! {
         /// Unit: rad. Range: greater than 0.
         pub heading_uncertainty: f32,
         /// North that the heading refers to.
+        #[cfg_attr(feature = "serde", serde(rename = "type"))]
         pub type_: HeadingType,
     }
     wire 9 {
@@ -956,19 +963,20 @@ record! {
     /// 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
     ///
     /// Source: 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18).
+    #[derive(Copy, Eq, Hash)]
     pub struct HeadingSource {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Source of the heading.
         ///
         /// Required for write. On the 3DM-CL5-15, 3DM-CV5-15 and 3DM-GX5-15: only
-        /// [`HeadingUpdateSource::NONE`] and [`HeadingUpdateSource::EXTERNAL`]. On the 3DM-CL5-25,
-        /// 3DM-CV5-25, 3DM-GX4-25 and 3DM-GX5-25: only [`HeadingUpdateSource::NONE`],
+        /// [`HeadingUpdateSource::NONE_`] and [`HeadingUpdateSource::EXTERNAL`]. On the 3DM-CL5-25,
+        /// 3DM-CV5-25, 3DM-GX4-25 and 3DM-GX5-25: only [`HeadingUpdateSource::NONE_`],
         /// [`HeadingUpdateSource::MAG`] and [`HeadingUpdateSource::EXTERNAL`]. On the 3DM-GQ4-45,
-        /// 3DM-GX3-45 and 3DM-GX4-45: only [`HeadingUpdateSource::NONE`],
+        /// 3DM-GX3-45 and 3DM-GX4-45: only [`HeadingUpdateSource::NONE_`],
         /// [`HeadingUpdateSource::MAG`], [`HeadingUpdateSource::GNSS_VELOCITY`] and
         /// [`HeadingUpdateSource::EXTERNAL`]. On the 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
-        /// [`HeadingUpdateSource::NONE`], [`HeadingUpdateSource::GNSS_VELOCITY`] and
+        /// [`HeadingUpdateSource::NONE_`], [`HeadingUpdateSource::GNSS_VELOCITY`] and
         /// [`HeadingUpdateSource::EXTERNAL`].
         pub source: Option<HeadingUpdateSource>,
     }
@@ -1017,6 +1025,7 @@ record! {
     /// - It needs a valid heading source.
     ///
     /// Source: 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19).
+    #[derive(Copy, Eq, Hash)]
     pub struct AutoInitializationControl {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -1071,6 +1080,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A); 3dm-gx5-15:
     /// 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A).
+    #[derive(Copy)]
     pub struct AccelNoise {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -1125,6 +1135,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B); 3dm-gx5-15: 4.3.13
     /// Gyroscope Noise Standard Deviation (0x0D, 0x1B).
+    #[derive(Copy)]
     pub struct GyroNoise {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -1176,6 +1187,7 @@ record! {
     /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-45.
     ///
     /// Source: 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C).
+    #[derive(Copy)]
     pub struct AccelBiasModel {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -1233,6 +1245,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D); 3dm-gx5-15: 4.3.14
     /// Gyroscope Bias Model Parameters (0x0D, 0x1D).
+    #[derive(Copy)]
     pub struct GyroBiasModel {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -1292,6 +1305,7 @@ record! {
     ///   threshold.
     ///
     /// Source: mip-sdk-4: Auto Zupt (0x0D,0x1E).
+    #[derive(Copy)]
     pub struct AutoZupt {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -1356,7 +1370,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: External Heading Update With Time (0x0D,0x1F); 3dm-gx5-15: 4.3.8
     /// External Heading Update with Timestamp (0x0D, 0x1F).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct ExternalHeadingUpdateWithTime {
         /// GPS time of week of the measurement.
         ///
@@ -1375,6 +1389,7 @@ record! {
         /// Unit: rad. Range: greater than 0.
         pub heading_uncertainty: f32,
         /// North that the heading refers to.
+        #[cfg_attr(feature = "serde", serde(rename = "type"))]
         pub type_: HeadingType,
     }
     wire 19 {
@@ -1420,6 +1435,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20); 3dm-gx5-15: 4.3.15
     /// Zero Angular Rate Update Control (0x0D, 0x20).
+    #[derive(Copy)]
     pub struct AutoAngularZupt {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -1480,6 +1496,7 @@ record! {
     ///
     /// Source: 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21); mip-sdk-4: Tare Orientation
     /// (0x0D,0x21).
+    #[derive(Copy, Eq, Hash)]
     pub struct TareOrientation {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -1532,7 +1549,7 @@ record! {
     /// - The highest rate depends on the device.
     ///
     /// Source: mip-sdk-4: Commanded Zupt (0x0D,0x22).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct CommandedZupt;
 }
 
@@ -1561,7 +1578,7 @@ record! {
     /// - At most 10 per second.
     ///
     /// Source: 3dm-gx5-15: 4.3.17 Commanded Zero-Angular Rate Update (0x0D, 0x23).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct CommandedAngularZupt;
 }
 
@@ -1589,6 +1606,7 @@ record! {
     /// Supported by 3DM-GX5-15.
     ///
     /// Source: 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26).
+    #[derive(Copy)]
     pub struct ReferencePosition {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -1665,6 +1683,7 @@ record! {
     /// - A save does the same as the save of both of these commands.
     ///
     /// Source: mip-sdk-4: Mag Capture Auto Cal (0x0D,0x27).
+    #[derive(Copy, Eq, Hash)]
     pub struct MagCaptureAutoCalibration {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -1704,6 +1723,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28); 3dm-gx5-15: 4.3.11
     /// Gravity Noise Standard Deviation (0x0D, 0x28).
+    #[derive(Copy)]
     pub struct GravityNoise {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -1759,6 +1779,7 @@ record! {
     ///   height.
     ///
     /// Source: mip-sdk-4: Pressure Altitude Noise (0x0D,0x29).
+    #[derive(Copy)]
     pub struct PressureAltitudeNoise {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -1810,6 +1831,7 @@ record! {
     /// Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B).
+    #[derive(Copy)]
     pub struct HardIronOffsetNoise {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -1861,6 +1883,7 @@ record! {
     /// Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C).
+    #[derive(Copy)]
     pub struct SoftIronMatrixNoise {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -1913,6 +1936,7 @@ record! {
     /// Supported by 3DM-GX5-15.
     ///
     /// Source: 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41).
+    #[derive(Copy, Eq, Hash)]
     pub struct EnableMeasurements {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -1965,6 +1989,7 @@ record! {
     /// noise, although the noise is that of a measurement.
     ///
     /// Source: mip-sdk-4: Mag Noise (0x0D,0x42).
+    #[derive(Copy)]
     pub struct MagNoise {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -2019,6 +2044,7 @@ record! {
     /// - Without a good declination source, keep automatic magnetometer calibration off.
     ///
     /// Source: 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43).
+    #[derive(Copy)]
     pub struct MagneticDeclinationSource {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -2084,6 +2110,7 @@ record! {
     ///   pitch and roll accuracy under linear acceleration, low limits cost heading accuracy.
     ///
     /// Source: 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44).
+    #[derive(Copy)]
     pub struct AccelMagnitudeErrorAdaptiveMeasurement {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -2186,6 +2213,7 @@ record! {
     ///   spoil the heading.
     ///
     /// Source: mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45).
+    #[derive(Copy)]
     pub struct MagMagnitudeErrorAdaptiveMeasurement {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -2288,6 +2316,7 @@ record! {
     ///   spoil the heading.
     ///
     /// Source: mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46).
+    #[derive(Copy)]
     pub struct MagDipAngleErrorAdaptiveMeasurement {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -2371,6 +2400,7 @@ record! {
     /// - Weather and place shift the pressure altitude, at times by more than 40 m.
     ///
     /// Source: mip-sdk-4: Altitude Aiding (0x0D,0x47).
+    #[derive(Copy, Eq, Hash)]
     pub struct AltitudeAiding {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -2422,6 +2452,7 @@ record! {
     /// Supported by 3DM-GX5-15 and 3DM-GX5-45.
     ///
     /// Source: 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B).
+    #[derive(Copy, Eq, Hash)]
     pub struct PitchRollAiding {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -2476,6 +2507,7 @@ record! {
     /// - Without a good inclination source, keep automatic magnetometer calibration off.
     ///
     /// Source: mip-sdk-4: Inclination Source (0x0D,0x4C).
+    #[derive(Copy)]
     pub struct MagneticInclinationSource {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -2537,6 +2569,7 @@ record! {
     /// - [`MagMagnitudeErrorAdaptiveMeasurement`] relies on it too.
     ///
     /// Source: mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D).
+    #[derive(Copy)]
     pub struct MagneticMagnitudeSource {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -2605,6 +2638,7 @@ record! {
     ///   written.
     ///
     /// Source: mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E).
+    #[derive(Copy)]
     pub struct SensorToVehicleRotationDcm {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -2666,6 +2700,7 @@ record! {
     ///   written.
     ///
     /// Source: mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F).
+    #[derive(Copy)]
     pub struct SensorToVehicleRotationQuaternion {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -2718,14 +2753,15 @@ record! {
     /// 3DM-CV7-AHRS and 3DM-CV7-AR.
     ///
     /// Source: 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50).
+    #[derive(Copy, Eq, Hash)]
     pub struct AidingMeasurementEnable {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// The source; `all` is for save, load and default.
         ///
         /// On the 3DM-CV7-AHRS: only [`AidingSource::MAG`], [`AidingSource::EXTERNAL_HEADING`] and
-        /// [`AidingSource::ALL`]. On the 3DM-CV7-AR: only [`AidingSource::EXTERNAL_HEADING`] and
-        /// [`AidingSource::ALL`].
+        /// [`AidingSource::ALL_`]. On the 3DM-CV7-AR: only [`AidingSource::EXTERNAL_HEADING`] and
+        /// [`AidingSource::ALL_`].
         pub aiding_source: Option<AidingSource>,
         /// Whether the filter uses the source.
         ///
@@ -2777,20 +2813,21 @@ record! {
     /// there are further values. The SDK has plain numbers and gives the values in remarks.
     ///
     /// Source: mip-sdk-4: Kinematic Constraint (0x0D,0x51).
+    #[derive(Copy, Eq, Hash)]
     pub struct KinematicConstraint {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Assumption about the acceleration.
         ///
-        /// Default: [`AccelConstraint::NONE`]. Required for write.
+        /// Default: [`AccelConstraint::NONE_`]. Required for write.
         pub accel_constraint: Option<AccelConstraint>,
         /// Assumption about the velocity.
         ///
-        /// Default: [`VelocityConstraint::NONE`]. Required for write.
+        /// Default: [`VelocityConstraint::NONE_`]. Required for write.
         pub velocity_constraint: Option<VelocityConstraint>,
         /// Assumption about the angular rate.
         ///
-        /// Default: [`AngularConstraint::NONE`]. Required for write.
+        /// Default: [`AngularConstraint::NONE_`]. Required for write.
         pub angular_constraint: Option<AngularConstraint>,
     }
     wire 4 {
@@ -2848,6 +2885,7 @@ record! {
     /// - External alignment needs a heading at least every 5 seconds.
     ///
     /// Source: 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52).
+    #[derive(Copy)]
     pub struct InitializationConfig {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -2954,6 +2992,7 @@ record! {
     /// 3DM-GX5-45.
     ///
     /// Source: 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53).
+    #[derive(Copy, Eq, Hash)]
     pub struct AdaptiveFilterOptions {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -3011,6 +3050,7 @@ record! {
     /// Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54).
+    #[derive(Copy)]
     pub struct MultiAntennaOffset {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -3068,6 +3108,7 @@ record! {
     /// Answered by [`RelativePositionConfigResponse`]. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55).
+    #[derive(Copy)]
     pub struct RelativePositionConfig {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -3142,6 +3183,7 @@ record! {
     ///   on the attitude and, for velocities, on the angular rate.
     ///
     /// Source: 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56).
+    #[derive(Copy)]
     pub struct ReferencePointLeverArm {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -3202,6 +3244,7 @@ record! {
     /// - Single precision resolves the time of week to 0.0625 s at the end of the week.
     ///
     /// Source: mip-sdk-4: Speed Measurement (0x0D,0x60).
+    #[derive(Copy)]
     pub struct SpeedMeasurement {
         /// Send 1.
         ///
@@ -3264,6 +3307,7 @@ record! {
     /// - It corrects for the speed that such a point has only because the vehicle turns.
     ///
     /// Source: 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61).
+    #[derive(Copy)]
     pub struct SpeedLeverArm {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -3321,6 +3365,7 @@ record! {
     /// - It takes the linear acceleration as zero.
     ///
     /// Source: mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62).
+    #[derive(Copy, Eq, Hash)]
     pub struct VerticalGyroConstraintControl {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -3375,6 +3420,7 @@ record! {
     ///   wrong for vehicles that move sideways, such as aircraft.
     ///
     /// Source: 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63).
+    #[derive(Copy, Eq, Hash)]
     pub struct WheeledVehicleConstraintControl {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -3428,6 +3474,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64);
     /// 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration.
+    #[derive(Copy)]
     pub struct GnssAntennaCalibrationControl {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -3482,7 +3529,7 @@ record! {
     /// Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct VehicleDynamicsModeResponse {
         /// Kind of vehicle.
         pub mode: DynamicsMode,
@@ -3500,7 +3547,7 @@ record! {
     /// Answers [`SensorToVehicleRotationEuler`]. Supported by 3DM-GX5-15 and 3DM-GX5-45.
     ///
     /// Source: 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct SensorToVehicleRotationEulerResponse {
         /// Roll angle.
         ///
@@ -3529,7 +3576,7 @@ record! {
     /// SDK only.
     ///
     /// Source: mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct SensorToVehicleOffsetResponse {
         /// From the sensor to the origin of the vehicle frame.
         ///
@@ -3549,7 +3596,7 @@ record! {
     /// Answers [`AntennaOffset`]. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GX5-45.
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct AntennaOffsetResponse {
         /// From the sensor origin to the centre of the antenna.
         ///
@@ -3571,7 +3618,7 @@ record! {
     /// 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
     ///
     /// Source: 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct EstimationControlResponse {
         /// States to estimate.
         pub flags: EstimatedStates,
@@ -3589,7 +3636,7 @@ record! {
     /// Answers [`GnssSource`]. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GnssSourceResponse {
         /// Source of the GNSS data.
         pub source: GnssAidingSource,
@@ -3609,7 +3656,7 @@ record! {
     /// 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
     ///
     /// Source: 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct HeadingSourceResponse {
         /// Source of the heading.
         pub source: HeadingUpdateSource,
@@ -3628,7 +3675,7 @@ record! {
     /// by 3DM-GX5-15 and 3DM-GX5-45.
     ///
     /// Source: 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct AutoInitializationControlResponse {
         /// 0 disables, 1 enables.
         ///
@@ -3649,7 +3696,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A); 3dm-gx5-15:
     /// 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct AccelNoiseResponse {
         /// Standard deviation per axis.
         ///
@@ -3670,7 +3717,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B); 3dm-gx5-15: 4.3.13
     /// Gyroscope Noise Standard Deviation (0x0D, 0x1B).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct GyroNoiseResponse {
         /// Standard deviation per axis.
         ///
@@ -3690,7 +3737,7 @@ record! {
     /// Answers [`AccelBiasModel`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-45.
     ///
     /// Source: 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct AccelBiasModelResponse {
         /// Reciprocal of the correlation time per axis.
         ///
@@ -3715,7 +3762,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D); 3dm-gx5-15: 4.3.14
     /// Gyroscope Bias Model Parameters (0x0D, 0x1D).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct GyroBiasModelResponse {
         /// Reciprocal of the correlation time per axis.
         ///
@@ -3740,7 +3787,7 @@ record! {
     /// MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Auto Zupt (0x0D,0x1E).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct AutoZuptResponse {
         /// 0 disables, 1 enables.
         ///
@@ -3766,7 +3813,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20); 3dm-gx5-15: 4.3.15
     /// Zero Angular Rate Update Control (0x0D, 0x20).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct AutoAngularZuptResponse {
         /// 0 disables, 1 enables.
         ///
@@ -3790,7 +3837,7 @@ record! {
     /// Answers [`ReferencePosition`]. Supported by 3DM-GX5-15.
     ///
     /// Source: 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct ReferencePositionResponse {
         /// 0 disables, 1 enables.
         ///
@@ -3823,7 +3870,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28); 3dm-gx5-15: 4.3.11
     /// Gravity Noise Standard Deviation (0x0D, 0x28).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct GravityNoiseResponse {
         /// Standard deviation per axis.
         ///
@@ -3844,7 +3891,7 @@ record! {
     /// SDK only.
     ///
     /// Source: mip-sdk-4: Pressure Altitude Noise (0x0D,0x29).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct PressureAltitudeNoiseResponse {
         /// Standard deviation.
         ///
@@ -3865,7 +3912,7 @@ record! {
     /// only.
     ///
     /// Source: mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct HardIronOffsetNoiseResponse {
         /// Standard deviation per axis.
         ///
@@ -3886,7 +3933,7 @@ record! {
     /// only.
     ///
     /// Source: mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct SoftIronMatrixNoiseResponse {
         /// Standard deviation per element.
         ///
@@ -3909,7 +3956,7 @@ record! {
     ///
     /// Source: 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21); mip-sdk-4: Tare Orientation
     /// (0x0D,0x21).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct TareOrientationResponse {
         /// Axes to tare; 0 resets all axes.
         pub axes: TareAxes,
@@ -3927,7 +3974,7 @@ record! {
     /// Answers [`EnableMeasurements`]. Supported by 3DM-GX5-15.
     ///
     /// Source: 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct EnableMeasurementsResponse {
         /// Measurements to use.
         pub control: MeasurementFlags,
@@ -3945,7 +3992,7 @@ record! {
     /// Answers [`MagNoise`]. Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Mag Noise (0x0D,0x42).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct MagNoiseResponse {
         /// Standard deviation per axis.
         ///
@@ -3966,7 +4013,7 @@ record! {
     /// 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
     ///
     /// Source: 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct MagneticDeclinationSourceResponse {
         /// Source of the declination.
         pub source: MagParameterSource,
@@ -3990,7 +4037,7 @@ record! {
     /// 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
     ///
     /// Source: 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct AccelMagnitudeErrorAdaptiveMeasurementResponse {
         /// Kind of adaptation.
         pub adaptive_measurement: AdaptiveMeasurementSelector,
@@ -4034,7 +4081,7 @@ record! {
     /// 3DM-RQ1-45-ST. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct MagMagnitudeErrorAdaptiveMeasurementResponse {
         /// Kind of adaptation.
         pub adaptive_measurement: AdaptiveMeasurementSelector,
@@ -4082,7 +4129,7 @@ record! {
     /// MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct MagDipAngleErrorAdaptiveMeasurementResponse {
         /// Whether the adaptation is on.
         pub enable: crate::Bool,
@@ -4117,7 +4164,7 @@ record! {
     /// only.
     ///
     /// Source: mip-sdk-4: Altitude Aiding (0x0D,0x47).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct AltitudeAidingResponse {
         /// Source of the aiding.
         pub selector: AltitudeAidingSource,
@@ -4135,7 +4182,7 @@ record! {
     /// Answers [`PitchRollAiding`]. Supported by 3DM-GX5-15 and 3DM-GX5-45.
     ///
     /// Source: 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct PitchRollAidingResponse {
         /// Source of the aiding.
         pub aiding: PitchRollAidingSource,
@@ -4154,7 +4201,7 @@ record! {
     /// the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Inclination Source (0x0D,0x4C).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct MagneticInclinationSourceResponse {
         /// Source of the inclination.
         pub source: MagParameterSource,
@@ -4178,7 +4225,7 @@ record! {
     /// Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct MagneticMagnitudeSourceResponse {
         /// Source of the magnitude.
         pub source: MagParameterSource,
@@ -4201,7 +4248,7 @@ record! {
     /// Answers [`SensorToVehicleRotationDcm`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct SensorToVehicleRotationDcmResponse {
         /// Rotation matrix in row-major order.
         ///
@@ -4221,7 +4268,7 @@ record! {
     /// Answers [`SensorToVehicleRotationQuaternion`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct SensorToVehicleRotationQuaternionResponse {
         /// Unit quaternion, scalar part first.
         ///
@@ -4242,7 +4289,7 @@ record! {
     /// 3DM-CV7-AHRS and 3DM-CV7-AR.
     ///
     /// Source: 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct AidingMeasurementEnableResponse {
         /// The source; `all` is for save, load and default.
         pub aiding_source: AidingSource,
@@ -4262,19 +4309,19 @@ record! {
     /// Answers [`KinematicConstraint`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Kinematic Constraint (0x0D,0x51).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct KinematicConstraintResponse {
         /// Assumption about the acceleration.
         ///
-        /// Default: [`AccelConstraint::NONE`].
+        /// Default: [`AccelConstraint::NONE_`].
         pub accel_constraint: AccelConstraint,
         /// Assumption about the velocity.
         ///
-        /// Default: [`VelocityConstraint::NONE`].
+        /// Default: [`VelocityConstraint::NONE_`].
         pub velocity_constraint: VelocityConstraint,
         /// Assumption about the angular rate.
         ///
-        /// Default: [`AngularConstraint::NONE`].
+        /// Default: [`AngularConstraint::NONE_`].
         pub angular_constraint: AngularConstraint,
     }
 }
@@ -4291,7 +4338,7 @@ record! {
     /// Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct InitializationConfigResponse {
         /// 1: the filter starts only after [`Run`]; 0: as soon as it can.
         ///
@@ -4341,7 +4388,7 @@ record! {
     /// 3DM-GX5-45.
     ///
     /// Source: 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct AdaptiveFilterOptionsResponse {
         /// Strength of the adaptation.
         ///
@@ -4365,7 +4412,7 @@ record! {
     /// Answers [`MultiAntennaOffset`]. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct MultiAntennaOffsetResponse {
         /// Number of the receiver, from 1.
         ///
@@ -4390,7 +4437,7 @@ record! {
     /// by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct RelativePositionConfigResponse {
         /// Source of the reference point.
         pub source: RelativePositionSource,
@@ -4417,7 +4464,7 @@ record! {
     /// 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct ReferencePointLeverArmResponse {
         /// Point to move; it must be 1.
         pub reference_point: ReferencePoint,
@@ -4439,6 +4486,7 @@ record! {
     /// Answers [`SpeedLeverArm`]. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61).
+    #[derive(Copy)]
     pub struct SpeedLeverArmResponse {
         /// Reserved.
         pub source: u8,
@@ -4470,7 +4518,7 @@ record! {
     /// Answers [`VerticalGyroConstraintControl`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct VerticalGyroConstraintControlResponse {
         /// 0 disables, 1 enables.
         ///
@@ -4490,7 +4538,7 @@ record! {
     /// Answers [`WheeledVehicleConstraintControl`]. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct WheeledVehicleConstraintControlResponse {
         /// 0 disables, 1 enables.
         ///
@@ -4512,7 +4560,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64);
     /// 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration.
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct GnssAntennaCalibrationControlResponse {
         /// 0 disables, 1 enables.
         ///

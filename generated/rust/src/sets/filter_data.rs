@@ -367,7 +367,7 @@ record! {
     /// Also called `position_llh`. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: LLH Position (0x82,0x01).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct LlhPosition {
         /// Latitude.
         ///
@@ -398,7 +398,7 @@ record! {
     /// Also called `velocity_ned`. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Velocity NED (0x82,0x02).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct NedVelocity {
         /// Velocity north.
         ///
@@ -432,7 +432,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: Attitude Quaternion (0x82,0x03); 3dm-gx5-15: 5.2.3 Orientation,
     /// Quaternion (0x82, 0x03).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct AttitudeQuaternion {
         /// Quaternion, scalar part first.
         ///
@@ -459,7 +459,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: Attitude DCM (0x82,0x04); 3dm-gx5-15: 5.2.7 Orientation, Matrix
     /// (0x82, 0x04).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct AttitudeDcm {
         /// Rotation matrix in row-major order.
         ///
@@ -486,7 +486,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: Euler Angles (0x82,0x05); 3dm-gx5-15: 5.2.5 Orientation, Euler
     /// Angles (0x82, 0x05).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct EulerAngles {
         /// Roll.
         ///
@@ -517,7 +517,7 @@ record! {
     /// Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GX5-15.
     ///
     /// Source: 3dm-cv7-gnss-ins: Gyro Bias (0x82,0x06); 3dm-gx5-15: 5.2.9 Gyro Bias (0x82, 0x06).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct GyroBias {
         /// Bias.
         ///
@@ -541,7 +541,7 @@ record! {
     /// Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Accel Bias (0x82,0x07).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct AccelBias {
         /// Bias.
         ///
@@ -565,7 +565,7 @@ record! {
     /// Also called `position_llh_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: LLH Position Uncertainty (0x82,0x08).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct LlhPositionUncertainty {
         /// Standard deviation north.
         ///
@@ -596,7 +596,7 @@ record! {
     /// Also called `velocity_ned_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: NED Velocity Uncertainty (0x82,0x09).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct NedVelocityUncertainty {
         /// Standard deviation north.
         ///
@@ -631,7 +631,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: Euler Angles Uncertainty (0x82,0x0A); 3dm-gx5-15: 5.2.6 Attitude
     /// Uncertainty, Euler Angles (0x82, 0x0A).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct EulerAnglesUncertainty {
         /// Standard deviation of roll.
         ///
@@ -663,7 +663,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: Gyro Bias Uncertainty (0x82,0x0B); 3dm-gx5-15: 5.2.10 Gyro Bias
     /// Uncertainty (0x82, 0x0B).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct GyroBiasUncertainty {
         /// Standard deviation per axis.
         ///
@@ -687,7 +687,7 @@ record! {
     /// Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Accel Bias Uncertainty (0x82,0x0C).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct AccelBiasUncertainty {
         /// Standard deviation per axis.
         ///
@@ -712,7 +712,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: Linear Accel (0x82,0x0D); 3dm-gx5-15: 5.2.12 Linear Acceleration
     /// (0x82, 0x0D).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct LinearAccel {
         /// Linear acceleration.
         ///
@@ -737,7 +737,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: Comp Angular Rate (0x82,0x0E); 3dm-gx5-15: 5.2.8 Compensated
     /// Angular Rate (0x82, 0x0E).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct CompAngularRate {
         /// Angular rate.
         ///
@@ -763,7 +763,7 @@ record! {
     /// - The model holds up to an altitude of 20 km.
     ///
     /// Source: 3dm-gx5-15: 5.2.15 WGS84 Local Gravity Magnitude (0x82, 0x0F).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct Wgs84GravityMagnitude {
         /// Magnitude of gravity.
         ///
@@ -791,7 +791,7 @@ record! {
     ///   filter runs.
     ///
     /// Source: 3dm-cv7-gnss-ins: Status (0x82,0x10); 3dm-gx5-15: 5.2.1 Filter Status (0x82, 0x10).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct Status {
         /// State of the filter.
         ///
@@ -881,7 +881,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: Timestamp (0x82,0x11); 3dm-gx5-15: 5.2.2 GPS Timestamp (0x82,
     /// 0x11).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct Timestamp {
         /// GPS time of week.
         ///
@@ -909,7 +909,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: Quaternion Attitude Uncertainty (0x82,0x12); 3dm-gx5-15: 5.2.4
     /// Attitude Uncertainty, Quaternion Elements (0x82, 0x12).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct QuaternionAttitudeUncertainty {
         /// Standard deviation per element.
         ///
@@ -933,7 +933,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: Gravity Vector (0x82,0x13); 3dm-gx5-15: 5.2.14 Gravity Vector
     /// (0x82, 0x13).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct GravityVector {
         /// Gravity.
         ///
@@ -959,7 +959,7 @@ record! {
     /// - The valid bit means that the source gave data within the last 2 seconds.
     ///
     /// Source: 3dm-gx5-15: 5.2.16 Heading Update Source State (0x82, 0x14).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct HeadingUpdateState {
         /// Heading of the sensor frame relative to true north.
         ///
@@ -992,7 +992,7 @@ record! {
     /// - It is valid only with a valid GNSS position.
     ///
     /// Source: 3dm-cv7-gnss-ins: Magnetic Model (0x82,0x15).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct MagneticModel {
         /// Intensity north.
         ///
@@ -1031,7 +1031,7 @@ record! {
     /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Gyro Scale Factor (0x82,0x16).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct GyroScaleFactor {
         /// Scale factor per axis.
         ///
@@ -1055,7 +1055,7 @@ record! {
     /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Accel Scale Factor (0x82,0x17).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct AccelScaleFactor {
         /// Scale factor per axis.
         ///
@@ -1079,7 +1079,7 @@ record! {
     /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Gyro Scale Factor Uncertainty (0x82,0x18).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct GyroScaleFactorUncertainty {
         /// Standard deviation per axis.
         ///
@@ -1103,7 +1103,7 @@ record! {
     /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Accel Scale Factor Uncertainty (0x82,0x19).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct AccelScaleFactorUncertainty {
         /// Standard deviation per axis.
         ///
@@ -1127,7 +1127,7 @@ record! {
     /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Mag Bias (0x82,0x1A).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct MagBias {
         /// Bias.
         ///
@@ -1151,7 +1151,7 @@ record! {
     /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Mag Bias Uncertainty (0x82,0x1B).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct MagBiasUncertainty {
         /// Standard deviation per axis.
         ///
@@ -1176,7 +1176,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: Compensated Acceleration (0x82,0x1C); 3dm-gx5-15: 5.2.11
     /// Compensated Acceleration (0x82, 0x1C).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct CompAccel {
         /// Acceleration.
         ///
@@ -1202,7 +1202,7 @@ record! {
     /// - It is valid only with a valid GNSS position.
     ///
     /// Source: mip-sdk-4: Standard Atmosphere (0x82,0x20).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct StandardAtmosphere {
         /// Altitude that goes into the model.
         ///
@@ -1245,7 +1245,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: Pressure Altitude (0x82,0x21); 3dm-gx5-15: 5.2.13 Pressure
     /// Altitude (0x82, 0x21).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct PressureAltitude {
         /// Altitude.
         ///
@@ -1269,7 +1269,7 @@ record! {
     /// gives the name only; the description is the usual meaning of the term.
     ///
     /// Source: mip-sdk-4: Density Altitude (0x82,0x22).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct DensityAltitude {
         /// Altitude.
         ///
@@ -1296,7 +1296,7 @@ record! {
     ///   [`mip_3dm::MagHardIronOffset`](crate::mip_3dm::MagHardIronOffset).
     ///
     /// Source: mip-sdk-4: Magnetometer Offset (0x82,0x25).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct MagOffset {
         /// Hard iron offset.
         ///
@@ -1324,7 +1324,7 @@ record! {
     ///   [`mip_3dm::MagSoftIronMatrix`](crate::mip_3dm::MagSoftIronMatrix) by it, from the right.
     ///
     /// Source: mip-sdk-4: Magnetometer Matrix (0x82,0x26).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct MagMatrix {
         /// Soft iron matrix in row-major order.
         ///
@@ -1349,7 +1349,7 @@ record! {
     /// MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Magnetometer Offset Uncertainty (0x82,0x28).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct MagOffsetUncertainty {
         /// Standard deviation per axis.
         ///
@@ -1374,7 +1374,7 @@ record! {
     /// MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Magnetometer Matrix Uncertainty (0x82,0x29).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct MagMatrixUncertainty {
         /// Standard deviation per element.
         ///
@@ -1399,7 +1399,7 @@ record! {
     /// MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Magnetometer Covariance Matrix (0x82,0x2A).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct MagCovarianceMatrix {
         /// Covariance matrix in row-major order.
         ///
@@ -1425,7 +1425,7 @@ record! {
     /// MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Magnetometer Residual Vector (0x82,0x2C).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct MagResidualVector {
         /// Residual.
         ///
@@ -1452,7 +1452,7 @@ record! {
     ///   [`filter::AntennaOffset`](crate::filter::AntennaOffset).
     ///
     /// Source: mip-sdk-4: Antenna Offset Correction (0x82,0x30).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct AntennaOffsetCorrection {
         /// Correction of the offset.
         ///
@@ -1476,7 +1476,7 @@ record! {
     /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Antenna Offset Correction Uncertainty (0x82,0x31).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct AntennaOffsetCorrectionUncertainty {
         /// Standard deviation per axis.
         ///
@@ -1500,7 +1500,7 @@ record! {
     /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Clock Correction (0x82,0x32).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct ClockCorrection {
         /// Receiver, counted from 1.
         ///
@@ -1531,7 +1531,7 @@ record! {
     /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Clock Correction Uncertainty (0x82,0x33).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct ClockCorrectionUncertainty {
         /// Receiver, counted from 1.
         ///
@@ -1564,7 +1564,7 @@ record! {
     /// - The filter adds it to the stored offset.
     ///
     /// Source: 3dm-cv7-gnss-ins: Multi Antenna Offset Correction (0x82,0x34).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct MultiAntennaOffsetCorrection {
         /// Receiver that the antenna belongs to.
         pub receiver_id: u8,
@@ -1590,7 +1590,7 @@ record! {
     /// Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Multi Antenna Offset Correction Uncertainty (0x82,0x35).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct MultiAntennaOffsetCorrectionUncertainty {
         /// Receiver that the antenna belongs to.
         pub receiver_id: u8,
@@ -1616,7 +1616,7 @@ record! {
     /// Also called `ecef_pos_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: ECEF Position Uncertainty (0x82,0x36).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct EcefPositionUncertainty {
         /// Standard deviation per axis.
         ///
@@ -1640,7 +1640,7 @@ record! {
     /// Also called `ecef_vel_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: ECEF Velocity Uncertainty (0x82,0x37).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct EcefVelocityUncertainty {
         /// Standard deviation per axis.
         ///
@@ -1664,7 +1664,7 @@ record! {
     /// Also called `ecef_pos`. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: ECEF Position (0x82,0x40).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct EcefPosition {
         /// Position.
         ///
@@ -1688,7 +1688,7 @@ record! {
     /// Also called `ecef_vel`. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: ECEF Velocity (0x82,0x41).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct EcefVelocity {
         /// Velocity.
         ///
@@ -1713,7 +1713,7 @@ record! {
     /// Also called `rel_pos_ned`. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: NED Relative Position (0x82,0x42).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct NedRelativePosition {
         /// Relative position.
         ///
@@ -1739,7 +1739,7 @@ record! {
     /// - Single precision resolves the time of week to 0.0625 s at the end of the week.
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Position Aiding Status (0x82,0x43).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct GnssPositionAidingStatus {
         /// Number of the receiver.
         pub receiver_id: u8,
@@ -1769,7 +1769,7 @@ record! {
     /// - Single precision resolves the time of week to 0.0625 s at the end of the week.
     ///
     /// Source: mip-sdk-4: Gnss Att Aid Status (0x82,0x44).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct GnssAttitudeAidingStatus {
         /// GPS time of week of the last valid measurement.
         ///
@@ -1799,13 +1799,14 @@ record! {
     /// - Single precision resolves the time of week to 0.0625 s at the end of the week.
     ///
     /// Source: mip-sdk-4: Head Aid Status (0x82,0x45).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct HeadingAidingStatus {
         /// GPS time of week of the last valid measurement.
         ///
         /// Unit: s. Uncertain: Whether it is the time of the measurement or that of its processing.
         pub tow: f32,
         /// Source of the heading.
+        #[cfg_attr(feature = "serde", serde(rename = "type"))]
         pub type_: HeadingAidingType,
         /// Reserved.
         ///
@@ -1833,7 +1834,7 @@ record! {
     /// - Single precision resolves the time of week to 0.0625 s at the end of the week.
     ///
     /// Source: 3dm-cv7-gnss-ins: Aiding Measurement Summary (0x82,0x46).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct AidingMeasurementSummary {
         /// GPS time of week at the end of the interval.
         ///
@@ -1842,6 +1843,7 @@ record! {
         /// Number of the source of the measurement.
         pub source: u8,
         /// Kind of measurement.
+        #[cfg_attr(feature = "serde", serde(rename = "type"))]
         pub type_: AidingMeasurementType,
         /// What the filter did with it.
         pub indicator: AidingMeasurementIndicator,
@@ -1868,7 +1870,7 @@ record! {
     /// - Estimated scale factor = configured scale factor \* (1 + error).
     ///
     /// Source: 3dm-cv7-gnss-ins: Odometer Scale Factor Error (0x82,0x47).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct OdometerScaleFactorError {
         /// Relative error.
         ///
@@ -1891,7 +1893,7 @@ record! {
     /// Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Odometer Scale Factor Error Uncertainty (0x82,0x48).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct OdometerScaleFactorErrorUncertainty {
         /// Uncertainty of the relative error.
         ///
@@ -1916,7 +1918,7 @@ record! {
     /// - Single precision resolves the time of week to 0.0625 s at the end of the week.
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Dual Antenna Status (0x82,0x49).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct GnssDualAntennaStatus {
         /// GPS time of week of the last measurement.
         ///
@@ -1952,7 +1954,7 @@ record! {
     /// Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Aiding Frame Configuration Error (0x82,0x50).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct AidingFrameConfigError {
         /// Number of the frame.
         pub frame_id: u8,
@@ -1980,7 +1982,7 @@ record! {
     /// Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Aiding Frame Configuration Error Uncertainty (0x82,0x51).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct AidingFrameConfigErrorUncertainty {
         /// Number of the frame.
         pub frame_id: u8,

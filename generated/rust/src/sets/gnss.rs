@@ -12,7 +12,7 @@ record! {
     /// One GNSS receiver.
     ///
     /// Source: 3dm-cv7-gnss-ins: Info.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct ReceiverInfoEntry {
         /// Receiver, counted from 1.
         ///
@@ -27,6 +27,7 @@ record! {
     }
 }
 
+item! { ReceiverInfoEntry { receiver_id mip_data_descriptor_set description } }
 constructors! {
     ReceiverInfoEntry
 
@@ -99,7 +100,7 @@ open_enum! {
     /// How SPARTN corrections come.
     SpartnConnection: u8 {
         /// No connection.
-        NONE = 0, "none";
+        NONE_ = 0, "none";
         /// By a network.
         NETWORK = 1, "network";
         /// By satellite in the L band.
@@ -115,7 +116,7 @@ record! {
     /// Answered by [`ReceiverInfoResponse`]. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Receiver Info (0x0E,0x01).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct ReceiverInfo;
 }
 
@@ -149,6 +150,7 @@ record! {
     ///   GLONASS none or L1.
     ///
     /// Source: 3dm-cv7-gnss-ins: Signal Configuration (0x0E,0x02); 3dm-cv7-gnss-ins: GNSS.
+    #[derive(Copy, Eq, Hash)]
     pub struct SignalConfig {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -224,6 +226,7 @@ record! {
     /// MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10).
+    #[derive(Copy, Eq, Hash)]
     pub struct RtkDongleConfig {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -287,6 +290,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: Spartn Configuration (0x0E,0x20); 3dm-cv7-gnss-ins: SPARTN
     /// Corrections; 3dm-cv7-gnss-ins: SPARTN Corrections via UART.
+    #[derive(Eq, Hash)]
     pub struct SpartnConfig {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -297,6 +301,7 @@ record! {
         /// How the corrections come.
         ///
         /// Required for write.
+        #[cfg_attr(feature = "serde", serde(rename = "type"))]
         pub type_: Option<SpartnConnection>,
         /// GPS time of week until which the current key is valid.
         ///
@@ -382,7 +387,7 @@ record! {
     /// elements of `receiver_info`.
     ///
     /// Source: 3dm-cv7-gnss-ins: Receiver Info (0x0E,0x01).
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct ReceiverInfoResponse {
         /// The receivers.
         pub receiver_info: crate::List<ReceiverInfoEntry, 7>,
@@ -405,7 +410,7 @@ record! {
     /// 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Signal Configuration (0x0E,0x02); 3dm-cv7-gnss-ins: GNSS.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct SignalConfigResponse {
         /// GPS signals.
         pub gps_enable: GpsSignals,
@@ -432,7 +437,7 @@ record! {
     /// MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct RtkDongleConfigResponse {
         /// 1 enables the dongle, 0 disables it.
         ///
@@ -456,13 +461,14 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: Spartn Configuration (0x0E,0x20); 3dm-cv7-gnss-ins: SPARTN
     /// Corrections; 3dm-cv7-gnss-ins: SPARTN Corrections via UART.
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct SpartnConfigResponse {
         /// 1 enables SPARTN corrections, 0 disables them.
         ///
         /// Range: 0 to 1.
         pub enable: u8,
         /// How the corrections come.
+        #[cfg_attr(feature = "serde", serde(rename = "type"))]
         pub type_: SpartnConnection,
         /// GPS time of week until which the current key is valid.
         ///

@@ -468,7 +468,7 @@ open_enum! {
         /// Not known.
         UNKNOWN = 0, "unknown";
         /// Not at all.
-        NONE = 1, "none";
+        NONE_ = 1, "none";
         /// In part.
         PARTIAL = 2, "partial";
         /// Badly.
@@ -482,7 +482,7 @@ open_enum! {
         /// Not known.
         UNKNOWN = 0, "unknown";
         /// Not at all.
-        NONE = 1, "none";
+        NONE_ = 1, "none";
         /// In part.
         PARTIAL = 2, "partial";
         /// Badly.
@@ -542,7 +542,7 @@ open_enum! {
     /// How well a signal is tracked.
     SignalQuality: u8 {
         /// No signal.
-        NONE = 0, "none";
+        NONE_ = 0, "none";
         /// The signal is searched.
         SEARCHING = 1, "searching";
         /// The signal is acquired.
@@ -853,7 +853,7 @@ record! {
     /// Also called `pos_llh`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS LLH Position (0x91,0x03).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct LlhPosition {
         /// Latitude.
         ///
@@ -891,7 +891,6 @@ record! {
 
 field! {
     LlhPosition: 0x91, 0x03, "gnss_1.llh_position";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -902,7 +901,7 @@ record! {
     /// Also called `pos_ecef`. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS ECEF Position (0x91,0x04).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct EcefPosition {
         /// Position.
         ///
@@ -921,7 +920,6 @@ record! {
 
 field! {
     EcefPosition: 0x91, 0x04, "gnss_1.ecef_position";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -932,7 +930,7 @@ record! {
     /// Also called `vel_ned`. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: NED Velocity (0x91,0x05).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct NedVelocity {
         /// Velocity.
         ///
@@ -969,7 +967,6 @@ record! {
 
 field! {
     NedVelocity: 0x91, 0x05, "gnss_1.ned_velocity";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -980,7 +977,7 @@ record! {
     /// Also called `vel_ecef`. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS ECEF Velocity (0x91,0x06).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct EcefVelocity {
         /// Velocity.
         ///
@@ -999,7 +996,6 @@ record! {
 
 field! {
     EcefVelocity: 0x91, 0x06, "gnss_1.ecef_velocity";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -1010,7 +1006,7 @@ record! {
     /// Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: DOP (0x91,0x07).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct Dop {
         /// Geometric dilution.
         ///
@@ -1047,7 +1043,6 @@ record! {
 
 field! {
     Dop: 0x91, 0x07, "gnss_1.dop";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -1058,7 +1053,7 @@ record! {
     /// Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: UTC Time (0x91,0x08).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct UtcTime {
         /// Year.
         ///
@@ -1101,7 +1096,6 @@ record! {
 
 field! {
     UtcTime: 0x91, 0x08, "gnss_1.utc_time";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -1112,7 +1106,7 @@ record! {
     /// Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: GPS Time (0x91,0x09).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct GpsTime {
         /// GPS time of week.
         ///
@@ -1129,7 +1123,6 @@ record! {
 
 field! {
     GpsTime: 0x91, 0x09, "gnss_1.gps_time";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -1142,7 +1135,7 @@ record! {
     /// - Clock info 2 replaces it and tells more.
     ///
     /// Source: mip-sdk-4: Clock Info (0x81,0x0A).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct ClockInfo {
         /// Bias of the clock.
         ///
@@ -1164,7 +1157,6 @@ record! {
 
 field! {
     ClockInfo: 0x91, 0x0A, "gnss_1.clock_info";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -1175,7 +1167,7 @@ record! {
     /// Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Fix Info (0x91,0x0B).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct FixInfo {
         /// Type of the fix.
         ///
@@ -1196,7 +1188,6 @@ record! {
 
 field! {
     FixInfo: 0x91, 0x0B, "gnss_1.fix_info";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -1210,7 +1201,7 @@ record! {
     /// - The satellites come as one field each, in packets apart from other GNSS data.
     ///
     /// Source: mip-sdk-4: Sv Info (0x81,0x0C).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct SvInfo {
         /// Channel of the receiver that tracks the satellite.
         ///
@@ -1244,7 +1235,6 @@ record! {
 
 field! {
     SvInfo: 0x91, 0x0C, "gnss_1.sv_info";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -1255,7 +1245,7 @@ record! {
     /// Also called `hw_status`. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Hardware Status (0x91,0x0D).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct HardwareStatus {
         /// State of the receiver.
         ///
@@ -1276,7 +1266,6 @@ record! {
 
 field! {
     HardwareStatus: 0x91, 0x0D, "gnss_1.hardware_status";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -1291,7 +1280,7 @@ record! {
     /// channels).
     ///
     /// Source: 3dm-gx5-35: 5.2.12 DGNSS Information (0x81, 0x0E); mip-sdk-4: Dgps Info (0x81,0x0E).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct DgpsInfo {
         /// Age of the corrections.
         ///
@@ -1318,7 +1307,6 @@ record! {
 
 field! {
     DgpsInfo: 0x91, 0x0E, "gnss_1.dgps_info";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -1331,7 +1319,7 @@ record! {
     /// - The active satellites come as one field each, all in one packet.
     ///
     /// Source: mip-sdk-4: Dgps Channel (0x81,0x0F).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct DgpsChannel {
         /// Number of the satellite.
         ///
@@ -1358,7 +1346,6 @@ record! {
 
 field! {
     DgpsChannel: 0x91, 0x0F, "gnss_1.dgps_channel";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -1371,7 +1358,7 @@ record! {
     /// - It supersedes clock info.
     ///
     /// Source: 3dm-cv7-gnss-ins: Clock Info 2 (0x91,0x10).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct ClockInfo2 {
         /// Bias of the clock.
         ///
@@ -1397,7 +1384,6 @@ record! {
 
 field! {
     ClockInfo2: 0x91, 0x10, "gnss_1.clock_info_2";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -1408,7 +1394,7 @@ record! {
     /// Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: GPS Leap Seconds (0x91,0x11).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GpsLeapSeconds {
         /// GPS time minus UTC.
         ///
@@ -1422,7 +1408,6 @@ record! {
 
 field! {
     GpsLeapSeconds: 0x91, 0x11, "gnss_1.gps_leap_seconds";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -1433,7 +1418,7 @@ record! {
     /// Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: SBAS Info (0x91,0x12).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct SbasInfo {
         /// GPS time of week.
         ///
@@ -1466,7 +1451,6 @@ record! {
 
 field! {
     SbasInfo: 0x91, 0x12, "gnss_1.sbas_info";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -1481,7 +1465,7 @@ record! {
     ///   1.2992, 1.8709, 2.5465, 3.3260, 5.1968, 20.7870, 230.9661, 2078.695.
     ///
     /// Source: mip-sdk-4: Sbas Correction (0x81,0x13).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct SbasCorrection {
         /// Number of this field within the epoch.
         pub index: u8,
@@ -1522,7 +1506,6 @@ record! {
 
 field! {
     SbasCorrection: 0x91, 0x13, "gnss_1.sbas_correction";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -1533,7 +1516,7 @@ record! {
     /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Rf Error Detection (0x81,0x14).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct RfErrorDetection {
         /// Band.
         ///
@@ -1556,7 +1539,6 @@ record! {
 
 field! {
     RfErrorDetection: 0x91, 0x14, "gnss_1.rf_error_detection";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -1569,7 +1551,7 @@ record! {
     /// - An epoch is sent as one field for each satellite; index and count number the fields.
     ///
     /// Source: 3dm-cv7-gnss-ins: Satellite Status (0x91,0x20).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct SatelliteStatus {
         /// Number of this field within the epoch.
         pub index: u8,
@@ -1611,7 +1593,6 @@ record! {
 
 field! {
     SatelliteStatus: 0x91, 0x20, "gnss_1.satellite_status";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -1625,7 +1606,7 @@ record! {
     /// - The greatest lock time depends on the receiver.
     ///
     /// Source: 3dm-cv7-gnss-ins: Raw (0x91,0x22).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct Raw {
         /// Number of this field within the epoch.
         pub index: u8,
@@ -1704,7 +1685,6 @@ record! {
 
 field! {
     Raw: 0x91, 0x22, "gnss_1.raw";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -1715,7 +1695,7 @@ record! {
     /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Base Station Info (0x81,0x30).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct BaseStationInfo {
         /// GPS time of week at which the message was received.
         ///
@@ -1751,7 +1731,6 @@ record! {
 
 field! {
     BaseStationInfo: 0x91, 0x30, "gnss_1.base_station_info";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -1762,7 +1741,7 @@ record! {
     /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Rtk Corrections Status (0x81,0x31).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct RtkCorrectionsStatus {
         /// GPS time of week.
         ///
@@ -1813,7 +1792,6 @@ record! {
 
 field! {
     RtkCorrectionsStatus: 0x91, 0x31, "gnss_1.rtk_corrections_status";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -1961,7 +1939,6 @@ record! {
 
 field! {
     GpsEphemeris: 0x91, 0x61, "gnss_1.gps_ephemeris";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -2079,7 +2056,6 @@ record! {
 
 field! {
     GlonassEphemeris: 0x91, 0x62, "gnss_1.glonass_ephemeris";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -2229,7 +2205,6 @@ record! {
 
 field! {
     GalileoEphemeris: 0x91, 0x63, "gnss_1.galileo_ephemeris";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -2379,7 +2354,6 @@ record! {
 
 field! {
     BeidouEphemeris: 0x91, 0x64, "gnss_1.beidou_ephemeris";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -2419,7 +2393,6 @@ record! {
 
 field! {
     GpsIonoCorrection: 0x91, 0x71, "gnss_1.gps_iono_correction";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -2431,7 +2404,7 @@ record! {
     /// SDK only.
     ///
     /// Source: mip-sdk-4: Galileo Iono Corr (0x81,0x73).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct GalileoIonoCorrection {
         /// GPS time of week.
         ///
@@ -2460,7 +2433,6 @@ record! {
 
 field! {
     GalileoIonoCorrection: 0x91, 0x73, "gnss_1.galileo_iono_correction";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -2505,5 +2477,4 @@ record! {
 
 field! {
     BeidouIonoCorrection: 0x91, 0x74, "gnss_1.beidou_iono_correction";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }

@@ -12,7 +12,7 @@ record! {
     /// A field that a poll asks for.
     ///
     /// Source: 3dm-gx5-15: 4.2.1 Poll IMU Data (0x0C, 0x01).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct PollEntry {
         /// Field descriptor.
         pub descriptor: u8,
@@ -23,6 +23,7 @@ record! {
     }
 }
 
+item! { PollEntry { descriptor reserved } }
 constructors! {
     PollEntry
 
@@ -80,7 +81,7 @@ record! {
     /// How a receiver tracks one constellation.
     ///
     /// Source: mip-sdk-4: Constellation Settings (0x0C,0x21).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct ConstellationSettingsEntry {
         /// Constellation.
         pub constellation_id: ConstellationId,
@@ -101,6 +102,7 @@ record! {
     }
 }
 
+item! { ConstellationSettingsEntry { constellation_id enable reserved_channels max_channels option_flags } }
 constructors! {
     ConstellationSettingsEntry
 
@@ -137,7 +139,7 @@ open_enum! {
     /// Source: mip-sdk-4: Gnss Assisted Fix (0x0C,0x23).
     AssistedFixOption: u8 {
         /// The receiver starts without it.
-        NONE = 0, "none";
+        NONE_ = 0, "none";
         /// The receiver starts from its last fix.
         ENABLED = 1, "enabled";
     }
@@ -177,9 +179,10 @@ record! {
     /// How many instances of one trigger or action type a device can have.
     ///
     /// Source: 3dm-cv7-gnss-ins: Info.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct EventSupportInfo {
         /// Type of triggers, or of actions.
+        #[cfg_attr(feature = "serde", serde(rename = "type"))]
         pub type_: u8,
         /// Instances of this type at most.
         ///
@@ -192,6 +195,7 @@ record! {
     }
 }
 
+item! { EventSupportInfo { type_ count } }
 constructors! {
     EventSupportInfo
 
@@ -203,9 +207,10 @@ record! {
     /// Type and state of one trigger.
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct EventTriggerStatusEntry {
         /// Configured type.
+        #[cfg_attr(feature = "serde", serde(rename = "type"))]
         pub type_: types::EventTriggerType,
         /// State.
         pub status: types::EventTriggerStatus,
@@ -216,6 +221,7 @@ record! {
     }
 }
 
+item! { EventTriggerStatusEntry { type_ status } }
 constructors! {
     EventTriggerStatusEntry
 
@@ -227,7 +233,7 @@ record! {
     /// Type and trigger of one action.
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct EventActionStatusEntry {
         /// Configured type.
         pub action_type: types::EventActionType,
@@ -236,6 +242,7 @@ record! {
     }
 }
 
+item! { EventActionStatusEntry { action_type trigger_id } }
 constructors! {
     EventActionStatusEntry
 
@@ -261,7 +268,7 @@ open_enum! {
     /// Source: 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52).
     SensorRangeType: u8 {
         /// All sensors; for save, load and default only.
-        ALL = 0, "all";
+        ALL_ = 0, "all";
         /// Accelerometer.
         ACCEL = 1, "accel";
         /// Gyroscope.
@@ -277,7 +284,7 @@ record! {
     /// A range that a sensor supports.
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct SensorRangeEntry {
         /// Value for the sensor range command.
         pub setting: u8,
@@ -286,6 +293,7 @@ record! {
     }
 }
 
+item! { SensorRangeEntry { setting range } }
 constructors! {
     SensorRangeEntry
 
@@ -338,7 +346,7 @@ record! {
     /// - The data comes in a packet of its own behind the reply.
     ///
     /// Source: 3dm-gx5-15: 4.2.1 Poll IMU Data (0x0C, 0x01).
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct PollImuData {
         /// Send no acknowledge.
         pub suppress_ack: crate::Bool,
@@ -386,7 +394,7 @@ record! {
     /// - The data comes in a packet of its own behind the reply.
     ///
     /// Source: mip-sdk-4: Poll Gnss Message (0x0C,0x02).
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct PollGnssData {
         /// Send no acknowledge.
         pub suppress_ack: crate::Bool,
@@ -435,7 +443,7 @@ record! {
     /// - The data comes in a packet of its own behind the reply.
     ///
     /// Source: 3dm-gx5-15: 4.2.2 Poll Estimation Filter Data (0x0C, 0x03).
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct PollFilterData {
         /// Send no acknowledge.
         pub suppress_ack: crate::Bool,
@@ -482,7 +490,7 @@ record! {
     /// - A sentence is sent only if its data is valid.
     ///
     /// Source: 3dm-cv7-gnss-ins: Poll NMEA Data (0x0C,0x04).
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct PollNmeaData {
         /// Send no acknowledge.
         pub suppress_ack: crate::Bool,
@@ -522,7 +530,7 @@ record! {
     /// 3DM-GX5-35.
     ///
     /// Source: 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GetImuBaseRate;
 }
 
@@ -552,7 +560,7 @@ record! {
     /// MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Gnss Get Base Rate (0x0C,0x07).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GetGnssBaseRate;
 }
 
@@ -590,6 +598,7 @@ record! {
     ///   changes nothing.
     ///
     /// Source: 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08).
+    #[derive(Eq, Hash)]
     pub struct ImuMessageFormat {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -651,6 +660,7 @@ record! {
     ///
     /// Source: mip-sdk-4: Gnss Message Format (0x0C,0x09); 3dm-gx5-35: 4.2.6 GNSS Message Format
     /// (0x0C, 0x09).
+    #[derive(Eq, Hash)]
     pub struct GnssMessageFormat {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -713,6 +723,7 @@ record! {
     ///   changes nothing.
     ///
     /// Source: 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A).
+    #[derive(Eq, Hash)]
     pub struct FilterMessageFormat {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -767,7 +778,7 @@ record! {
     /// 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
     ///
     /// Source: 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GetFilterBaseRate;
 }
 
@@ -802,6 +813,7 @@ record! {
     /// - A sentence is sent only while the device is not idle and the data of the source is valid.
     ///
     /// Source: 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C).
+    #[derive(Eq, Hash)]
     pub struct NmeaMessageFormat {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -863,7 +875,7 @@ record! {
     /// - Shared descriptors (0xD0 and up) belong in front of the others.
     ///
     /// Source: 3dm-cv7-gnss-ins: Poll Data (0x0C,0x0D).
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct PollData {
         /// Data descriptor set.
         ///
@@ -910,7 +922,7 @@ record! {
     /// Answered by [`GetBaseRateResponse`]. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GetBaseRate {
         /// Data descriptor set.
         ///
@@ -952,6 +964,7 @@ record! {
     ///   front of the others.
     ///
     /// Source: 3dm-cv7-gnss-ins: Message Format (0x0C,0x0F).
+    #[derive(Eq, Hash)]
     pub struct MessageFormat {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -1008,7 +1021,7 @@ record! {
     /// Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Factory Streaming (0x0C,0x10).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct FactoryStreaming {
         /// What happens to the present formats.
         pub action: FactoryStreamingAction,
@@ -1049,6 +1062,7 @@ record! {
     ///
     /// Source: 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11);
     /// 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11).
+    #[derive(Copy, Eq, Hash)]
     pub struct DataStreamControl {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -1139,6 +1153,7 @@ record! {
     ///
     /// Source: mip-sdk-4: Constellation Settings (0x0C,0x21); 3dm-gx5-35: 4.2.8 GNSS Constellation
     /// Settings (0x0C, 0x21).
+    #[derive(Eq, Hash)]
     pub struct ConstellationSettings {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -1201,6 +1216,7 @@ record! {
     /// all. The number of elements of `included_prns`. Required for write.
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22).
+    #[derive(Eq, Hash)]
     pub struct GnssSbasSettings {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -1279,13 +1295,14 @@ record! {
     /// - It takes slightly more power.
     ///
     /// Source: mip-sdk-4: Gnss Assisted Fix (0x0C,0x23).
+    #[derive(Copy, Eq, Hash)]
     pub struct GnssAssistedFix {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Assisted fix.
         ///
-        /// Default: [`AssistedFixOption::NONE`]. Required for write. On the 3DM-GX5-35: default
-        /// [`AssistedFixOption::NONE`].
+        /// Default: [`AssistedFixOption::NONE_`]. Required for write. On the 3DM-GX5-35: default
+        /// [`AssistedFixOption::NONE_`].
         pub option: Option<AssistedFixOption>,
         /// Reserved: send 255. Required for write. On the 3DM-GX5-35: default 255.
         pub flags: Option<u8>,
@@ -1336,6 +1353,7 @@ record! {
     /// - It is needed right after power-up if [`GnssAssistedFix`] was on at power-off.
     ///
     /// Source: mip-sdk-4: Gnss Time Assistance (0x0C,0x24).
+    #[derive(Copy)]
     pub struct GnssTimeAssistance {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -1396,6 +1414,7 @@ record! {
     /// - The filter needs a valid pulse. disabled and generated are seldom what is wanted.
     ///
     /// Source: 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28).
+    #[derive(Copy, Eq, Hash)]
     pub struct PpsSourceControl {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -1448,7 +1467,7 @@ record! {
     /// Answered by [`GetEventSupportResponse`]. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GetEventSupport {
         /// Triggers or actions.
         pub query: EventSupportQuery,
@@ -1483,6 +1502,7 @@ record! {
     /// - A trigger of type none cannot be enabled.
     ///
     /// Source: 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B).
+    #[derive(Copy, Eq, Hash)]
     pub struct EventControl {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -1539,7 +1559,7 @@ record! {
     /// slots. The number of elements of `requested_instances`.
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C).
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct GetEventTriggerStatus {
         /// Trigger instances.
         pub requested_instances: crate::List<u8, 252>,
@@ -1577,7 +1597,7 @@ record! {
     /// slots. The number of elements of `requested_instances`.
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D).
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct GetEventActionStatus {
         /// Action instances.
         pub requested_instances: crate::List<u8, 252>,
@@ -1616,6 +1636,7 @@ record! {
     /// - A GPIO trigger needs its pin configured by the GPIO configuration command.
     ///
     /// Source: 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E).
+    #[derive(Copy)]
     pub struct EventTriggerConfig {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -1623,7 +1644,8 @@ record! {
         pub instance: Option<u8>,
         /// Kind of trigger.
         ///
-        /// Default: [`types::EventTriggerType::NONE`]. Required for write.
+        /// Default: [`types::EventTriggerType::NONE_`]. Required for write.
+        #[cfg_attr(feature = "serde", serde(rename = "type"))]
         pub type_: Option<types::EventTriggerType>,
         /// The condition.
         ///
@@ -1640,22 +1662,27 @@ record! {
 
 union! {
     /// The alternatives of `parameters` in [`EventTriggerConfig`].
+    #[derive(Copy)]
     pub enum EventTriggerConfigParameters: types::EventTriggerType {
         /// The slot is free. It is never active and cannot be enabled.
         ///
-        /// Empty if `type_` is [`types::EventTriggerType::NONE`].
-        NONE => None,
+        /// Empty if `type_` is [`types::EventTriggerType::NONE_`].
+        #[cfg_attr(feature = "serde", serde(rename = "none"))]
+        NONE_ => None,
         /// Watches a GPIO pin.
         ///
         /// If `type_` is [`types::EventTriggerType::GPIO`].
+        #[cfg_attr(feature = "serde", serde(rename = "gpio"))]
         GPIO => Gpio(types::EventTriggerGpio) "gpio",
         /// Compares one value of a data field with thresholds.
         ///
         /// If `type_` is [`types::EventTriggerType::THRESHOLD`].
+        #[cfg_attr(feature = "serde", serde(rename = "threshold"))]
         THRESHOLD => Threshold(types::EventTriggerThreshold) "threshold",
         /// Combines up to four other triggers by a truth table.
         ///
         /// If `type_` is [`types::EventTriggerType::COMBINATION`].
+        #[cfg_attr(feature = "serde", serde(rename = "combination"))]
         COMBINATION => Combination(types::EventTriggerCombination) "combination",
     }
     default EventTriggerConfigParameters::None
@@ -1702,6 +1729,7 @@ record! {
     /// - A GPIO action needs its pin configured as an output with the gpio feature.
     ///
     /// Source: 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F).
+    #[derive(Eq, Hash)]
     pub struct EventActionConfig {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -1713,7 +1741,8 @@ record! {
         pub trigger: Option<u8>,
         /// Kind of action.
         ///
-        /// Default: [`types::EventActionType::NONE`]. Required for write.
+        /// Default: [`types::EventActionType::NONE_`]. Required for write.
+        #[cfg_attr(feature = "serde", serde(rename = "type"))]
         pub type_: Option<types::EventActionType>,
         /// The effect.
         ///
@@ -1731,18 +1760,22 @@ record! {
 
 union! {
     /// The alternatives of `parameters` in [`EventActionConfig`].
+    #[derive(Eq, Hash)]
     pub enum EventActionConfigParameters: types::EventActionType {
         /// The slot is free.
         ///
-        /// Empty if `type_` is [`types::EventActionType::NONE`].
-        NONE => None,
+        /// Empty if `type_` is [`types::EventActionType::NONE_`].
+        #[cfg_attr(feature = "serde", serde(rename = "none"))]
+        NONE_ => None,
         /// Controls a GPIO pin.
         ///
         /// If `type_` is [`types::EventActionType::GPIO`].
+        #[cfg_attr(feature = "serde", serde(rename = "gpio"))]
         GPIO => Gpio(types::EventActionGpio) "gpio",
         /// Sends a data packet.
         ///
         /// If `type_` is [`types::EventActionType::MESSAGE`].
+        #[cfg_attr(feature = "serde", serde(rename = "message"))]
         MESSAGE => Message(types::EventActionMessage) "message",
     }
     default EventActionConfigParameters::None
@@ -1793,6 +1826,7 @@ record! {
     ///
     /// Source: 3dm-gx5-15: 4.2.8 Device Startup Settings (0x0C, 0x30); 3dm-cv7-gnss-ins: Device
     /// Start Up Settings (0x0C,0x30).
+    #[derive(Copy, Eq, Hash)]
     pub struct DeviceSettings {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -1844,6 +1878,7 @@ record! {
     /// - On some older products the setting means the inverse rotation.
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31).
+    #[derive(Copy)]
     pub struct SensorToVehicleTransformEuler {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -1918,6 +1953,7 @@ record! {
     /// - A change resets the low-pass filters, the complementary filter and the estimation filter.
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32).
+    #[derive(Copy)]
     pub struct SensorToVehicleTransformQuaternion {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -1976,6 +2012,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix
     /// (0x0C,0x33).
+    #[derive(Copy)]
     pub struct SensorToVehicleTransformDcm {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -2030,6 +2067,7 @@ record! {
     ///
     /// Source: 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37); 3dm-cv7-gnss-ins: Accelerometer Bias
     /// Configuration (0x0C,0x37).
+    #[derive(Copy)]
     pub struct AccelBias {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -2090,6 +2128,7 @@ record! {
     ///
     /// Source: 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38); 3dm-cv7-gnss-ins: Gyroscope Bias
     /// Configuration (0x0C,0x38).
+    #[derive(Copy)]
     pub struct GyroBias {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -2152,7 +2191,7 @@ record! {
     ///
     /// Source: 3dm-gx5-15: 4.2.11 Capture Gyro Bias (0x0C, 0x39); 3dm-cv7-gnss-ins: Capture
     /// Gyroscope Bias (0x0C,0x39).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct CaptureGyroBias {
         /// Time to average over.
         ///
@@ -2194,6 +2233,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A); 3dm-gx5-45: (0x0C,
     /// 0x3A).
+    #[derive(Copy)]
     pub struct MagHardIronOffset {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -2257,6 +2297,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B); 3dm-gx5-35: (0x0C,
     /// 0x3B).
+    #[derive(Copy)]
     pub struct MagSoftIronMatrix {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -2314,6 +2355,7 @@ record! {
     /// 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
     ///
     /// Source: 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E).
+    #[derive(Copy, Eq, Hash)]
     pub struct ConingScullingEnable {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -2373,6 +2415,7 @@ record! {
     ///
     /// Source: 3dm-gx5-15: 4.2.13 UART Baud Rate (0x0C, 0x40); 3dm-cv7-gnss-ins: UART Baudrate
     /// (0x0C,0x40).
+    #[derive(Copy, Eq, Hash)]
     pub struct UartBaudRate {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -2433,6 +2476,7 @@ record! {
     ///   takes over.
     ///
     /// Source: 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41).
+    #[derive(Copy, Eq, Hash)]
     pub struct GpioConfig {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -2572,6 +2616,7 @@ record! {
     /// - The state at power-up is a matter of the GPIO configuration command.
     ///
     /// Source: 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42).
+    #[derive(Copy, Eq, Hash)]
     pub struct GpioState {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -2619,6 +2664,7 @@ record! {
     /// [`OdometerConfigResponse`]. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43).
+    #[derive(Copy)]
     pub struct OdometerConfig {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -2695,6 +2741,7 @@ record! {
     ///
     /// Source: 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50); 3dm-cv7-gnss-ins:
     /// Advanced Low-Pass Filter Settings (0x0C,0x50).
+    #[derive(Copy, Eq, Hash)]
     pub struct ImuLowPassFilter {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -2781,6 +2828,7 @@ record! {
     ///
     /// Source: 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51); 3dm-cv7-gnss-ins:
     /// Complementary Filter Configuration (0x0C,0x51).
+    #[derive(Copy)]
     pub struct ComplementaryFilter {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -2856,6 +2904,7 @@ record! {
     ///   or measure wrongly.
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52).
+    #[derive(Copy, Eq, Hash)]
     pub struct SensorRange {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -2910,7 +2959,7 @@ record! {
     /// Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GetCalibratedSensorRanges {
         /// The sensor; not all.
         pub sensor: SensorRangeType,
@@ -2946,6 +2995,7 @@ record! {
     ///   sets.
     ///
     /// Source: 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54).
+    #[derive(Copy)]
     pub struct LowPassFilter {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -3032,7 +3082,7 @@ record! {
     /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
     /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
     /// (0x0C,0x64).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct DeviceStatus {
         /// Model number of the device that is asked.
         ///
@@ -3065,20 +3115,28 @@ responses! {
     /// What [`DeviceStatus`] is answered with.
     pub enum DeviceStatusResponses {
         /// The response [`DeviceStatusBasicResponse`].
+        #[cfg_attr(feature = "serde", serde(rename = "device_status_basic_response"))]
         Basic(DeviceStatusBasicResponse),
         /// The response [`DeviceStatusBasicWithoutStateResponse`].
+        #[cfg_attr(feature = "serde", serde(rename = "device_status_basic_without_state_response"))]
         BasicWithoutState(DeviceStatusBasicWithoutStateResponse),
         /// The response [`DeviceStatusDiagnosticResponse`].
+        #[cfg_attr(feature = "serde", serde(rename = "device_status_diagnostic_response"))]
         Diagnostic(DeviceStatusDiagnosticResponse),
         /// The response [`DeviceStatusDiagnosticGnssResponse`].
+        #[cfg_attr(feature = "serde", serde(rename = "device_status_diagnostic_gnss_response"))]
         DiagnosticGnss(DeviceStatusDiagnosticGnssResponse),
         /// The response [`DeviceStatusDiagnosticGq4_45Response`].
+        #[cfg_attr(feature = "serde", serde(rename = "device_status_diagnostic_gq4_45_response"))]
         DiagnosticGq4_45(DeviceStatusDiagnosticGq4_45Response),
         /// The response [`DeviceStatusDiagnosticRq1_45Response`].
+        #[cfg_attr(feature = "serde", serde(rename = "device_status_diagnostic_rq1_45_response"))]
         DiagnosticRq1_45(DeviceStatusDiagnosticRq1_45Response),
         /// The response [`DeviceStatusDiagnosticGx4Response`].
+        #[cfg_attr(feature = "serde", serde(rename = "device_status_diagnostic_gx4_response"))]
         DiagnosticGx4(DeviceStatusDiagnosticGx4Response),
         /// The response [`DeviceStatusDiagnosticImuResponse`].
+        #[cfg_attr(feature = "serde", serde(rename = "device_status_diagnostic_imu_response"))]
         DiagnosticImu(DeviceStatusDiagnosticImuResponse),
     }
 }
@@ -3093,7 +3151,7 @@ record! {
     /// `descriptors`.
     ///
     /// Source: 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08).
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct ImuMessageFormatResponse {
         /// Fields and decimations.
         pub descriptors: crate::List<types::DescriptorRate, 84>,
@@ -3120,7 +3178,7 @@ record! {
     ///
     /// Source: mip-sdk-4: Gnss Message Format (0x0C,0x09); 3dm-gx5-35: 4.2.6 GNSS Message Format
     /// (0x0C, 0x09).
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct GnssMessageFormatResponse {
         /// Fields and decimations.
         pub descriptors: crate::List<types::DescriptorRate, 84>,
@@ -3146,7 +3204,7 @@ record! {
     /// `descriptors`.
     ///
     /// Source: 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A).
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct FilterMessageFormatResponse {
         /// Fields and decimations.
         pub descriptors: crate::List<types::DescriptorRate, 84>,
@@ -3170,7 +3228,7 @@ record! {
     /// 3DM-GX5-35.
     ///
     /// Source: 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GetImuBaseRateResponse {
         /// Base rate of the sensor data.
         ///
@@ -3192,7 +3250,7 @@ record! {
     /// MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Gnss Get Base Rate (0x0C,0x07).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GetGnssBaseRateResponse {
         /// Base rate of the GNSS data.
         ///
@@ -3218,7 +3276,7 @@ record! {
     ///
     /// Source: 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11);
     /// 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct DataStreamControlResponse {
         /// Stream of the command.
         ///
@@ -3262,7 +3320,7 @@ record! {
     ///
     /// Source: 3dm-gx5-15: 4.2.13 UART Baud Rate (0x0C, 0x40); 3dm-cv7-gnss-ins: UART Baudrate
     /// (0x0C,0x40).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct UartBaudRateResponse {
         /// Baud rate.
         ///
@@ -3283,7 +3341,7 @@ record! {
     /// 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
     ///
     /// Source: 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GetFilterBaseRateResponse {
         /// Base rate of the filter data.
         ///
@@ -3306,7 +3364,7 @@ record! {
     ///
     /// Source: 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50); 3dm-cv7-gnss-ins:
     /// Advanced Low-Pass Filter Settings (0x0C,0x50).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct ImuLowPassFilterResponse {
         /// Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05,
         /// magnetic field 0x06 or pressure 0x17.
@@ -3342,7 +3400,7 @@ record! {
     /// `format_entries`.
     ///
     /// Source: 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C).
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct NmeaMessageFormatResponse {
         /// Sentences to stream.
         pub format_entries: crate::List<types::NmeaMessage, 50>,
@@ -3364,7 +3422,7 @@ record! {
     /// Answers [`GetBaseRate`]. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GetBaseRateResponse {
         /// Data descriptor set of the command.
         pub descriptor_set: u8,
@@ -3389,7 +3447,7 @@ record! {
     /// `descriptors`.
     ///
     /// Source: 3dm-cv7-gnss-ins: Message Format (0x0C,0x0F).
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct MessageFormatResponse {
         /// Data descriptor set; 0 means all of them (save, load, default).
         pub descriptor_set: u8,
@@ -3425,7 +3483,7 @@ record! {
     /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
     /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
     /// (0x0C,0x64).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct DeviceStatusBasicResponse {
         /// Model number of the device.
         pub model_number: u16,
@@ -3473,7 +3531,7 @@ record! {
     /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
     /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
     /// (0x0C,0x64).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct DeviceStatusBasicWithoutStateResponse {
         /// Model number of the device.
         pub model_number: u16,
@@ -3518,7 +3576,7 @@ record! {
     /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
     /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
     /// (0x0C,0x64).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct DeviceStatusDiagnosticResponse {
         /// Model number of the device.
         pub model_number: u16,
@@ -3619,7 +3677,7 @@ record! {
     /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
     /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
     /// (0x0C,0x64).
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct DeviceStatusDiagnosticGnssResponse {
         /// Model number of the device.
         pub model_number: u16,
@@ -3756,7 +3814,7 @@ record! {
     /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
     /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
     /// (0x0C,0x64).
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct DeviceStatusDiagnosticGq4_45Response {
         /// Model number of the device.
         pub model_number: u16,
@@ -4053,7 +4111,7 @@ record! {
     /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
     /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
     /// (0x0C,0x64).
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct DeviceStatusDiagnosticGx4Response {
         /// Model number of the device.
         pub model_number: u16,
@@ -4183,7 +4241,7 @@ record! {
     /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
     /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
     /// (0x0C,0x64).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct DeviceStatusDiagnosticImuResponse {
         /// Model number of the device.
         pub model_number: u16,
@@ -4287,7 +4345,7 @@ record! {
     ///
     /// Source: 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51); 3dm-cv7-gnss-ins:
     /// Complementary Filter Configuration (0x0C,0x51).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct ComplementaryFilterResponse {
         /// Corrects pitch and roll (up, in terms of the 5-series).
         pub pitch_roll_enable: crate::Bool,
@@ -4317,7 +4375,7 @@ record! {
     ///
     /// Source: 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37); 3dm-cv7-gnss-ins: Accelerometer Bias
     /// Configuration (0x0C,0x37).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct AccelBiasResponse {
         /// Accelerometer bias.
         ///
@@ -4342,7 +4400,7 @@ record! {
     ///
     /// Source: 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38); 3dm-cv7-gnss-ins: Gyroscope Bias
     /// Configuration (0x0C,0x38).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct GyroBiasResponse {
         /// Gyroscope bias.
         ///
@@ -4364,7 +4422,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A); 3dm-gx5-45: (0x0C,
     /// 0x3A).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct MagHardIronOffsetResponse {
         /// Hard iron offset.
         ///
@@ -4386,7 +4444,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B); 3dm-gx5-35: (0x0C,
     /// 0x3B).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct MagSoftIronMatrixResponse {
         /// Soft iron matrix in row-major order.
         ///
@@ -4407,7 +4465,7 @@ record! {
     /// 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
     ///
     /// Source: 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct ConingScullingEnableResponse {
         /// Whether the compensation is on.
         ///
@@ -4434,7 +4492,7 @@ record! {
     ///
     /// Source: mip-sdk-4: Constellation Settings (0x0C,0x21); 3dm-gx5-35: 4.2.8 GNSS Constellation
     /// Settings (0x0C, 0x21).
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct ConstellationSettingsResponse {
         /// Channels that the receiver has.
         ///
@@ -4470,7 +4528,7 @@ record! {
     /// all. The number of elements of `included_prns`.
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22).
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct GnssSbasSettingsResponse {
         /// 1 switches SBAS on, 0 off.
         ///
@@ -4501,10 +4559,11 @@ record! {
     /// from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Gnss Assisted Fix (0x0C,0x23).
+    #[derive(Copy, Eq, Hash)]
     pub struct GnssAssistedFixResponse {
         /// Assisted fix.
         ///
-        /// Default: [`AssistedFixOption::NONE`].
+        /// Default: [`AssistedFixOption::NONE_`].
         pub option: AssistedFixOption,
         /// Reserved.
         pub flags: u8,
@@ -4533,7 +4592,7 @@ record! {
     /// Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Gnss Time Assistance (0x0C,0x24).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct GnssTimeAssistanceResponse {
         /// GPS time of week.
         ///
@@ -4562,7 +4621,7 @@ record! {
     /// 3DM-CV7-GNSS/INS. May be supported by 3DM-CV7-AHRS and 3DM-CV7-AR.
     ///
     /// Source: 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct PpsSourceControlResponse {
         /// Source of the pulse.
         ///
@@ -4583,7 +4642,7 @@ record! {
     /// [`SensorToVehicleTransformEuler`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct SensorToVehicleTransformEulerResponse {
         /// Rotation about the x axis.
         ///
@@ -4612,7 +4671,7 @@ record! {
     /// [`SensorToVehicleTransformQuaternion`]. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct SensorToVehicleTransformQuaternionResponse {
         /// Unit quaternion that transforms vectors from the sensor frame to the vehicle frame.
         ///
@@ -4634,7 +4693,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix
     /// (0x0C,0x33).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct SensorToVehicleTransformDcmResponse {
         /// The matrix in row-major order.
         ///
@@ -4657,7 +4716,7 @@ record! {
     /// `entries`.
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A).
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct GetEventSupportResponse {
         /// Query of the command.
         pub query: EventSupportQuery,
@@ -4691,7 +4750,7 @@ record! {
     /// Answers [`EventControl`]. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct EventControlResponse {
         /// Trigger instance; 0 means all configured triggers, except for read.
         pub instance: u8,
@@ -4715,7 +4774,7 @@ record! {
     /// On the wire there is also `count`: Number of entries. The number of elements of `triggers`.
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C).
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct GetEventTriggerStatusResponse {
         /// One entry per trigger, in the order asked for, or by instance if all were asked for.
         pub triggers: crate::List<EventTriggerStatusEntry, 126>,
@@ -4739,7 +4798,7 @@ record! {
     /// On the wire there is also `count`: Number of entries. The number of elements of `actions`.
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D).
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct GetEventActionStatusResponse {
         /// One entry per action, in the order asked for, or by instance if all were asked for.
         pub actions: crate::List<EventActionStatusEntry, 126>,
@@ -4762,13 +4821,14 @@ record! {
     /// 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct EventTriggerConfigResponse {
         /// Trigger instance; 0 means all (save, load, default).
         pub instance: u8,
         /// Kind of trigger.
         ///
-        /// Default: [`types::EventTriggerType::NONE`].
+        /// Default: [`types::EventTriggerType::NONE_`].
+        #[cfg_attr(feature = "serde", serde(rename = "type"))]
         pub type_: types::EventTriggerType,
         /// The condition.
         ///
@@ -4794,7 +4854,7 @@ record! {
     /// 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F).
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct EventActionConfigResponse {
         /// Action instance; 0 means all (save, load, default).
         pub instance: u8,
@@ -4802,7 +4862,8 @@ record! {
         pub trigger: u8,
         /// Kind of action.
         ///
-        /// Default: [`types::EventActionType::NONE`].
+        /// Default: [`types::EventActionType::NONE_`].
+        #[cfg_attr(feature = "serde", serde(rename = "type"))]
         pub type_: types::EventActionType,
         /// The effect.
         ///
@@ -4829,7 +4890,7 @@ record! {
     /// 3DM-CV7-AR and 3DM-GQ7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GpioConfigResponse {
         /// GPIO pin, counted from 1; 0 means all pins (save, load, default).
         pub pin: u8,
@@ -4921,7 +4982,7 @@ record! {
     /// Answers [`GpioState`]. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GpioStateResponse {
         /// GPIO pin, counted from 1.
         ///
@@ -4943,7 +5004,7 @@ record! {
     /// Also called `odometer_response`. Answers [`OdometerConfig`]. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct OdometerConfigResponse {
         /// How the input works.
         pub mode: OdometerMode,
@@ -4971,7 +5032,7 @@ record! {
     /// Answers [`SensorRange`]. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct SensorRangeResponse {
         /// The sensor.
         pub sensor: SensorRangeType,
@@ -5026,7 +5087,7 @@ record! {
     /// 3DM-CV7-GNSS/INS. May be supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-GQ7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct LowPassFilterResponse {
         /// Descriptor set of the field.
         pub descriptor_set: u8,

@@ -62,7 +62,7 @@ record! {
     /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Raw Accel (0x80,0x01).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct RawAccel {
         /// Acceleration in counts.
         ///
@@ -83,7 +83,7 @@ record! {
     /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Raw Gyro (0x80,0x02).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct RawGyro {
         /// Angular rate in counts.
         ///
@@ -104,7 +104,7 @@ record! {
     /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Raw Mag (0x80,0x03).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct RawMag {
         /// Magnetic field in counts.
         ///
@@ -128,7 +128,7 @@ record! {
     ///
     /// Source: 3dm-gx5-15: 5.1.1 Scaled Accelerometer Vector (0x80, 0x04); 3dm-cv7-gnss-ins: Scaled
     /// Accel (0x80,0x04).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct ScaledAccel {
         /// Acceleration.
         ///
@@ -150,7 +150,7 @@ record! {
     ///
     /// Source: 3dm-gx5-15: 5.1.2 Scaled Gyro Vector (0x80, 0x05); 3dm-cv7-gnss-ins: Scaled Gyro
     /// (0x80,0x05).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct ScaledGyro {
         /// Angular rate.
         ///
@@ -171,7 +171,7 @@ record! {
     /// Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-35 and 3DM-GX5-45.
     ///
     /// Source: 3dm-cv7-gnss-ins: Scaled Mag (0x80,0x06).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct ScaledMag {
         /// Magnetic field.
         ///
@@ -193,7 +193,7 @@ record! {
     ///
     /// Source: 3dm-gx5-15: 5.1.4 Delta Theta Vector (0x80, 0x07); 3dm-cv7-gnss-ins: Delta Theta
     /// (0x80,0x07).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct DeltaTheta {
         /// Integral of the angular rate.
         ///
@@ -217,7 +217,7 @@ record! {
     ///
     /// Source: 3dm-gx5-15: 5.1.5 Delta Velocity Vector (0x80, 0x08); 3dm-cv7-gnss-ins: Delta
     /// Velocity (0x80,0x08).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct DeltaVelocity {
         /// Integral of the acceleration.
         ///
@@ -243,7 +243,7 @@ record! {
     ///
     /// Source: 3dm-gx5-15: 5.1.6 CF Orientation Matrix (0x80, 0x09); 3dm-cv7-gnss-ins:
     /// Complementary Filter Orientation Matrix (0x80,0x09).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct CompOrientationMatrix {
         /// Rotation from the NED frame to the vehicle frame.
         ///
@@ -269,7 +269,7 @@ record! {
     ///
     /// Source: 3dm-gx5-15: 5.1.7 CF Quaternion (0x80, 0x0A); 3dm-cv7-gnss-ins: Complementary Filter
     /// Quaternion (0x80,0x0A).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct CompQuaternion {
         /// Rotation between the NED frame and the vehicle frame.
         ///
@@ -292,7 +292,7 @@ record! {
     /// SDK gives the name only.
     ///
     /// Source: mip-sdk-4: Comp Orientation Update Matrix (0x80,0x0B).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     #[deprecated(note = "the SDK marks it so and names no replacement")]
     pub struct CompOrientationUpdateMatrix {
         /// Matrix in row-major order.
@@ -317,7 +317,7 @@ record! {
     ///
     /// Source: 3dm-gx5-15: 5.1.8 CF Euler Angles (0x80, 0x0C); 3dm-cv7-gnss-ins: Complementary
     /// Filter Euler Angles (0x80,0x0C).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct CompEulerAngles {
         /// Roll angle.
         ///
@@ -347,7 +347,7 @@ record! {
     /// `orientation_raw_temp`. No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Orientation Raw Temp (0x80,0x0D).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     #[deprecated(note = "the SDK marks it so and names no replacement")]
     pub struct OrientationRawTemperature {
         /// Temperatures in counts.
@@ -370,7 +370,7 @@ record! {
     /// from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Internal Timestamp (0x80,0x0E).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     #[deprecated(note = "the SDK marks it so and names no replacement")]
     pub struct InternalTimestamp {
         /// Counter.
@@ -393,7 +393,7 @@ record! {
     /// from the MicroStrain MIP SDK only. Uncertain: The epoch.
     ///
     /// Source: mip-sdk-4: Pps Timestamp (0x80,0x0F).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     #[deprecated(note = "the SDK marks it so and names no replacement")]
     pub struct PpsTimestamp {
         /// Whole seconds.
@@ -422,7 +422,7 @@ record! {
     /// - A lasting disturbance is not compensated.
     ///
     /// Source: 3dm-gx5-15: 5.1.9 CF Stabilized North Vector (0x80, 0x10).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct NorthVector {
         /// Geomagnetic field.
         ///
@@ -445,7 +445,7 @@ record! {
     /// - At rest it equals the measured acceleration.
     ///
     /// Source: 3dm-gx5-15: 5.1.10 CF Stabilized Up Vector (0x80, 0x11).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct UpVector {
         /// The part of the measured acceleration that gravity causes.
         ///
@@ -473,7 +473,7 @@ record! {
     ///
     /// Source: 3dm-gx5-15: 5.1.11 GPS Correlation Timestamp (0x80, 0x12); 3dm-cv7-gnss-ins: GPS
     /// Timestamp (0x80,0x12).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct GpsTimestamp {
         /// GPS time of week.
         ///
@@ -522,7 +522,7 @@ record! {
     /// - The values come from the inertial sensors, alone or together with sensors on the board.
     ///
     /// Source: 3dm-cv7-gnss-ins: Temperature Statistics (0x80,0x14).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct TemperatureStatistics {
         /// Lowest temperature.
         ///
@@ -551,7 +551,7 @@ record! {
     /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Raw Pressure (0x80,0x16).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct RawPressure {
         /// Pressure in counts.
         ///
@@ -573,7 +573,7 @@ record! {
     ///
     /// Source: 3dm-gx5-15: 5.1.3 Scaled Ambient Pressure (0x80, 0x17); 3dm-cv7-gnss-ins: Scaled
     /// Pressure (0x80,0x17).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct ScaledPressure {
         /// Ambient pressure.
         ///
@@ -594,7 +594,7 @@ record! {
     /// Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Overrange Status (0x80,0x18).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct OverrangeStatus {
         /// One bit for each axis.
         pub status: OverrangeFlags,
@@ -613,7 +613,7 @@ record! {
     /// Also called `odometer_data`. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Odometer Data (0x80,0x40).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct Odometer {
         /// Average speed over the interval; negative values come from quadrature encoders only.
         ///

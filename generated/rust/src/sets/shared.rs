@@ -52,7 +52,7 @@ record! {
     /// - Put it first in the format of event messages, to tell their packets from scheduled ones.
     ///
     /// Source: 3dm-cv7-gnss-ins: Event Source (0xFF,0xD0).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct EventSource {
         /// Id of the trigger; 0 means that the packet was scheduled by
         /// [`mip_3dm::MessageFormat`](crate::mip_3dm::MessageFormat).
@@ -77,7 +77,7 @@ record! {
     /// - One tick is one period of the base rate.
     ///
     /// Source: mip-sdk-4: Ticks (0xFF,0xD1).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct Ticks {
         /// Ticks.
         ///
@@ -102,7 +102,7 @@ record! {
     /// - One tick is one period of the base rate.
     ///
     /// Source: mip-sdk-4: Delta Ticks (0xFF,0xD2).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct DeltaTicks {
         /// Ticks.
         ///
@@ -135,7 +135,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: GPS Timestamp (0xFF,0xD3); 3dm-cv7-gnss-ins: Configure the
     /// External GNSS Receiver; 3dm-cv7-gnss-ins: RECEIVER Source.
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct GpsTimestamp {
         /// GPS time of week.
         ///
@@ -166,7 +166,7 @@ record! {
     /// - Sending either restarts the counter that both share, so use only one of them.
     ///
     /// Source: 3dm-cv7-gnss-ins: Delta Time (0xFF,0xD4).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct DeltaTime {
         /// Time since the last output.
         ///
@@ -192,7 +192,7 @@ record! {
     /// - In event messages it is the time of the trigger.
     ///
     /// Source: 3dm-cv7-gnss-ins: Reference Timestamp (0xFF,0xD5).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct ReferenceTimestamp {
         /// Time since initialization.
         ///
@@ -216,7 +216,7 @@ record! {
     /// - The value is always valid.
     ///
     /// Source: 3dm-cv7-gnss-ins: Reference Time Delta (0xFF,0xD6).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct ReferenceTimeDelta {
         /// Time since the last output.
         ///
@@ -242,7 +242,7 @@ record! {
     /// - It becomes valid when the external clock is synchronized through the PPS.
     ///
     /// Source: 3dm-cv7-gnss-ins: External Timestamp (0xFF,0xD7).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct ExternalTimestamp {
         /// External time.
         ///
@@ -270,7 +270,7 @@ record! {
     /// - Sending either restarts the counter that both share, so use only one of them.
     ///
     /// Source: 3dm-cv7-gnss-ins: External Time Delta (0xFF,0xD8).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct ExternalTimeDelta {
         /// Time since the last output.
         ///

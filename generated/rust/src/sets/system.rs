@@ -14,7 +14,7 @@ open_enum! {
     /// Source: mip-sdk-4: Interface Control (0x7F,0x02).
     CommInterface: u8 {
         /// All ports.
-        ALL = 0, "all";
+        ALL_ = 0, "all";
         /// The main port: USB while it is connected, else the main UART.
         MAIN = 1, "main";
         /// The first port that is a UART or can be one.
@@ -79,6 +79,7 @@ record! {
     /// - How many parsers and streams there are depends on the device.
     ///
     /// Source: mip-sdk-4: Interface Control (0x7F,0x02); 3dm-cv7-gnss-ins: Ports.
+    #[derive(Copy, Eq, Hash)]
     pub struct InterfaceControl {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -148,6 +149,7 @@ record! {
     ///   [`mip_3dm::DeviceStatus`](crate::mip_3dm::DeviceStatus) of the device itself are answered.
     ///
     /// Source: 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10).
+    #[derive(Copy, Eq, Hash)]
     pub struct CommMode {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -197,7 +199,7 @@ record! {
     /// Answers [`InterfaceControl`]. May be supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: mip-sdk-4: Interface Control (0x7F,0x02); 3dm-cv7-gnss-ins: Ports.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct InterfaceControlResponse {
         /// The port.
         ///
@@ -221,7 +223,7 @@ record! {
     /// Answers [`CommMode`]. Supported by 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
     ///
     /// Source: 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct CommModeResponse {
         /// Communication mode.
         ///

@@ -41,7 +41,7 @@ record! {
     /// - Unnamed bits are reserved and must be ignored.
     ///
     /// Source: 3dm-cv7-gnss-ins: Built In Test (0xA0,0x01).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct BuiltInTest {
         /// Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the
         /// second byte.
@@ -74,7 +74,7 @@ record! {
     /// Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Time Sync Status (0xA0,0x02).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct TimeSyncStatus {
         /// True while the lock is valid; false if the PPS is disabled or no pulse is found.
         pub time_sync: crate::Bool,
@@ -103,7 +103,7 @@ record! {
     /// - For fast signals and exact times use the timestamp feature and the event system.
     ///
     /// Source: 3dm-cv7-gnss-ins: GPIO State (0xA0,0x03).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GpioState {
         /// One bit for each pin.
         pub states: GpioPinStates,
@@ -124,7 +124,7 @@ record! {
     /// - Only for pins that are configured as analog inputs.
     ///
     /// Source: mip-sdk-4: Gpio Analog Value (0xA0,0x04).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct GpioAnalogValue {
         /// GPIO pin, counted from 1.
         ///
