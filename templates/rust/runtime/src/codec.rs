@@ -239,7 +239,7 @@ impl<'a> Writer<'a> {
         let Some(free) = self.buffer.get_mut(self.length..end) else {
             return Err(self.wrong(EncodeErrorKind::Length, end, self.buffer.len()));
         };
-        free.copy_from_slice(bytes);
+        free.iter_mut().zip(bytes).for_each(|(place, byte)| *place = *byte);
         self.length = end;
         Ok(())
     }

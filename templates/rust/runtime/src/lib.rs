@@ -30,6 +30,8 @@ pub mod codec;
 pub mod error;
 pub mod field;
 pub mod list;
+#[cfg(feature = "alloc")]
+mod owned;
 pub mod packet;
 mod parser;
 mod slice;
@@ -48,11 +50,13 @@ pub mod types;
 pub use sets::*;
 
 pub use bits::Bits;
-pub use client::{Answer, Client, Event, Outcome, RequestError, Ticket};
+pub use client::{Answer, Client, CommandError, Event, Outcome, RequestError, Ticket};
 pub use codec::{Bool, Reader, Union, Wire, Writer};
 pub use error::{DecodeError, DecodeErrorKind, EncodeError, EncodeErrorKind};
 pub use field::{Command, Field, RawField, Response, ResponseCheck, ResponseOf, Role};
 pub use list::{CapacityError, List};
+#[cfg(feature = "alloc")]
+pub use owned::PacketBuf;
 pub use packet::{checksum, FieldLengthError, Packet, PacketBuilder, PacketError};
 pub use parser::{Feed, Parser};
 pub use registry::AnyField;

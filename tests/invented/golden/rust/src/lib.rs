@@ -1,5 +1,6 @@
 #![doc = include_str!("../README.md")]
 #![no_std]
+#![cfg_attr(docsrs, feature(doc_cfg))]
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
 #![deny(
@@ -23,11 +24,14 @@ extern crate std;
 #[macro_use]
 mod macros;
 
-mod bits;
+pub mod bits;
 pub mod client;
 pub mod codec;
+pub mod error;
 pub mod field;
-mod list;
+pub mod list;
+#[cfg(feature = "alloc")]
+mod owned;
 pub mod packet;
 mod parser;
 mod slice;
@@ -46,10 +50,13 @@ pub mod types;
 pub use sets::*;
 
 pub use bits::Bits;
-pub use client::{Answer, Client, Event, Outcome, RequestError, Ticket};
-pub use codec::{Bool, DecodeError, EncodeError, Reader, Union, Wire, Writer};
+pub use client::{Answer, Client, CommandError, Event, Outcome, RequestError, Ticket};
+pub use codec::{Bool, Reader, Union, Wire, Writer};
+pub use error::{DecodeError, DecodeErrorKind, EncodeError, EncodeErrorKind};
 pub use field::{Command, Field, RawField, Response, ResponseCheck, ResponseOf, Role};
 pub use list::{CapacityError, List};
+#[cfg(feature = "alloc")]
+pub use owned::PacketBuf;
 pub use packet::{checksum, FieldLengthError, Packet, PacketBuilder, PacketError};
 pub use parser::{Feed, Parser};
 pub use registry::AnyField;

@@ -15,7 +15,7 @@ record! {
     /// Answers one command field. A response, if there is one, follows it in the same packet.
     ///
     /// Source: guide: Acknowledge.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct Acknowledge {
         /// Descriptor of the command that is answered.
         pub command: u8,

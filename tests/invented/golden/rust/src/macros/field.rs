@@ -18,6 +18,7 @@ macro_rules! field {
             $(const SIZES: core::ops::RangeInclusive<usize> = $sizes;)?
 
             $(
+                #[inline]
                 fn in_set(set: u8) -> bool {
                     matches!(set, $sets)
                 }
@@ -73,9 +74,10 @@ macro_rules! responses {
         }
     ) => {
         $(#[$meta])*
-        #[derive(Clone, Copy, Debug, PartialEq)]
+        #[derive(Clone, Debug, PartialEq)]
         #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
         #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+        #[non_exhaustive]
         pub enum $name {
             $($(#[$variant_meta])* $variant($field),)*
         }

@@ -10,6 +10,17 @@ macro_rules! spec_name {
     };
 }
 
+/// Errors for `dyn Error`, with `std` or where the compiler has it without.
+macro_rules! error {
+    ($($name:ident)+) => {$(
+        #[cfg(feature = "core-error")]
+        #[allow(clippy::incompatible_msrv)] // the feature demands a newer compiler
+        impl core::error::Error for $name {}
+        #[cfg(all(feature = "std", not(feature = "core-error")))]
+        impl std::error::Error for $name {}
+    )+};
+}
+
 #[macro_use]
 mod bitfield;
 #[macro_use]

@@ -14,7 +14,7 @@ record! {
     /// Sent at 100 Hz at most. Supported by Model A, Model B and Model C.
     ///
     /// Source: guide: Acceleration; leaflet: Acceleration.
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct Accel {
         /// Specific force.
         ///
@@ -37,7 +37,6 @@ record! {
 
 field! {
     Accel: 0x80, 0x01, "measurements.accel";
-    in [0x80 | 0x81 | 0x92];
 }
 
 record! {
@@ -48,7 +47,7 @@ record! {
     /// Supported by Model A and Model C. May be supported by Old 1 and Old 2.
     ///
     /// Source: guide: Numbers.
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct Numbers {
         /// Unsigned.
         pub u8: u8,
@@ -83,7 +82,6 @@ record! {
 
 field! {
     Numbers: 0x80, 0x02, "measurements.numbers";
-    in [0x80 | 0x92];
 }
 
 record! {
@@ -96,7 +94,7 @@ record! {
     /// On the wire there is also `length`: Of the name. The number of elements of `name`.
     ///
     /// Source: guide: Strings.
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct Strings {
         /// Padded with spaces.
         pub model: crate::Text<16>,
@@ -115,7 +113,6 @@ record! {
 
 field! {
     Strings: 0x80, 0x03, "measurements.strings";
-    in [0x80 | 0x81 | 0x92];
 }
 
 record! {
@@ -126,7 +123,7 @@ record! {
     /// Deprecated: use [`Numbers`] instead. Supported by Model A and Model C.
     ///
     /// Source: guide: Health.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     #[deprecated(note = "use `measurements.numbers` instead")]
     pub struct Health {
         /// The bits.
@@ -138,7 +135,6 @@ record! {
 
 field! {
     Health: 0x80, 0x04, "measurements.health";
-    in [0x80 | 0x92];
 }
 
 record! {
@@ -149,7 +145,7 @@ record! {
     /// Supported by Model A and Model C.
     ///
     /// Source: guide: Arrays.
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct Arrays {
         /// Enumerations.
         pub modes: [types::Mode; 3],
@@ -172,7 +168,6 @@ record! {
 
 field! {
     Arrays: 0x80, 0x05, "measurements.arrays";
-    in [0x80 | 0x92];
 }
 
 record! {
@@ -183,7 +178,7 @@ record! {
     /// Supported by Model A and Model C.
     ///
     /// Source: guide: Growing.
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct Growing {
         /// Always there.
         pub first: u16,
@@ -205,7 +200,6 @@ record! {
 
 field! {
     Growing: 0x80, 0x06, "measurements.growing";
-    in [0x80 | 0x92];
 }
 
 record! {
@@ -218,7 +212,7 @@ record! {
     /// never positive.
     ///
     /// Source: sheet: Radio.
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct Radio {
         /// Whether there is a connection.
         pub connected: crate::Bool,
@@ -242,7 +236,6 @@ record! {
 
 field! {
     Radio: 0x80, 0x07, "measurements.radio";
-    in [0x80 | 0x92];
 }
 
 record! {
@@ -256,7 +249,7 @@ record! {
     /// `points`.
     ///
     /// Source: guide: Cloud.
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct Cloud {
         /// The points.
         pub points: crate::List<types::Point, 61>,
@@ -272,7 +265,6 @@ record! {
 
 field! {
     Cloud: 0x80, 0x08, "measurements.cloud";
-    in [0x80 | 0x92];
 }
 
 record! {
@@ -288,7 +280,7 @@ record! {
     ///   [`types::Mode`] and [`tools::Shape`](crate::tools::Shape).
     ///
     /// Source: guide: Gust.
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct Gust {
         /// Which one.
         pub station: u8,
@@ -320,7 +312,6 @@ record! {
 
 field! {
     Gust: 0x80, 0x09, "measurements.gust";
-    in [0x80 | 0x92];
 }
 
 record! {
@@ -331,7 +322,7 @@ record! {
     /// Supported by Model A and Model C.
     ///
     /// Source: guide: Breeze.
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct Breeze {
         /// Where it was measured.
         pub place: types::Point,
@@ -349,5 +340,4 @@ record! {
 
 field! {
     Breeze: 0x80, 0x0A, "measurements.breeze";
-    in [0x80 | 0x92];
 }

@@ -15,15 +15,17 @@ record! {
     /// [`types::Mode::FAST`]. Supported by Model A.
     ///
     /// Source: guide: Default.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct Default {
         /// A keyword.
         pub class: u8,
         /// A keyword.
+        #[cfg_attr(feature = "serde", serde(rename = "type"))]
         pub type_: u8,
         /// A keyword.
         pub register: u8,
         /// A keyword.
+        #[cfg_attr(feature = "serde", serde(rename = "self"))]
         pub self_: u8,
         /// Used by generated code elsewhere.
         pub present: u8,

@@ -14,7 +14,7 @@ record! {
     /// Supported by Model A and Model C.
     ///
     /// Source: guide: Timestamp.
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct Timestamp {
         /// Time of week.
         ///

@@ -10,7 +10,7 @@ open_enum! {
     /// Which member the union has.
     Shape: u8 {
         /// None.
-        NONE = 0, "none";
+        NONE_ = 0, "none";
         /// Circle.
         CIRCLE = 1, "circle";
         /// Path.
@@ -36,7 +36,7 @@ open_enum! {
 
 record! {
     /// Two numbers.
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct Stripes {
         /// Of a stripe.
         ///
@@ -49,6 +49,7 @@ record! {
     }
 }
 
+item! { Stripes { width angle } }
 constructors! {
     Stripes
 
@@ -58,7 +59,7 @@ constructors! {
 
 record! {
     /// Ends in a union of its own.
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct Circle {
         /// The middle.
         pub center: types::Point,
@@ -78,23 +79,28 @@ record! {
 
 union! {
     /// The alternatives of `filling` in [`Circle`].
+    #[derive(Copy)]
     pub enum CircleFilling: Fill {
         /// Empty.
         ///
         /// Empty if `fill` is [`Fill::EMPTY`].
+        #[cfg_attr(feature = "serde", serde(rename = "empty"))]
         EMPTY => Empty,
         /// A colour.
         ///
         /// If `fill` is [`Fill::SOLID`].
+        #[cfg_attr(feature = "serde", serde(rename = "solid"))]
         SOLID => Solid(u32) "solid",
         /// Striped.
         ///
         /// If `fill` is [`Fill::STRIPED`].
+        #[cfg_attr(feature = "serde", serde(rename = "striped"))]
         STRIPED => Striped(Stripes) "striped",
     }
     default CircleFilling::Empty
 }
 
+item! { Circle { center fill filling } }
 constructors! {
     Circle
 
@@ -107,7 +113,7 @@ record! {
     ///
     /// On the wire there is also `num_points`: Number of points. The number of elements of
     /// `points`.
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct Path {
         /// Does it return to its start?
         pub closed: crate::Bool,
@@ -121,6 +127,7 @@ record! {
     }
 }
 
+item! { Path { closed points } }
 constructors! {
     Path
 
@@ -162,7 +169,7 @@ open_enum! {
 
 record! {
     /// One of a list; what it is depends on what was asked for.
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct Reading {
         /// Of the reading.
         pub kind: u8,
@@ -171,6 +178,7 @@ record! {
     }
 }
 
+item! { Reading { kind value } }
 constructors! {
     Reading
 
@@ -216,7 +224,7 @@ record! {
     /// Supported by Model A, Model B, Model C and Old 1. May be supported by Old 2.
     ///
     /// Source: guide: Ping; leaflet: Ping.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct Ping;
 }
 
@@ -245,6 +253,7 @@ record! {
     /// C: write, read and save only.
     ///
     /// Source: guide: Settings; leaflet: Settings.
+    #[derive(Copy, Eq, Hash)]
     pub struct Settings {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -336,6 +345,7 @@ record! {
     /// - Send it once a second.
     ///
     /// Source: guide: Set time.
+    #[derive(Copy, Eq, Hash)]
     pub struct SetTime {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -379,10 +389,13 @@ command! {
 
 responses! {
     /// What [`SetTime`] is answered with.
+    #[derive(Copy, Eq, Hash)]
     pub enum SetTimeResponses {
         /// The response [`SetTimeFastResponse`].
+        #[cfg_attr(feature = "serde", serde(rename = "set_time_fast_response"))]
         Fast(SetTimeFastResponse),
         /// The response [`SetTimeSlowResponse`].
+        #[cfg_attr(feature = "serde", serde(rename = "set_time_slow_response"))]
         Slow(SetTimeSlowResponse),
     }
 }
@@ -399,7 +412,7 @@ record! {
     /// On the wire there is also `model`: The model that the layouts belong to. Always 4711.
     ///
     /// Source: guide: Status.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct Status {
         /// Which layout.
         ///
@@ -433,14 +446,19 @@ command! {
 
 responses! {
     /// What [`Status`] is answered with.
+    #[derive(Copy, Eq, Hash)]
     pub enum StatusResponses {
         /// The response [`StatusShort`].
+        #[cfg_attr(feature = "serde", serde(rename = "status_short"))]
         Short(StatusShort),
         /// The response [`StatusLong`].
+        #[cfg_attr(feature = "serde", serde(rename = "status_long"))]
         Long(StatusLong),
         /// The response [`StatusOld`].
+        #[cfg_attr(feature = "serde", serde(rename = "status_old"))]
         Old(StatusOld),
         /// The response [`StatusFull`].
+        #[cfg_attr(feature = "serde", serde(rename = "status_full"))]
         Full(StatusFull),
     }
 }
@@ -454,6 +472,7 @@ record! {
     /// Model A and Model C.
     ///
     /// Source: guide: Bias; leaflet: Bias.
+    #[derive(Copy)]
     pub struct Bias {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -505,7 +524,7 @@ record! {
     /// [`Bias`] instead.
     ///
     /// Source: guide: Capture bias.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct CaptureBias {
         /// How long.
         ///
@@ -541,7 +560,7 @@ record! {
     /// `segments`.
     ///
     /// Source: guide: Formats.
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct Formats {
         /// Send no acknowledge.
         pub suppress_ack: crate::Bool,
@@ -613,23 +632,28 @@ union! {
     pub enum ChoiceParameters: Shape {
         /// None.
         ///
-        /// Empty if `shape` is [`Shape::NONE`].
-        NONE => None,
+        /// Empty if `shape` is [`Shape::NONE_`].
+        #[cfg_attr(feature = "serde", serde(rename = "none"))]
+        NONE_ => None,
         /// Circle.
         ///
         /// If `shape` is [`Shape::CIRCLE`].
+        #[cfg_attr(feature = "serde", serde(rename = "circle"))]
         CIRCLE => Circle(Circle) "circle",
         /// Path.
         ///
         /// If `shape` is [`Shape::PATH`].
+        #[cfg_attr(feature = "serde", serde(rename = "path"))]
         PATH => Path(Path) "path",
         /// A rotation.
         ///
         /// If `shape` is [`Shape::TURN`]. Elements: w, x, y, z. Unit: 1.
+        #[cfg_attr(feature = "serde", serde(rename = "turn"))]
         TURN => Turn(types::Quatf) "rotation",
         /// A name.
         ///
         /// If `shape` is [`Shape::LABEL`].
+        #[cfg_attr(feature = "serde", serde(rename = "label"))]
         LABEL => Label(crate::Text<8>) "label",
     }
     default ChoiceParameters::None
@@ -666,6 +690,7 @@ record! {
     /// Required for write.
     ///
     /// Source: guide: List.
+    #[derive(Eq, Hash)]
     pub struct List {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -713,7 +738,7 @@ record! {
     /// Answered by [`InventoryResponse`]. Supported by Model A and Model C.
     ///
     /// Source: guide: Inventory.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct Inventory;
 }
 
@@ -741,6 +766,7 @@ record! {
     /// Functions: write and read. Answered by [`PinResponse`]. Supported by Model A and Model C.
     ///
     /// Source: guide: Pin.
+    #[derive(Copy, Eq, Hash)]
     pub struct Pin {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -750,6 +776,7 @@ record! {
         ///
         /// Required for write. If `drive` is [`Drive::PULSE`]: values of [`PulseUse`]. If `drive`
         /// is [`Drive::SERIAL`]: values of [`SerialUse`].
+        #[cfg_attr(feature = "serde", serde(rename = "use"))]
         pub use_: Option<u8>,
     }
     wire 3 {
@@ -808,6 +835,7 @@ record! {
     /// answers. May be supported by Model C. Known from the Kit of names only.
     ///
     /// Source: sheet: Hello.
+    #[derive(Copy)]
     pub struct Hello {
         /// Reserved: send 1.0.
         pub reserved: f32,
@@ -859,7 +887,7 @@ record! {
     /// Answered by [`ReadingsResponse`]. Supported by Model A and Model C.
     ///
     /// Source: guide: Readings.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct Readings {
         /// What is asked for.
         pub drive: Drive,
@@ -888,6 +916,7 @@ record! {
     /// Answers [`Settings`]. Supported by Model A, Model B and Model C.
     ///
     /// Source: guide: Settings; leaflet: Settings.
+    #[derive(Copy, Eq, Hash)]
     pub struct SettingsResponse {
         /// Number of the port, 0 for all.
         ///
@@ -936,7 +965,7 @@ record! {
     /// C.
     ///
     /// Source: guide: Set time.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct SetTimeFastResponse {
         /// The fast half.
         ///
@@ -957,7 +986,7 @@ record! {
     /// C.
     ///
     /// Source: guide: Set time.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct SetTimeSlowResponse {
         /// The slow half.
         ///
@@ -1008,7 +1037,7 @@ record! {
     /// On the wire there is also `count`: Number of items. The number of elements of `items`.
     ///
     /// Source: guide: List.
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct ListResponse {
         /// The items.
         pub items: crate::List<u16, 126>,
@@ -1030,7 +1059,7 @@ record! {
     /// Answers [`Inventory`]. Supported by Model A and Model C.
     ///
     /// Source: guide: Inventory.
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct InventoryResponse {
         /// As many as there are.
         pub descriptors: crate::List<u16, 126>,
@@ -1048,7 +1077,7 @@ record! {
     /// Answers [`Pin`]. Supported by Model A and Model C.
     ///
     /// Source: guide: Pin.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct PinResponse {
         /// What drives it.
         pub drive: Drive,
@@ -1056,6 +1085,7 @@ record! {
         ///
         /// If `drive` is [`Drive::PULSE`]: values of [`PulseUse`]. If `drive` is [`Drive::SERIAL`]:
         /// values of [`SerialUse`].
+        #[cfg_attr(feature = "serde", serde(rename = "use"))]
         pub use_: u8,
     }
     wire 2 {
@@ -1097,7 +1127,7 @@ record! {
     /// Model C. Known from the Kit of names only. Uncertain: When it comes.
     ///
     /// Source: sheet: Hello.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct HelloResponse {
         /// When the device was seen.
         ///
@@ -1157,7 +1187,7 @@ record! {
     /// On the wire there is also `selector`: The short layout. Always 1.
     ///
     /// Source: guide: Status.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct StatusShort {
         /// Faults.
         ///
@@ -1208,7 +1238,7 @@ record! {
     /// On the wire there is also `selector`: The long layout. Always 2.
     ///
     /// Source: guide: Status.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct StatusLong {
         /// Faults.
         ///
@@ -1267,7 +1297,7 @@ record! {
     /// On the wire there is also `selector`: The long layout. Always 2.
     ///
     /// Source: guide: Status.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct StatusOld {
         /// Since start.
         ///
@@ -1299,7 +1329,7 @@ record! {
     /// On the wire there is also `selector`: The long layout. Always 2.
     ///
     /// Source: guide: Status.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct StatusFull {
         /// Where it is.
         pub place: types::Point,
@@ -1332,7 +1362,7 @@ record! {
     /// Answers [`Bias`] and [`CaptureBias`]. Supported by Model A and Model C.
     ///
     /// Source: guide: Bias; leaflet: Bias.
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct BiasVector {
         /// Taken off the measurement.
         ///
