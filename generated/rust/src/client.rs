@@ -387,7 +387,7 @@ impl<const N: usize> Client<N> {
     ///
     /// Data and late or foreign replies cause no events; [`Events::others`] returns them.
     pub fn receive<'p>(&mut self, packet: &Packet<'p>) -> Events<'_, 'p, N> {
-        let mut taken = 0;
+        let mut taken = Taken([0; 16]);
         let mut fields = packet.fields().map_while(Result::ok).enumerate();
         while let Some((at, field)) = fields.next() {
             let Some(Ok(ack)) = field.get::<Acknowledge>() else { continue };
@@ -396,12 +396,12 @@ impl<const N: usize> Client<N> {
             else {
                 continue;
             };
-            taken |= bit(at);
+            taken.add(at);
             if let (true, Some((at, field)), Some(slot)) =
                 (whole, behind, self.slots.get_mut(index))
             {
                 slot.event.keep(&field);
-                taken |= bit(at);
+                taken.add(at);
                 fields.next();
             }
             self.happens(index, outcome);
@@ -411,7 +411,7 @@ impl<const N: usize> Client<N> {
 
     /// The events that have not been taken: of earlier packets, and of commands that timed out.
     pub fn events(&mut self) -> Events<'_, 'static, N> {
-        Events { client: self, packet: None, taken: 0 }
+        Events { client: self, packet: None, taken: Taken([0; 16]) }
     }
 
     /// The result of this command, if it is known. Events of other commands are kept.
@@ -509,9 +509,20 @@ impl<const N: usize> Client<N> {
     }
 }
 
-/// One bit for each field of a packet, which has at most 127.
-fn bit(at: usize) -> u128 {
-    u32::try_from(at).ok().and_then(|at| 1_u128.checked_shl(at)).unwrap_or_default()
+/// A set of fields of a packet, which has at most 127.
+#[derive(Clone, Copy, Debug)]
+struct Taken([u8; 16]);
+
+impl Taken {
+    fn add(&mut self, at: usize) {
+        if let Some(byte) = self.0.get_mut(at >> 3) {
+            *byte |= 1 << (at & 7);
+        }
+    }
+
+    fn has(&self, at: usize) -> bool {
+        self.0.get(at >> 3).map_or(false, |byte| byte & (1 << (at & 7)) != 0)
+    }
 }
 
 /// A packet of commands that is not sent yet. Dropping it discards them.
@@ -525,26 +536,41 @@ impl<const N: usize> Request<'_, N> {
     /// Appends a command. On an error the request is unchanged.
     pub fn add<C: Command>(&mut self, command: &C) -> Result<Ticket<C>, RequestError> {
         let silent = !command.expects_reply();
-        let client = &mut *self.client;
-        let mut slot = client.slots.iter_mut().find(|slot| slot.state == State::Free);
-        if silent {
-            slot = None;
-        } else if slot.is_none() {
+        if !silent && self.free().is_none() {
             return Err(RequestError::Busy);
         }
         self.packet.push(command)?;
-        let id = client.next;
-        client.next = id.wrapping_add(1);
-        if let Some(slot) = slot {
-            slot.state = State::Added;
-            slot.responses = C::Response::DESCRIPTORS;
-            slot.wanted = command.response_check();
-            slot.timeout_ms = C::TIMEOUT_MS.unwrap_or(0).max(client.timeout_ms);
-            let event = &mut slot.event;
-            (event.id, event.set, event.descriptor) = (id, self.packet.set(), C::DESCRIPTOR);
-            (event.outcome, event.response, event.length) = (Outcome::TimedOut, None, 0);
+        let id = self.client.next;
+        self.client.next = id.wrapping_add(1);
+        if !silent {
+            let timeout_ms = C::TIMEOUT_MS.unwrap_or(0);
+            let (responses, wanted) = (C::Response::DESCRIPTORS, command.response_check());
+            self.enter(id, C::DESCRIPTOR, responses, wanted, timeout_ms);
         }
         Ok(Ticket { id, silent, command: PhantomData })
+    }
+
+    fn free(&mut self) -> Option<&mut Slot> {
+        self.client.slots.iter_mut().find(|slot| slot.state == State::Free)
+    }
+
+    /// Fills a slot: what does not depend on the type of the command, so that it is there once.
+    fn enter(
+        &mut self,
+        id: u32,
+        descriptor: u8,
+        responses: &'static [u8],
+        wanted: Option<ResponseCheck>,
+        timeout_ms: u32,
+    ) {
+        let (set, timeout_ms) = (self.packet.set(), timeout_ms.max(self.client.timeout_ms));
+        if let Some(slot) = self.free() {
+            slot.state = State::Added;
+            (slot.responses, slot.wanted, slot.timeout_ms) = (responses, wanted, timeout_ms);
+            let event = &mut slot.event;
+            (event.id, event.set, event.descriptor) = (id, set, descriptor);
+            (event.outcome, event.response, event.length) = (Outcome::TimedOut, None, 0);
+        }
     }
 
     /// Appends a command whose type is known only at run time.
@@ -570,7 +596,7 @@ impl<const N: usize> Request<'_, N> {
 pub struct Events<'c, 'p, const N: usize> {
     client: &'c mut Client<N>,
     packet: Option<Packet<'p>>,
-    taken: u128,
+    taken: Taken,
 }
 
 impl<'p, const N: usize> Events<'_, 'p, N> {
@@ -578,7 +604,7 @@ impl<'p, const N: usize> Events<'_, 'p, N> {
     pub fn others(&self) -> impl Iterator<Item = Result<RawField<'p>, FieldLengthError>> + Clone {
         let taken = self.taken;
         let fields = self.packet.into_iter().flat_map(|packet| packet.fields()).enumerate();
-        fields.filter(move |(at, _)| taken & bit(*at) == 0).map(|(_, field)| field)
+        fields.filter(move |(at, _)| !taken.has(*at)).map(|(_, field)| field)
     }
 }
 
