@@ -8,6 +8,7 @@ use core::fmt;
 use crate::bits::Number;
 pub use crate::error::{DecodeError, DecodeErrorKind, EncodeError, EncodeErrorKind};
 use crate::list::Item;
+use crate::packet::MAX_FIELD_DATA;
 
 /// A value with a wire format.
 pub trait Wire: Sized {
@@ -210,10 +211,23 @@ impl<'a> Writer<'a> {
         Self { buffer, length: 0, ended: false, need: 0, got: 0 }
     }
 
-    /// The last mistake, as one of a field.
+    /// Writes no more than a field can hold.
     #[must_use]
-    pub const fn error(&self, kind: EncodeErrorKind, field: &'static str) -> EncodeError {
-        EncodeError::new(kind, field, self.need, self.got)
+    pub(crate) fn of_field(buffer: &'a mut [u8]) -> Self {
+        let most = buffer.len().min(MAX_FIELD_DATA);
+        Self::new(buffer.get_mut(..most).unwrap_or_default())
+    }
+
+    /// The number of bytes written to a field, or the last mistake as one of the field.
+    pub fn finish(
+        &self,
+        done: Result<(), EncodeErrorKind>,
+        field: &'static str,
+    ) -> Result<usize, EncodeError> {
+        match done {
+            Ok(()) => Ok(self.length),
+            Err(kind) => Err(EncodeError::new(kind, field, self.need, self.got)),
+        }
     }
 
     pub(crate) fn wrong(

@@ -576,6 +576,7 @@ impl BuiltInTestResponse {
     /// Reads `result` as [`types::Cv7BuiltInTest`].
     ///
     /// On the 3DM-CV7-GNSS/INS: values of [`types::Cv7BuiltInTest`].
+    #[inline]
     #[must_use]
     pub fn result_as_cv7_built_in_test(&self) -> types::Cv7BuiltInTest {
         self.result.into()
@@ -584,6 +585,7 @@ impl BuiltInTestResponse {
     /// Reads `result` as [`types::Gx5BuiltInTest`].
     ///
     /// On the 3DM-GX5-15: values of [`types::Gx5BuiltInTest`].
+    #[inline]
     #[must_use]
     pub fn result_as_gx5_built_in_test(&self) -> types::Gx5BuiltInTest {
         self.result.into()
@@ -686,6 +688,7 @@ impl ContinuousBuiltInTestResponse {
     /// Reads `result` as [`types::Cv7ContinuousBuiltInTest`].
     ///
     /// On the 3DM-CV7-GNSS/INS: values of [`types::Cv7ContinuousBuiltInTest`].
+    #[inline]
     #[must_use]
     pub fn result_as_cv7_continuous_built_in_test(&self) -> types::Cv7ContinuousBuiltInTest {
         self.result.into()

@@ -816,6 +816,7 @@ impl Status {
     /// Reads `filter_state` as [`Cv7FilterState`].
     ///
     /// On the 3DM-CV7-GNSS/INS: values of [`Cv7FilterState`].
+    #[inline]
     #[must_use]
     pub fn filter_state_as_cv7_filter_state(&self) -> Cv7FilterState {
         self.filter_state.into()
@@ -824,6 +825,7 @@ impl Status {
     /// Reads `filter_state` as [`Gx5FilterState`].
     ///
     /// On the 3DM-GX5-15: values of [`Gx5FilterState`].
+    #[inline]
     #[must_use]
     pub fn filter_state_as_gx5_filter_state(&self) -> Gx5FilterState {
         self.filter_state.into()
@@ -832,6 +834,7 @@ impl Status {
     /// Reads `dynamics_mode` as [`Cv7DynamicsMode`].
     ///
     /// On the 3DM-CV7-GNSS/INS: values of [`Cv7DynamicsMode`].
+    #[inline]
     #[must_use]
     pub fn dynamics_mode_as_cv7_dynamics_mode(&self) -> Cv7DynamicsMode {
         self.dynamics_mode.into()
@@ -840,6 +843,7 @@ impl Status {
     /// Reads `dynamics_mode` as [`Gx5DynamicsMode`].
     ///
     /// On the 3DM-GX5-15: values of [`Gx5DynamicsMode`].
+    #[inline]
     #[must_use]
     pub fn dynamics_mode_as_gx5_dynamics_mode(&self) -> Gx5DynamicsMode {
         self.dynamics_mode.into()
@@ -848,6 +852,7 @@ impl Status {
     /// Reads `status_flags` as [`Cv7StatusFlags`].
     ///
     /// On the 3DM-CV7-GNSS/INS: values of [`Cv7StatusFlags`].
+    #[inline]
     #[must_use]
     pub fn status_flags_as_cv7_status_flags(&self) -> Cv7StatusFlags {
         self.status_flags.into()
@@ -856,6 +861,7 @@ impl Status {
     /// Reads `status_flags` as [`Gx5StatusFlags`].
     ///
     /// On the 3DM-GX5-15: values of [`Gx5StatusFlags`].
+    #[inline]
     #[must_use]
     pub fn status_flags_as_gx5_status_flags(&self) -> Gx5StatusFlags {
         self.status_flags.into()

@@ -1114,6 +1114,7 @@ impl DataStreamControl {
     /// 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-15, 3DM-GX5-25,
     /// 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of
     /// [`LegacyDataStream`].
+    #[inline]
     #[must_use]
     pub fn descriptor_set_as_legacy_data_stream(&self) -> Option<LegacyDataStream> {
         self.descriptor_set.map(Into::into)
@@ -2539,6 +2540,7 @@ impl GpioConfig {
     /// Reads `behavior` as [`types::GpioUnusedBehavior`].
     ///
     /// If `feature` is [`types::GpioFeature::UNUSED`]: values of [`types::GpioUnusedBehavior`].
+    #[inline]
     #[must_use]
     pub fn behavior_as_gpio_unused_behavior(&self) -> Option<types::GpioUnusedBehavior> {
         let named = matches!(self.feature, Some(types::GpioFeature::UNUSED));
@@ -2548,6 +2550,7 @@ impl GpioConfig {
     /// Reads `behavior` as [`types::GpioBehavior`].
     ///
     /// If `feature` is [`types::GpioFeature::GPIO`]: values of [`types::GpioBehavior`].
+    #[inline]
     #[must_use]
     pub fn behavior_as_gpio_behavior(&self) -> Option<types::GpioBehavior> {
         let named = matches!(self.feature, Some(types::GpioFeature::GPIO));
@@ -2557,6 +2560,7 @@ impl GpioConfig {
     /// Reads `behavior` as [`types::GpioPpsBehavior`].
     ///
     /// If `feature` is [`types::GpioFeature::PPS`]: values of [`types::GpioPpsBehavior`].
+    #[inline]
     #[must_use]
     pub fn behavior_as_gpio_pps_behavior(&self) -> Option<types::GpioPpsBehavior> {
         let named = matches!(self.feature, Some(types::GpioFeature::PPS));
@@ -2566,6 +2570,7 @@ impl GpioConfig {
     /// Reads `behavior` as [`types::GpioEncoderBehavior`].
     ///
     /// If `feature` is [`types::GpioFeature::ENCODER`]: values of [`types::GpioEncoderBehavior`].
+    #[inline]
     #[must_use]
     pub fn behavior_as_gpio_encoder_behavior(&self) -> Option<types::GpioEncoderBehavior> {
         let named = matches!(self.feature, Some(types::GpioFeature::ENCODER));
@@ -2576,6 +2581,7 @@ impl GpioConfig {
     ///
     /// If `feature` is [`types::GpioFeature::TIMESTAMP`]: values of
     /// [`types::GpioTimestampBehavior`].
+    #[inline]
     #[must_use]
     pub fn behavior_as_gpio_timestamp_behavior(&self) -> Option<types::GpioTimestampBehavior> {
         let named = matches!(self.feature, Some(types::GpioFeature::TIMESTAMP));
@@ -2585,6 +2591,7 @@ impl GpioConfig {
     /// Reads `behavior` as [`types::GpioUartBehavior`].
     ///
     /// If `feature` is [`types::GpioFeature::UART`]: values of [`types::GpioUartBehavior`].
+    #[inline]
     #[must_use]
     pub fn behavior_as_gpio_uart_behavior(&self) -> Option<types::GpioUartBehavior> {
         let named = matches!(self.feature, Some(types::GpioFeature::UART));
@@ -3300,6 +3307,7 @@ impl DataStreamControlResponse {
     /// 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-15, 3DM-GX5-25,
     /// 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of
     /// [`LegacyDataStream`].
+    #[inline]
     #[must_use]
     pub fn descriptor_set_as_legacy_data_stream(&self) -> LegacyDataStream {
         self.descriptor_set.into()
@@ -4918,6 +4926,7 @@ impl GpioConfigResponse {
     /// Reads `behavior` as [`types::GpioUnusedBehavior`].
     ///
     /// If `feature` is [`types::GpioFeature::UNUSED`]: values of [`types::GpioUnusedBehavior`].
+    #[inline]
     #[must_use]
     pub fn behavior_as_gpio_unused_behavior(&self) -> Option<types::GpioUnusedBehavior> {
         let named = matches!(self.feature, types::GpioFeature::UNUSED);
@@ -4927,6 +4936,7 @@ impl GpioConfigResponse {
     /// Reads `behavior` as [`types::GpioBehavior`].
     ///
     /// If `feature` is [`types::GpioFeature::GPIO`]: values of [`types::GpioBehavior`].
+    #[inline]
     #[must_use]
     pub fn behavior_as_gpio_behavior(&self) -> Option<types::GpioBehavior> {
         let named = matches!(self.feature, types::GpioFeature::GPIO);
@@ -4936,6 +4946,7 @@ impl GpioConfigResponse {
     /// Reads `behavior` as [`types::GpioPpsBehavior`].
     ///
     /// If `feature` is [`types::GpioFeature::PPS`]: values of [`types::GpioPpsBehavior`].
+    #[inline]
     #[must_use]
     pub fn behavior_as_gpio_pps_behavior(&self) -> Option<types::GpioPpsBehavior> {
         let named = matches!(self.feature, types::GpioFeature::PPS);
@@ -4945,6 +4956,7 @@ impl GpioConfigResponse {
     /// Reads `behavior` as [`types::GpioEncoderBehavior`].
     ///
     /// If `feature` is [`types::GpioFeature::ENCODER`]: values of [`types::GpioEncoderBehavior`].
+    #[inline]
     #[must_use]
     pub fn behavior_as_gpio_encoder_behavior(&self) -> Option<types::GpioEncoderBehavior> {
         let named = matches!(self.feature, types::GpioFeature::ENCODER);
@@ -4955,6 +4967,7 @@ impl GpioConfigResponse {
     ///
     /// If `feature` is [`types::GpioFeature::TIMESTAMP`]: values of
     /// [`types::GpioTimestampBehavior`].
+    #[inline]
     #[must_use]
     pub fn behavior_as_gpio_timestamp_behavior(&self) -> Option<types::GpioTimestampBehavior> {
         let named = matches!(self.feature, types::GpioFeature::TIMESTAMP);
@@ -4964,6 +4977,7 @@ impl GpioConfigResponse {
     /// Reads `behavior` as [`types::GpioUartBehavior`].
     ///
     /// If `feature` is [`types::GpioFeature::UART`]: values of [`types::GpioUartBehavior`].
+    #[inline]
     #[must_use]
     pub fn behavior_as_gpio_uart_behavior(&self) -> Option<types::GpioUartBehavior> {
         let named = matches!(self.feature, types::GpioFeature::UART);

@@ -502,6 +502,7 @@ impl GpsTimestamp {
     /// Reads `valid_flags` as [`types::Gx5SensorGpsTimestampFlags`].
     ///
     /// On the 3DM-GX5-15 and 3DM-GX5-35: values of [`types::Gx5SensorGpsTimestampFlags`].
+    #[inline]
     #[must_use]
     pub fn valid_flags_as_gx5_sensor_gps_timestamp_flags(&self) -> types::Gx5SensorGpsTimestampFlags {
         self.valid_flags.into()

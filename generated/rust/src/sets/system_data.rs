@@ -56,6 +56,7 @@ impl BuiltInTest {
     /// Reads `result` as [`types::Cv7ContinuousBuiltInTest`].
     ///
     /// On the 3DM-CV7-GNSS/INS: values of [`types::Cv7ContinuousBuiltInTest`].
+    #[inline]
     #[must_use]
     pub fn result_as_cv7_continuous_built_in_test(&self) -> types::Cv7ContinuousBuiltInTest {
         self.result.into()

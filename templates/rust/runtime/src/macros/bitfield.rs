@@ -71,6 +71,7 @@ macro_rules! bitfield {
         bit_sets!($name: $storage);
 
         impl ::core::fmt::Debug for $name {
+            #[inline]
             fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
                 let unknown = self.difference(Self::ALL);
                 $crate::bits::debug(stringify!($name), self.0, Self::BITS, unknown.0, f)
@@ -130,6 +131,7 @@ macro_rules! bit_sets {
             }
 
             /// The bit, or the bits of the number, that the specification calls so.
+            #[inline]
             #[must_use]
             pub fn from_name(name: &str) -> ::core::option::Option<Self> {
                 let bits = Self::BITS.iter().find(|bits| bits.name == name)?;
@@ -226,6 +228,7 @@ macro_rules! bit_sets {
             }
 
             /// The bits that are set, one name after another; those without a name come last.
+            #[inline]
             #[must_use]
             pub fn iter(&self) -> $crate::bits::Iter<Self> {
                 $crate::bits::Iter::new(*self, Self::BITS)
@@ -235,6 +238,7 @@ macro_rules! bit_sets {
             ///
             /// A number that is not 0 comes with its bits. Bits that came with one name do not come
             /// with another.
+            #[inline]
             #[must_use]
             pub fn iter_names(&self) -> $crate::bits::IterNames<Self> {
                 $crate::bits::IterNames::new(*self, Self::BITS)
@@ -242,14 +246,17 @@ macro_rules! bit_sets {
         }
 
         impl $crate::bits::BitSet for $name {
+            #[inline]
             fn part(self, first: u16, last: u16) -> Self {
                 Self($crate::bits::Storage::part(self.0, first, last))
             }
 
+            #[inline]
             fn without(self, other: Self) -> Self {
                 self.difference(other)
             }
 
+            #[inline]
             fn none(self) -> bool {
                 self.is_empty()
             }
