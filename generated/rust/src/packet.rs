@@ -253,8 +253,10 @@ impl PacketBuilder {
         let done = match self.bytes.get_mut(start..end) {
             Some([length, number, free @ ..]) => encode(free).and_then(|count| {
                 let whole = count.saturating_add(FIELD_HEADER);
-                (*length, *number) =
-                    (u8::try_from(whole).map_err(|_| EncodeError::length("", whole, 255))?, descriptor);
+                (*length, *number) = (
+                    u8::try_from(whole).map_err(|_| EncodeError::length("", whole, 255))?,
+                    descriptor,
+                );
                 Ok(*length)
             }),
             _ => Err(EncodeError::length("", FIELD_HEADER, end.saturating_sub(start))),

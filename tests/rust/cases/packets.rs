@@ -5,8 +5,8 @@
 use mip_protocol::packet::{checksum, MAX_FIELD_DATA, MAX_PAYLOAD};
 use mip_protocol::{measurements, protocol, shared, tools, types};
 use mip_protocol::{
-    CapacityError, EncodeError, Field, FieldLengthError, List, Packet, PacketBuilder, PacketError,
-    PacketReader, Parser, RawField, Text, VarText,
+    CapacityError, EncodeErrorKind, Field, FieldLengthError, List, Packet, PacketBuilder,
+    PacketError, PacketReader, Parser, RawField, Text, VarText,
 };
 
 const PING: [u8; 8] = [0x75, 0x65, 0x01, 0x02, 0x02, 0x01, 0xE0, 0xC6];
@@ -23,7 +23,7 @@ fn a_packet_is_built_and_looked_into() {
     assert_eq!((packet.set(), packet.payload()), (tools::SET, &PING[4..6]));
     let fields: Vec<_> = packet.fields().collect();
     assert_eq!(fields, [Ok(RawField { set: 1, descriptor: 1, data: &[] })]);
-    assert_eq!(packet.find::<tools::Ping>(), Some(tools::Ping));
+    assert_eq!(packet.find::<tools::Ping>(), Some(Ok(tools::Ping)));
     assert_eq!(packet.find::<tools::Inventory>(), None);
     assert_eq!(format!("{packet:?}"), "Packet(756501020201e0c6)");
 }
@@ -76,27 +76,27 @@ fn a_builder_refuses_what_does_not_fit_and_stays_valid() {
     packet.push_raw(0x70, &[0xAA; 200]).unwrap();
     let before = packet.bytes().to_vec();
     for (data, error) in [
-        (&[0; 54][..], EncodeError::Length), // one byte too many for the payload
-        (&[0; 253], EncodeError::Length),
-        (&[0; 254], EncodeError::Length), // too much for any field
-        (&[0; 1000], EncodeError::Length),
+        (&[0; 54][..], EncodeErrorKind::Length), // one byte too many for the payload
+        (&[0; 253], EncodeErrorKind::Length),
+        (&[0; 254], EncodeErrorKind::Length), // too much for any field
+        (&[0; 1000], EncodeErrorKind::Length),
     ] {
-        assert_eq!(packet.push_raw(0x71, data), Err(error));
+        assert_eq!(packet.push_raw(0x71, data).map_err(|e| e.kind), Err(error));
         assert_eq!(packet.bytes(), before);
         assert!(Packet::new(packet.bytes()).is_ok());
     }
     // A field that fails half-way.
     let mut broken = tools::Settings::write(1, types::Mode::FAST, 9600);
     broken.mode = None;
-    assert_eq!(packet.push(&broken), Err(EncodeError::Missing));
+    assert_eq!(packet.push(&broken).map_err(|e| e.kind), Err(EncodeErrorKind::Missing));
     assert_eq!(packet.bytes(), before);
     // A field of another set.
-    assert_eq!(packet.push(&more()), Err(EncodeError::Set));
+    assert_eq!(packet.push(&more()).map_err(|e| e.kind), Err(EncodeErrorKind::Set));
     assert_eq!(packet.bytes(), before);
     // What just fits.
     packet.push_raw(0x71, &[0; 51]).unwrap();
     assert_eq!(packet.bytes().len(), MAX_PAYLOAD + 6);
-    assert_eq!(packet.push(&tools::Ping), Err(EncodeError::Length));
+    assert_eq!(packet.push(&tools::Ping).map_err(|e| e.kind), Err(EncodeErrorKind::Length));
     assert_eq!(packet.packet().fields().count(), 2);
     packet.clear();
     assert_eq!((packet.set(), packet.bytes().len()), (tools::SET, 6));
@@ -114,19 +114,31 @@ fn sets_take_their_own_the_repeated_and_the_shared_fields() {
     for set in [0x80, 0x81, 0xFE, 0xFF] {
         assert!(PacketBuilder::new(set).push(&stamp).is_ok());
     }
-    assert_eq!(PacketBuilder::new(0x7F).push(&stamp), Err(EncodeError::Set));
+    assert_eq!(
+        PacketBuilder::new(0x7F).push(&stamp).map_err(|e| e.kind),
+        Err(EncodeErrorKind::Set)
+    );
     let accel = measurements::Accel::default();
     assert!(PacketBuilder::new(0x80).push(&accel).is_ok());
     assert!(PacketBuilder::new(0x81).push(&accel).is_ok());
-    assert_eq!(PacketBuilder::new(0x82).push(&accel), Err(EncodeError::Set));
+    assert_eq!(
+        PacketBuilder::new(0x82).push(&accel).map_err(|e| e.kind),
+        Err(EncodeErrorKind::Set)
+    );
     let health = measurements::Health::default();
-    assert_eq!(PacketBuilder::new(0x81).push(&health), Err(EncodeError::Set));
+    assert_eq!(
+        PacketBuilder::new(0x81).push(&health).map_err(|e| e.kind),
+        Err(EncodeErrorKind::Set)
+    );
     let ack = protocol::Acknowledge::default();
     assert!(PacketBuilder::new(0x01).push(&ack).is_ok());
     assert!(PacketBuilder::new(0x7F).push(&ack).is_ok());
-    assert_eq!(PacketBuilder::new(0x80).push(&ack), Err(EncodeError::Set));
-    assert_eq!(PacketBuilder::new(0).push(&ack), Err(EncodeError::Set));
-    assert_eq!(PacketBuilder::new(0).push_raw(1, &[]), Err(EncodeError::Set));
+    assert_eq!(PacketBuilder::new(0x80).push(&ack).map_err(|e| e.kind), Err(EncodeErrorKind::Set));
+    assert_eq!(PacketBuilder::new(0).push(&ack).map_err(|e| e.kind), Err(EncodeErrorKind::Set));
+    assert_eq!(
+        PacketBuilder::new(0).push_raw(1, &[]).map_err(|e| e.kind),
+        Err(EncodeErrorKind::Set)
+    );
 }
 
 // ----------------------------------------------------------------------------------------- parser

@@ -125,6 +125,7 @@ impl<'a> Reader<'a> {
 
     /// Checks that the next value is this one.
     #[inline]
+    #[allow(dead_code)] // few sets have constants
     pub(crate) fn constant<T: Wire + Number>(&mut self, value: T) -> Result<(), DecodeErrorKind> {
         let (need, got) = (value.to_bits(), self.read::<T>()?.to_bits());
         if need == got {
@@ -310,7 +311,11 @@ impl<'a> Writer<'a> {
 
     /// Appends a value that is a group by itself, if it is present and allowed.
     #[inline]
-    pub fn some<T: Wire>(&mut self, required: bool, value: &Option<T>) -> Result<(), EncodeErrorKind> {
+    pub fn some<T: Wire>(
+        &mut self,
+        required: bool,
+        value: &Option<T>,
+    ) -> Result<(), EncodeErrorKind> {
         self.optional(required, value)?.map_or(Ok(()), |value| self.write(value))
     }
 

@@ -59,7 +59,14 @@ impl FieldInfo {
 
 /// What every type of a field in the registry can do.
 pub trait Listed:
-    Field + Clone + fmt::Debug + PartialEq + Into<AnyField> + bounds::Serde + bounds::Defmt + bounds::Tree
+    Field
+    + Clone
+    + fmt::Debug
+    + PartialEq
+    + Into<AnyField>
+    + bounds::Serde
+    + bounds::Defmt
+    + bounds::Tree
 {
     /// The description of the field.
     const INFO: FieldInfo;

@@ -136,7 +136,9 @@ macro_rules! bit_sets {
             pub fn from_name(name: &str) -> ::core::option::Option<Self> {
                 let bits = Self::BITS.iter().find(|bits| bits.name == name)?;
                 ::core::option::Option::Some(Self($crate::bits::Storage::part(
-                    Self::ALL.0, bits.first, bits.last,
+                    Self::ALL.0,
+                    bits.first,
+                    bits.last,
                 )))
             }
 

@@ -97,6 +97,7 @@ macro_rules! registry {
             }
 
             /// Adds it to a request, if it is a command.
+            #[allow(unused_variables)] // few sets are without commands
             pub(crate) fn add_to<const N: usize>(
                 &self,
                 request: &mut Request<'_, N>,

@@ -3,9 +3,9 @@
 use core::fmt;
 use core::marker::PhantomData;
 
-use crate::codec::{DecodeError, EncodeError};
+use crate::error::{DecodeError, EncodeError};
 use crate::field::{Command, RawField, Response, ResponseCheck};
-use crate::list::List;
+use crate::list::{Item, List};
 use crate::packet::{FieldLengthError, Packet, PacketBuilder, MAX_FIELD_DATA};
 use crate::parser::Parser;
 use crate::protocol::{AckCode, Acknowledge};
@@ -34,7 +34,7 @@ pub struct Client<const N: usize = 8> {
     timeout_ms: u32,
 }
 
-#[derive(Clone, Copy, Default)]
+#[derive(Clone, Copy)]
 struct Pending {
     id: u32,
     set: u8,
@@ -44,6 +44,18 @@ struct Pending {
     wanted: Option<ResponseCheck>,
     timeout_ms: u32,
     deadline: u64,
+}
+
+impl Item for Pending {
+    const BLANK: Self = Self {
+        id: 0,
+        set: 0,
+        descriptor: 0,
+        responses: &[],
+        wanted: None,
+        timeout_ms: 0,
+        deadline: 0,
+    };
 }
 
 impl fmt::Debug for Pending {
@@ -73,6 +85,7 @@ impl<C> Ticket<C> {
         self.silent
     }
 
+    #[allow(dead_code)] // without the features of command sets
     pub(crate) const fn untyped(self) -> Ticket<()> {
         Ticket { id: self.id, silent: self.silent, command: PhantomData }
     }
@@ -157,7 +170,7 @@ pub enum Outcome {
 }
 
 /// The result of a command, with its response not yet decoded.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Event {
     /// The number of the ticket.
@@ -170,6 +183,11 @@ pub struct Event {
     pub outcome: Outcome,
     /// Descriptor and data of the response.
     response: Option<(u8, List<u8, MAX_FIELD_DATA>)>,
+}
+
+impl Item for Event {
+    const BLANK: Self =
+        Self { id: 0, set: 0, descriptor: 0, outcome: Outcome::TimedOut, response: None };
 }
 
 impl Event {
@@ -366,16 +384,12 @@ impl<const N: usize> Client<N> {
 }
 
 /// Removes an item from a list; later items move up.
-fn remove<T: Copy, const N: usize>(list: &mut List<T, N>, index: usize) -> Option<T> {
-    let found = list.get(index).copied()?;
-    let mut at = index;
-    while let Some(next) = list.get(at.saturating_add(1)).copied() {
-        if let Some(place) = list.get_mut(at) {
-            *place = next;
-        }
-        at = at.saturating_add(1);
+fn remove<T: Item, const N: usize>(list: &mut List<T, N>, index: usize) -> Option<T> {
+    list.get(index)?;
+    let mut found = list.pop()?;
+    for place in list.iter_mut().skip(index).rev() {
+        core::mem::swap(place, &mut found);
     }
-    list.pop();
     Some(found)
 }
 

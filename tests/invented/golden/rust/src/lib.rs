@@ -1,5 +1,7 @@
 #![doc = include_str!("../README.md")]
+#![doc = include_str!("map.md")]
 #![no_std]
+#![cfg_attr(docsrs, feature(doc_cfg))]
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
 #![deny(
@@ -23,11 +25,12 @@ extern crate std;
 #[macro_use]
 mod macros;
 
-mod bits;
+pub mod bits;
 pub mod client;
 pub mod codec;
+pub mod error;
 pub mod field;
-mod list;
+pub mod list;
 pub mod packet;
 mod parser;
 #[cfg(feature = "std")]
@@ -42,11 +45,13 @@ pub mod registry;
 mod sets;
 pub mod types;
 
+#[allow(unused_imports)] // without any set
 pub use sets::*;
 
 pub use bits::Bits;
 pub use client::{Answer, Client, Event, Outcome, RequestError, Ticket};
-pub use codec::{Bool, DecodeError, EncodeError, Reader, Union, Wire, Writer};
+pub use codec::{Bool, Reader, Union, Wire, Writer};
+pub use error::{DecodeError, DecodeErrorKind, EncodeError, EncodeErrorKind};
 pub use field::{Command, Field, RawField, Response, ResponseCheck, ResponseOf, Role};
 pub use list::{CapacityError, List};
 pub use packet::{checksum, FieldLengthError, Packet, PacketBuilder, PacketError};

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::codec::EncodeError;
+use crate::error::{DecodeError, EncodeError};
 use crate::field::{Field, RawField};
 use crate::protocol::SYNC;
 
@@ -121,12 +121,10 @@ impl<'a> Packet<'a> {
         Fields { set: self.set(), payload: self.payload() }
     }
 
-    /// The first field of this type, decoded.
-    ///
-    /// `None` if the packet holds none, or if it cannot be decoded.
+    /// The first field of this type, decoded; `None` if the packet holds none.
     #[must_use]
-    pub fn find<T: Field>(&self) -> Option<T> {
-        self.fields().flatten().find_map(|field| field.get()).and_then(Result::ok)
+    pub fn find<T: Field>(&self) -> Option<Result<T, DecodeError>> {
+        self.fields().flatten().find_map(|field| field.get())
     }
 }
 
@@ -202,7 +200,7 @@ impl PacketBuilder {
     /// Appends a field.
     pub fn push<T: Field>(&mut self, field: &T) -> Result<(), EncodeError> {
         if !T::in_set(self.set()) {
-            return Err(EncodeError::Set);
+            return Err(EncodeError::set(T::NAME, T::SET, self.set()));
         }
         self.append(T::DESCRIPTOR, |free| field.encode(free))
     }
@@ -210,10 +208,14 @@ impl PacketBuilder {
     /// Appends a field from its bytes.
     pub fn push_raw(&mut self, descriptor: u8, data: &[u8]) -> Result<(), EncodeError> {
         if self.set() == 0 {
-            return Err(EncodeError::Set);
+            return Err(EncodeError::set("", 0, 0));
         }
         self.append(descriptor, |free| {
-            free.get_mut(..data.len()).ok_or(EncodeError::Length)?.copy_from_slice(data);
+            let length = free.len();
+            match free.get_mut(..data.len()) {
+                Some(place) => place.copy_from_slice(data),
+                None => return Err(EncodeError::length("", data.len(), length)),
+            }
             Ok(data.len())
         })
     }
@@ -243,7 +245,7 @@ impl PacketBuilder {
         encode: impl FnOnce(&mut [u8]) -> Result<usize, EncodeError>,
     ) -> Result<(), EncodeError> {
         if self.set() == 0 {
-            return Err(EncodeError::Set);
+            return Err(EncodeError::set("", 0, 0));
         }
         let start = HEADER.saturating_add(self.payload.into());
         let most = FIELD_HEADER.saturating_add(MAX_FIELD_DATA);
@@ -251,11 +253,13 @@ impl PacketBuilder {
         let done = match self.bytes.get_mut(start..end) {
             Some([length, number, free @ ..]) => encode(free).and_then(|count| {
                 let whole = count.saturating_add(FIELD_HEADER);
-                (*length, *number) =
-                    (u8::try_from(whole).map_err(|_| EncodeError::Length)?, descriptor);
+                (*length, *number) = (
+                    u8::try_from(whole).map_err(|_| EncodeError::length("", whole, 255))?,
+                    descriptor,
+                );
                 Ok(*length)
             }),
-            _ => Err(EncodeError::Length),
+            _ => Err(EncodeError::length("", FIELD_HEADER, end.saturating_sub(start))),
         };
         if let Ok(length) = done {
             self.payload = self.payload.saturating_add(length);
