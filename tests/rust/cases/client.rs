@@ -26,9 +26,9 @@ impl Reply {
 }
 
 fn only<const N: usize>(client: &mut Client<N>, reply: &Reply) -> Event {
-    let events: Vec<_> = client.receive(&reply.0.packet()).collect();
+    let mut events: Vec<_> = client.receive(&reply.0.packet()).collect();
     assert_eq!(events.len(), 1);
-    events[0]
+    events.remove(0)
 }
 
 /// The events of commands that took too long; there is no parser that holds anything back.

@@ -86,7 +86,7 @@ fn newer_firmware_may_append() {
 #[test]
 fn a_zero_count_behind_a_read_comes_back() {
     let (list, trailing) = tools::List::decode_with_trailing(&[2, 0]).unwrap();
-    assert_eq!((list.items, trailing), (Some(List::new()), 0));
+    assert_eq!((&list.items, trailing), (&Some(List::new()), 0));
     assert_eq!(bytes(&list), [2, 0]);
     assert_eq!(tools::List::decode(&[2, 9, 0]).map_err(|e| e.kind), Err(DecodeErrorKind::Count));
     assert_eq!(tools::List::decode(&[1, 1, 0]).map_err(|e| e.kind), Err(DecodeErrorKind::Count));
