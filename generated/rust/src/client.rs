@@ -96,6 +96,7 @@ impl<C> Ticket<C> {
         self.silent
     }
 
+    #[allow(dead_code)] // without the features of command sets
     pub(crate) const fn untyped(self) -> Ticket<()> {
         Ticket { id: self.id, silent: self.silent, command: PhantomData }
     }

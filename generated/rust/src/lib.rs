@@ -1,4 +1,5 @@
 #![doc = include_str!("../README.md")]
+#![doc = include_str!("map.md")]
 #![no_std]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 #![forbid(unsafe_code)]
@@ -47,6 +48,7 @@ pub mod registry;
 mod sets;
 pub mod types;
 
+#[allow(unused_imports)] // without any set
 pub use sets::*;
 
 pub use bits::Bits;

@@ -227,7 +227,7 @@ open_enum! {
     /// of triggers.
     EventTriggerType: u8 {
         /// The slot is free. It is never active and cannot be enabled.
-        NONE_ = 0, "none";
+        NONE = 0, "none";
         /// Watches a GPIO pin.
         GPIO = 1, "gpio";
         /// Compares one value of a data field with thresholds.
@@ -244,7 +244,7 @@ open_enum! {
     /// actions.
     EventActionType: u8 {
         /// The slot is free.
-        NONE_ = 0, "none";
+        NONE = 0, "none";
         /// Controls a GPIO pin.
         GPIO = 1, "gpio";
         /// Sends a data packet.
@@ -422,7 +422,7 @@ record! {
         pub type_: EventThresholdType,
         /// What the value is compared with.
         ///
-        /// Selected by `type_`.
+        /// Selected by [`type_`](EventTriggerThreshold::type_).
         pub thresholds: EventTriggerThresholdThresholds,
     }
     wire 20 {
@@ -440,12 +440,12 @@ union! {
     pub enum EventTriggerThresholdThresholds: EventThresholdType {
         /// The value lies between two thresholds.
         ///
-        /// If `type_` is [`EventThresholdType::WINDOW`].
+        /// If [`type_`](EventTriggerThreshold::type_) is [`EventThresholdType::WINDOW`].
         #[cfg_attr(feature = "serde", serde(rename = "window"))]
         WINDOW => Window(EventThresholdWindow) "window",
         /// The remainder of the value by an interval is at most a threshold.
         ///
-        /// If `type_` is [`EventThresholdType::INTERVAL`].
+        /// If [`type_`](EventTriggerThreshold::type_) is [`EventThresholdType::INTERVAL`].
         #[cfg_attr(feature = "serde", serde(rename = "interval"))]
         INTERVAL => Interval(EventThresholdInterval) "interval",
     }
@@ -516,7 +516,7 @@ record! {
     /// An action that sends data packets.
     ///
     /// On the wire there is also `num_fields`: Number of fields in the packet. The number of
-    /// elements of `descriptors`. Range: 0 to 12.
+    /// elements of [`descriptors`](EventActionMessage::descriptors). Range: 0 to 12.
     ///
     /// Source: 3dm-cv7-gnss-ins: MessageParams.
     #[derive(Default, Eq, Hash)]
@@ -1150,7 +1150,8 @@ bitfield! {
     }
 }
 
-/// On the 3DM-GX5-15 and 3DM-GX5-35: values of [`Gx5SensorGpsTimestampFlags`].
+/// On the [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35): values of
+/// [`Gx5SensorGpsTimestampFlags`].
 #[rustfmt::skip]
 impl From<SensorGpsTimestampFlags> for Gx5SensorGpsTimestampFlags {
     fn from(value: SensorGpsTimestampFlags) -> Self {

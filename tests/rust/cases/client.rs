@@ -32,11 +32,6 @@ fn only<const N: usize>(client: &mut Client<N>, reply: &Reply) -> Event {
     events.remove(0)
 }
 
-fn kind(error: RequestError) -> EncodeErrorKind {
-    let RequestError::Encode(error) = error else { panic!("{error:?}") };
-    error.kind
-}
-
 /// The events of commands that took too long; there is no parser that holds anything back.
 fn expire<const N: usize>(client: &mut Client<N>, now: u64) -> Vec<Event> {
     assert!(client.poll(&mut Parser::new(), now).is_none());
@@ -378,6 +373,13 @@ fn an_answer_behind_noise() {
     assert_eq!(parser.skipped(), 4);
 }
 
+fn refused<C>(added: Result<Ticket<C>, RequestError>) -> EncodeErrorKind {
+    match added {
+        Err(RequestError::Encode(error)) => error.kind,
+        other => panic!("{other:?}"),
+    }
+}
+
 #[test]
 fn commands_whose_type_is_known_only_when_the_program_runs() {
     let mut client: Client = Client::new();
@@ -388,12 +390,12 @@ fn commands_whose_type_is_known_only_when_the_program_runs() {
     let response = AnyField::ToolsBiasVector(tools::BiasVector::default());
     assert_eq!(request.add_any(&response).unwrap_err(), RequestError::NoCommand);
     let other = AnyField::Mip3dDefault(Default::default());
-    assert_eq!(kind(request.add_any(&other).unwrap_err()), EncodeErrorKind::Set);
+    assert_eq!(refused(request.add_any(&other)), EncodeErrorKind::Set);
     assert_eq!(request.send(0).packet().fields().count(), 2);
     let reply = Reply::new().ack(5, AckCode::OK).field(&tools::BiasVector::default());
     let event = only(&mut client, &reply);
     assert_eq!((event.id, event.outcome), (read.id(), Outcome::Acknowledged));
-    assert_eq!(AnyField::decode(&event.response().unwrap()), Some(Ok((response, 0))));
+    assert_eq!(AnyField::decode(&event.response().unwrap()), Some(Ok((response.clone(), 0))));
     assert_eq!(format!("{read:?}"), format!("Ticket({})", read.id()));
 }
 
@@ -427,11 +429,11 @@ fn a_full_client_or_packet_refuses() {
     let mut request = client.request(tools::SET);
     let long = tools::List::write([0; 100]);
     request.add(&long).unwrap();
-    assert_eq!(kind(request.add(&long).unwrap_err()), EncodeErrorKind::Length);
+    assert_eq!(refused(request.add(&long)), EncodeErrorKind::Length);
     assert_eq!(request.send(0).packet().fields().count(), 1);
     assert_eq!(client.pending(), 1);
     let mut request = client.request(0x0C);
-    assert_eq!(kind(request.add(&tools::Ping).unwrap_err()), EncodeErrorKind::Set);
+    assert_eq!(refused(request.add(&tools::Ping)), EncodeErrorKind::Set);
     // What is not sent is forgotten.
     let mut request = client.request(tools::SET);
     request.add(&tools::Ping).unwrap();

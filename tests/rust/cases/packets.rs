@@ -3,7 +3,7 @@
 #![allow(deprecated)] // of the fields that are tested here
 
 use mip_protocol::packet::{checksum, MAX_FIELD_DATA, MAX_PAYLOAD};
-use mip_protocol::{measurements, packets, protocol, shared, tools, types};
+use mip_protocol::{measurements, more, packets, protocol, shared, tools, types};
 use mip_protocol::{
     EncodeError, EncodeErrorKind, Field, FieldLengthError, List, Packet, PacketBuf, PacketBuilder,
     PacketError, PacketReader, Parser, RawField, Text, VarText,
@@ -140,7 +140,7 @@ fn more() -> mip_protocol::more::Own {
 }
 
 #[test]
-fn sets_take_their_own_the_repeated_and_the_shared_fields() {
+fn sets_take_their_own_and_the_shared_fields() {
     let stamp = shared::Timestamp::default();
     for set in [0x80, 0x81, 0xFE] {
         assert!(PacketBuilder::new(set).push(&stamp).is_ok());
@@ -153,6 +153,7 @@ fn sets_take_their_own_the_repeated_and_the_shared_fields() {
     let accel = measurements::Accel::default();
     assert!(PacketBuilder::new(0x80).push(&accel).is_ok());
     assert!(PacketBuilder::new(0x81).push(&accel).is_err());
+    assert!(PacketBuilder::new(0x81).push(&more::Accel::default()).is_ok());
     assert_eq!(PacketBuilder::new(0x82).push(&accel).map_err(kind), Err(EncodeErrorKind::Set));
     let health = measurements::Health::default();
     assert_eq!(PacketBuilder::new(0x81).push(&health).map_err(kind), Err(EncodeErrorKind::Set));
@@ -398,12 +399,12 @@ fn a_list_holds_what_fits() {
     for n in 1..=3 {
         list.push(n).unwrap();
     }
-    assert!(list.push(4).is_err());
+    assert_eq!(list.push(4).map_err(|e| (e.need, e.got)), Err((4, 3)));
     assert_eq!(*list, [1, 2, 3]);
     list[1] = 7;
     list.as_mut_slice().reverse();
     assert_eq!(list, List::from([3, 7, 1]));
-    assert!(List::<u8, 3>::from_slice(&[0; 4]).is_err());
+    assert_eq!(List::<u8, 3>::from_slice(&[0; 4]).map_err(|e| e.need), Err(4));
     assert_eq!(List::<u8, 3>::try_from(&[9][..]), Ok([9].into()));
     assert_ne!(List::<u8, 3>::from([1]), List::from([1, 2]));
     assert_eq!(format!("{list:?}"), "[3, 7, 1]");
@@ -411,7 +412,7 @@ fn a_list_holds_what_fits() {
     list.clear();
     assert_eq!(list, List::default());
     let mut none = List::<u8, 0>::new();
-    assert!(none.push(1).is_err());
+    assert_eq!(none.push(1).map_err(|e| e.got), Err(0));
 }
 
 #[test]

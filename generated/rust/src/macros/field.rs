@@ -42,12 +42,14 @@ macro_rules! command {
             type Response = $response;
             $(const TIMEOUT_MS: Option<u32> = Some($milliseconds);)?
 
+            #[inline]
             fn expects_reply(&self) -> bool {
                 true
                     $(&& !matches!(self.function, $($crate::protocol::FunctionSelector::$mute)|+))?
                     $(&& !($(self.$member == $value)&&+))?
             }
 
+            #[inline]
             fn response_check(&self) -> Option<$crate::ResponseCheck> {
                 $(
                     if true
@@ -85,6 +87,7 @@ macro_rules! responses {
         impl $crate::Response for $name {
             const DESCRIPTORS: &'static [u8] = &[$(<$field as $crate::Field>::DESCRIPTOR),*];
 
+            #[inline]
             fn from_field(
                 field: &$crate::RawField<'_>,
             ) -> Option<Result<Self, $crate::DecodeError>> {

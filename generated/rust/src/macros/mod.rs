@@ -1,5 +1,7 @@
 //! The macros that the generated types are written with.
 
+#![allow(unused_macros)] // few sets use all of them
+
 /// The name in the specification.
 macro_rules! spec_name {
     ($name:ident) => {

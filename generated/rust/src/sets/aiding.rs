@@ -116,8 +116,11 @@ record! {
     ///
     /// Where and how an external sensor is mounted on the vehicle.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`FrameConfigResponse`].
-    /// Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`FrameConfigResponse`]. Supported
+    /// by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - Aiding measurements name the frame by its number.
     /// - `p_vehicle = R * p_frame + t`, with the rotation R and the translation t.
@@ -135,19 +138,22 @@ record! {
         pub frame_id: Option<u8>,
         /// How the rotation is given.
         ///
-        /// Required for write and read.
+        /// Required for [write](types::FunctionSelector::WRITE) and
+        /// [read](types::FunctionSelector::READ).
         pub format: Option<AidingFrameFormat>,
         /// Whether the filter estimates the errors of the frame.
         ///
-        /// Required for write.
+        /// Required for [write](types::FunctionSelector::WRITE).
         pub tracking_enabled: Option<crate::Bool>,
         /// Origin of the frame in the vehicle.
         ///
-        /// Elements: x, y, z. Unit: m. Frame: vehicle. Required for write.
+        /// Elements: x, y, z. Unit: m. Frame: vehicle. Required for
+        /// [write](types::FunctionSelector::WRITE).
         pub translation: Option<types::Vector3f>,
         /// Rotation from the frame to the vehicle.
         ///
-        /// Selected by `format`. Required for write.
+        /// Selected by [`format`](FrameConfig::format). Required for
+        /// [write](types::FunctionSelector::WRITE).
         pub rotation: Option<FrameConfigRotation>,
     }
     wire 32 {
@@ -166,13 +172,14 @@ union! {
     pub enum FrameConfigRotation: AidingFrameFormat {
         /// Roll, pitch and yaw.
         ///
-        /// If `format` is [`AidingFrameFormat::EULER`]. Elements: x, y, z. Unit: rad. Range:
-        /// -3.141592653589793 to 3.141592653589793.
+        /// If [`format`](FrameConfig::format) is [`AidingFrameFormat::EULER`]. Elements: x, y, z.
+        /// Unit: rad. Range: -3.141592653589793 to 3.141592653589793.
         #[cfg_attr(feature = "serde", serde(rename = "euler"))]
         EULER => Euler(types::Vector3f) "euler",
         /// Quaternion, scalar part first.
         ///
-        /// If `format` is [`AidingFrameFormat::QUATERNION`]. Elements: w, x, y, z. Unit: 1.
+        /// If [`format`](FrameConfig::format) is [`AidingFrameFormat::QUATERNION`]. Elements: w, x,
+        /// y, z. Unit: 1.
         #[cfg_attr(feature = "serde", serde(rename = "quaternion"))]
         QUATERNION => Quaternion(types::Quatf) "quaternion",
     }
@@ -217,8 +224,11 @@ record! {
     ///
     /// How the device answers aiding measurements.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`EchoControlResponse`].
-    /// Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`EchoControlResponse`]. Supported
+    /// by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - The manual does not give the layout of the responses that carry the data back.
     ///
@@ -230,7 +240,7 @@ record! {
         pub function: types::FunctionSelector,
         /// How they are answered.
         ///
-        /// Required for write.
+        /// Required for [write](types::FunctionSelector::WRITE).
         pub mode: Option<AidingEchoMode>,
     }
     wire 2 {
@@ -272,8 +282,9 @@ record! {
     ///
     /// A measured position in Earth-fixed coordinates.
     ///
-    /// Also called `pos_ecef`. Not acknowledged if `mode` of [`EchoControl`] is
-    /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `pos_ecef`. Not acknowledged if [`mode`](EchoControl::mode) of [`EchoControl`]
+    /// is [`AidingEchoMode::SUPPRESS_ACK`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - Use only one form of position: ECEF or LLH.
     /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
@@ -332,8 +343,9 @@ record! {
     ///
     /// A measured position as latitude, longitude and height.
     ///
-    /// Also called `pos_llh`. Not acknowledged if `mode` of [`EchoControl`] is
-    /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `pos_llh`. Not acknowledged if [`mode`](EchoControl::mode) of [`EchoControl`] is
+    /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - Use only one form of position: ECEF or LLH.
     /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
@@ -402,8 +414,9 @@ record! {
     ///
     /// A measured height.
     ///
-    /// Not acknowledged if `mode` of [`EchoControl`] is [`AidingEchoMode::SUPPRESS_ACK`]. Supported
-    /// by 3DM-CV7-GNSS/INS.
+    /// Not acknowledged if [`mode`](EchoControl::mode) of [`EchoControl`] is
+    /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
     ///   unknown layout.
@@ -456,8 +469,9 @@ record! {
     ///
     /// A measured velocity in Earth-fixed coordinates.
     ///
-    /// Also called `vel_ecef`. Not acknowledged if `mode` of [`EchoControl`] is
-    /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `vel_ecef`. Not acknowledged if [`mode`](EchoControl::mode) of [`EchoControl`]
+    /// is [`AidingEchoMode::SUPPRESS_ACK`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - Use only one form of velocity: ECEF or NED.
     /// - Not for a sensor that is fixed to the vehicle; that takes [`BodyFrameVelocity`].
@@ -517,8 +531,9 @@ record! {
     ///
     /// A measured velocity in the local level frame.
     ///
-    /// Also called `vel_ned`. Not acknowledged if `mode` of [`EchoControl`] is
-    /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `vel_ned`. Not acknowledged if [`mode`](EchoControl::mode) of [`EchoControl`] is
+    /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - Use only one form of velocity: ECEF or NED.
     /// - Not for a sensor that is fixed to the vehicle; that takes [`BodyFrameVelocity`].
@@ -578,8 +593,9 @@ record! {
     ///
     /// A measured velocity of the vehicle in the frame of the sensor.
     ///
-    /// Also called `vel_body_frame`. Not acknowledged if `mode` of [`EchoControl`] is
-    /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `vel_body_frame`. Not acknowledged if [`mode`](EchoControl::mode) of
+    /// [`EchoControl`] is [`AidingEchoMode::SUPPRESS_ACK`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - The device takes up to four sensors of this kind.
     /// - A wheeled vehicle constraint is a velocity of 0 with y valid only, sent at least once in a
@@ -643,9 +659,10 @@ record! {
     ///
     /// A measured heading relative to true north.
     ///
-    /// Also called `heading_true`. Not acknowledged if `mode` of [`EchoControl`] is
-    /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and
-    /// 3DM-CV7-GNSS/INS.
+    /// Also called `heading_true`. Not acknowledged if [`mode`](EchoControl::mode) of
+    /// [`EchoControl`] is [`AidingEchoMode::SUPPRESS_ACK`]. Supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
     ///   unknown layout.
@@ -699,8 +716,9 @@ record! {
     ///
     /// A magnetic field measured by an external magnetometer.
     ///
-    /// Not acknowledged if `mode` of [`EchoControl`] is [`AidingEchoMode::SUPPRESS_ACK`]. Supported
-    /// by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+    /// Not acknowledged if [`mode`](EchoControl::mode) of [`EchoControl`] is
+    /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR) and [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - The magnetometer must be calibrated.
     /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
@@ -759,8 +777,9 @@ record! {
     ///
     /// A static air pressure measured by an external sensor.
     ///
-    /// Not acknowledged if `mode` of [`EchoControl`] is [`AidingEchoMode::SUPPRESS_ACK`]. Supported
-    /// by 3DM-CV7-GNSS/INS.
+    /// Not acknowledged if [`mode`](EchoControl::mode) of [`EchoControl`] is
+    /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
     ///   unknown layout.
@@ -812,7 +831,8 @@ command! {
 record! {
     /// Frame configuration response (0x13,0x81).
     ///
-    /// Answers [`FrameConfig`]. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+    /// Answers [`FrameConfig`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR) and [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01); 3dm-cv7-gnss-ins: Aiding Frames.
     #[derive(Copy, Default)]
@@ -831,7 +851,7 @@ record! {
         pub translation: types::Vector3f,
         /// Rotation from the frame to the vehicle.
         ///
-        /// Selected by `format`.
+        /// Selected by [`format`](FrameConfigResponse::format).
         pub rotation: FrameConfigRotation,
     }
     wire 31 {
@@ -851,7 +871,8 @@ field! {
 record! {
     /// Echo control response (0x13,0x9F).
     ///
-    /// Answers [`EchoControl`]. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+    /// Answers [`EchoControl`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR) and [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F); 3dm-cv7-gnss-ins: Aiding Command Echo
     /// Control.

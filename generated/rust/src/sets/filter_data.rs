@@ -364,7 +364,7 @@ record! {
     ///
     /// Estimated position.
     ///
-    /// Also called `position_llh`. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `position_llh`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: LLH Position (0x82,0x01).
     #[derive(Copy, Default)]
@@ -395,7 +395,7 @@ record! {
     ///
     /// Estimated velocity.
     ///
-    /// Also called `velocity_ned`. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `velocity_ned`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Velocity NED (0x82,0x02).
     #[derive(Copy, Default)]
@@ -426,7 +426,8 @@ record! {
     ///
     /// Estimated orientation of the vehicle frame in the NED frame as a quaternion.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// - `v_vehicle = q^-1 * v_ned * q`. The 3DM-GX5-15 manual prints the inverse rotation.
     ///
@@ -453,7 +454,8 @@ record! {
     ///
     /// Estimated orientation of the vehicle frame in the NED frame as a rotation matrix.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - The matrix turns NED vectors into vehicle vectors: `v_vehicle = dcm * v_ned`.
     ///
@@ -480,7 +482,8 @@ record! {
     ///
     /// Estimated orientation of the vehicle frame in the NED frame as Euler angles.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - The rotations apply in the order yaw, pitch, roll (3-2-1).
     ///
@@ -514,7 +517,8 @@ record! {
     ///
     /// Estimated bias of the gyroscope.
     ///
-    /// Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// Source: 3dm-cv7-gnss-ins: Gyro Bias (0x82,0x06); 3dm-gx5-15: 5.2.9 Gyro Bias (0x82, 0x06).
     #[derive(Copy, Default)]
@@ -538,7 +542,7 @@ record! {
     ///
     /// Estimated bias of the accelerometer.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Accel Bias (0x82,0x07).
     #[derive(Copy, Default)]
@@ -562,7 +566,8 @@ record! {
     ///
     /// Standard deviation of the estimated position, in the NED frame.
     ///
-    /// Also called `position_llh_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `position_llh_uncertainty`. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: LLH Position Uncertainty (0x82,0x08).
     #[derive(Copy, Default)]
@@ -593,7 +598,8 @@ record! {
     ///
     /// Standard deviation of the estimated velocity.
     ///
-    /// Also called `velocity_ned_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `velocity_ned_uncertainty`. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: NED Velocity Uncertainty (0x82,0x09).
     #[derive(Copy, Default)]
@@ -624,7 +630,8 @@ record! {
     ///
     /// Standard deviation of the estimated Euler angles.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// - 3DM-GX5: derived from the quaternion, worse the steeper the pitch, and not valid beyond 70
     ///   degrees of pitch up or down.
@@ -659,7 +666,8 @@ record! {
     ///
     /// Standard deviation of the estimated gyroscope bias.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// Source: 3dm-cv7-gnss-ins: Gyro Bias Uncertainty (0x82,0x0B); 3dm-gx5-15: 5.2.10 Gyro Bias
     /// Uncertainty (0x82, 0x0B).
@@ -684,7 +692,7 @@ record! {
     ///
     /// Standard deviation of the estimated accelerometer bias.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Accel Bias Uncertainty (0x82,0x0C).
     #[derive(Copy, Default)]
@@ -708,7 +716,8 @@ record! {
     ///
     /// Compensated acceleration less the estimated gravity.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// Source: 3dm-cv7-gnss-ins: Linear Accel (0x82,0x0D); 3dm-gx5-15: 5.2.12 Linear Acceleration
     /// (0x82, 0x0D).
@@ -733,7 +742,8 @@ record! {
     ///
     /// Angular rate without the estimated bias.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: Comp Angular Rate (0x82,0x0E); 3dm-gx5-15: 5.2.8 Compensated
     /// Angular Rate (0x82, 0x0E).
@@ -758,7 +768,7 @@ record! {
     ///
     /// Magnitude of gravity at the position of the device by the WGS84 model.
     ///
-    /// Also called `wgs84_gravity_mag`. Supported by 3DM-GX5-15.
+    /// Also called `wgs84_gravity_mag`. Supported by [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// - The model holds up to an altitude of 20 km.
     ///
@@ -783,7 +793,8 @@ record! {
     ///
     /// State, dynamics mode, condition and warnings of the filter.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// - The meaning of all three values depends on the device.
     /// - 3DM-CV7: 4, 1, 1 is normal operation (full navigation, default mode, stable).
@@ -795,18 +806,18 @@ record! {
     pub struct Status {
         /// State of the filter.
         ///
-        /// On the 3DM-CV7-GNSS/INS: values of [`Cv7FilterState`]. On the 3DM-GX5-15: values of
-        /// [`Gx5FilterState`].
+        /// On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of [`Cv7FilterState`].
+        /// On the [3DM-GX5-15](crate::devices::GX5_15): values of [`Gx5FilterState`].
         pub filter_state: u16,
         /// Motion for which the filter is set up.
         ///
-        /// On the 3DM-CV7-GNSS/INS: values of [`Cv7DynamicsMode`]. On the 3DM-GX5-15: values of
-        /// [`Gx5DynamicsMode`].
+        /// On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of [`Cv7DynamicsMode`].
+        /// On the [3DM-GX5-15](crate::devices::GX5_15): values of [`Gx5DynamicsMode`].
         pub dynamics_mode: u16,
         /// Condition and warnings.
         ///
-        /// On the 3DM-CV7-GNSS/INS: values of [`Cv7StatusFlags`]. On the 3DM-GX5-15: values of
-        /// [`Gx5StatusFlags`].
+        /// On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of [`Cv7StatusFlags`].
+        /// On the [3DM-GX5-15](crate::devices::GX5_15): values of [`Gx5StatusFlags`].
         pub status_flags: u16,
     }
 }
@@ -815,7 +826,8 @@ record! {
 impl Status {
     /// Reads `filter_state` as [`Cv7FilterState`].
     ///
-    /// On the 3DM-CV7-GNSS/INS: values of [`Cv7FilterState`].
+    /// On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of [`Cv7FilterState`].
+    #[inline]
     #[must_use]
     pub fn filter_state_as_cv7_filter_state(&self) -> Cv7FilterState {
         self.filter_state.into()
@@ -823,7 +835,8 @@ impl Status {
 
     /// Reads `filter_state` as [`Gx5FilterState`].
     ///
-    /// On the 3DM-GX5-15: values of [`Gx5FilterState`].
+    /// On the [3DM-GX5-15](crate::devices::GX5_15): values of [`Gx5FilterState`].
+    #[inline]
     #[must_use]
     pub fn filter_state_as_gx5_filter_state(&self) -> Gx5FilterState {
         self.filter_state.into()
@@ -831,7 +844,8 @@ impl Status {
 
     /// Reads `dynamics_mode` as [`Cv7DynamicsMode`].
     ///
-    /// On the 3DM-CV7-GNSS/INS: values of [`Cv7DynamicsMode`].
+    /// On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of [`Cv7DynamicsMode`].
+    #[inline]
     #[must_use]
     pub fn dynamics_mode_as_cv7_dynamics_mode(&self) -> Cv7DynamicsMode {
         self.dynamics_mode.into()
@@ -839,7 +853,8 @@ impl Status {
 
     /// Reads `dynamics_mode` as [`Gx5DynamicsMode`].
     ///
-    /// On the 3DM-GX5-15: values of [`Gx5DynamicsMode`].
+    /// On the [3DM-GX5-15](crate::devices::GX5_15): values of [`Gx5DynamicsMode`].
+    #[inline]
     #[must_use]
     pub fn dynamics_mode_as_gx5_dynamics_mode(&self) -> Gx5DynamicsMode {
         self.dynamics_mode.into()
@@ -847,7 +862,8 @@ impl Status {
 
     /// Reads `status_flags` as [`Cv7StatusFlags`].
     ///
-    /// On the 3DM-CV7-GNSS/INS: values of [`Cv7StatusFlags`].
+    /// On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of [`Cv7StatusFlags`].
+    #[inline]
     #[must_use]
     pub fn status_flags_as_cv7_status_flags(&self) -> Cv7StatusFlags {
         self.status_flags.into()
@@ -855,7 +871,8 @@ impl Status {
 
     /// Reads `status_flags` as [`Gx5StatusFlags`].
     ///
-    /// On the 3DM-GX5-15: values of [`Gx5StatusFlags`].
+    /// On the [3DM-GX5-15](crate::devices::GX5_15): values of [`Gx5StatusFlags`].
+    #[inline]
     #[must_use]
     pub fn status_flags_as_gx5_status_flags(&self) -> Gx5StatusFlags {
         self.status_flags.into()
@@ -871,7 +888,8 @@ record! {
     ///
     /// GPS time of the filter data.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// - Without PPS the internal clock drives the time, and the time jumps when the PPS comes
     ///   back.
@@ -905,7 +923,8 @@ record! {
     ///
     /// Standard deviation of the elements of the estimated attitude quaternion.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// Source: 3dm-cv7-gnss-ins: Quaternion Attitude Uncertainty (0x82,0x12); 3dm-gx5-15: 5.2.4
     /// Attitude Uncertainty, Quaternion Elements (0x82, 0x12).
@@ -929,7 +948,8 @@ record! {
     ///
     /// Estimated gravity.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// Source: 3dm-cv7-gnss-ins: Gravity Vector (0x82,0x13); 3dm-gx5-15: 5.2.14 Gravity Vector
     /// (0x82, 0x13).
@@ -954,7 +974,7 @@ record! {
     ///
     /// The last heading that updated the filter and where it came from.
     ///
-    /// Supported by 3DM-GX5-15 and 3DM-GX5-45.
+    /// Supported by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - The valid bit means that the source gave data within the last 2 seconds.
     ///
@@ -971,7 +991,8 @@ record! {
         pub heading_uncertainty: f32,
         /// Sources of the heading.
         ///
-        /// On the 3DM-GX5-15: only [`external`](HeadingSourceFlags::external).
+        /// On the [3DM-GX5-15](crate::devices::GX5_15): only
+        /// [`external`](HeadingSourceFlags::external).
         pub source: HeadingSourceFlags,
         /// Validity of the values.
         pub valid_flags: ValidFlags,
@@ -987,7 +1008,7 @@ record! {
     ///
     /// Magnetic field at the position of the device by the World Magnetic Model.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - It is valid only with a valid GNSS position.
     ///
@@ -1172,7 +1193,8 @@ record! {
     ///
     /// Acceleration without the estimated bias; gravity is still in it.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// Source: 3dm-cv7-gnss-ins: Compensated Acceleration (0x82,0x1C); 3dm-gx5-15: 5.2.11
     /// Compensated Acceleration (0x82, 0x1C).
@@ -1238,7 +1260,8 @@ record! {
     ///
     /// Altitude that the US Standard Atmosphere of 1976 gives for the measured pressure.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// - It needs a valid pressure. The model ends at a pressure of 0.0037 mbar, an altitude of
     ///   84852 m.
@@ -1559,7 +1582,7 @@ record! {
     ///
     /// Estimated error of the offset of one GNSS antenna.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - The filter adds it to the stored offset.
     ///
@@ -1587,7 +1610,7 @@ record! {
     ///
     /// Standard deviation of the estimated error of the offset of one GNSS antenna.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Multi Antenna Offset Correction Uncertainty (0x82,0x35).
     #[derive(Copy, Default)]
@@ -1613,7 +1636,8 @@ record! {
     ///
     /// Standard deviation of the estimated position.
     ///
-    /// Also called `ecef_pos_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `ecef_pos_uncertainty`. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: ECEF Position Uncertainty (0x82,0x36).
     #[derive(Copy, Default)]
@@ -1637,7 +1661,8 @@ record! {
     ///
     /// Standard deviation of the estimated velocity.
     ///
-    /// Also called `ecef_vel_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `ecef_vel_uncertainty`. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: ECEF Velocity Uncertainty (0x82,0x37).
     #[derive(Copy, Default)]
@@ -1661,7 +1686,7 @@ record! {
     ///
     /// Estimated position.
     ///
-    /// Also called `ecef_pos`. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `ecef_pos`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: ECEF Position (0x82,0x40).
     #[derive(Copy, Default)]
@@ -1685,7 +1710,7 @@ record! {
     ///
     /// Estimated velocity.
     ///
-    /// Also called `ecef_vel`. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `ecef_vel`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: ECEF Velocity (0x82,0x41).
     #[derive(Copy, Default)]
@@ -1710,7 +1735,7 @@ record! {
     /// Estimated position relative to the point that
     /// [`filter::RelativePositionConfig`](crate::filter::RelativePositionConfig) sets.
     ///
-    /// Also called `rel_pos_ned`. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `rel_pos_ned`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: NED Relative Position (0x82,0x42).
     #[derive(Copy, Default)]
@@ -1734,7 +1759,8 @@ record! {
     ///
     /// How the filter uses the position measurements of one GNSS receiver.
     ///
-    /// Also called `gnss_pos_aid_status`. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `gnss_pos_aid_status`. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - Single precision resolves the time of week to 0.0625 s at the end of the week.
     ///
@@ -1829,7 +1855,7 @@ record! {
     ///
     /// What the filter did with one kind of aiding measurement in the last measurement interval.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - Single precision resolves the time of week to 0.0625 s at the end of the week.
     ///
@@ -1865,7 +1891,7 @@ record! {
     ///
     /// Estimated relative error of the odometer scale factor.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - Estimated scale factor = configured scale factor \* (1 + error).
     ///
@@ -1890,7 +1916,7 @@ record! {
     ///
     /// Uncertainty of the estimated error of the odometer scale factor.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Odometer Scale Factor Error Uncertainty (0x82,0x48).
     #[derive(Copy, Default)]
@@ -1913,7 +1939,7 @@ record! {
     ///
     /// Heading that two GNSS antennas give.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - Single precision resolves the time of week to 0.0625 s at the end of the week.
     ///
@@ -1951,7 +1977,7 @@ record! {
     /// Estimated error of a frame that [`aiding::FrameConfig`](crate::aiding::FrameConfig) defines;
     /// it is corrected for.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Aiding Frame Configuration Error (0x82,0x50).
     #[derive(Copy, Default)]
@@ -1979,7 +2005,7 @@ record! {
     /// Uncertainty of the estimated error of a frame that
     /// [`aiding::FrameConfig`](crate::aiding::FrameConfig) defines.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Aiding Frame Configuration Error Uncertainty (0x82,0x51).
     #[derive(Copy, Default)]

@@ -468,7 +468,7 @@ open_enum! {
         /// Not known.
         UNKNOWN = 0, "unknown";
         /// Not at all.
-        NONE_ = 1, "none";
+        NONE = 1, "none";
         /// In part.
         PARTIAL = 2, "partial";
         /// Badly.
@@ -482,7 +482,7 @@ open_enum! {
         /// Not known.
         UNKNOWN = 0, "unknown";
         /// Not at all.
-        NONE_ = 1, "none";
+        NONE = 1, "none";
         /// In part.
         PARTIAL = 2, "partial";
         /// Badly.
@@ -542,7 +542,7 @@ open_enum! {
     /// How well a signal is tracked.
     SignalQuality: u8 {
         /// No signal.
-        NONE_ = 0, "none";
+        NONE = 0, "none";
         /// The signal is searched.
         SEARCHING = 1, "searching";
         /// The signal is acquired.
@@ -850,7 +850,8 @@ record! {
     ///
     /// GNSS position as latitude, longitude and height.
     ///
-    /// Also called `pos_llh`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+    /// Also called `pos_llh`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS LLH Position (0x91,0x03).
     #[derive(Copy, Default)]
@@ -898,7 +899,7 @@ record! {
     ///
     /// GNSS position in Earth-fixed coordinates.
     ///
-    /// Also called `pos_ecef`. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `pos_ecef`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS ECEF Position (0x91,0x04).
     #[derive(Copy, Default)]
@@ -927,7 +928,7 @@ record! {
     ///
     /// GNSS velocity in the local level frame.
     ///
-    /// Also called `vel_ned`. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `vel_ned`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: NED Velocity (0x91,0x05).
     #[derive(Copy, Default)]
@@ -974,7 +975,7 @@ record! {
     ///
     /// GNSS velocity in Earth-fixed coordinates.
     ///
-    /// Also called `vel_ecef`. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `vel_ecef`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS ECEF Velocity (0x91,0x06).
     #[derive(Copy, Default)]
@@ -1003,7 +1004,7 @@ record! {
     ///
     /// Dilution of precision of the satellite geometry.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: DOP (0x91,0x07).
     #[derive(Copy, Default)]
@@ -1050,7 +1051,7 @@ record! {
     ///
     /// Coordinated universal time as the receiver knows it.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: UTC Time (0x91,0x08).
     #[derive(Copy, Default, Eq, Hash)]
@@ -1103,7 +1104,7 @@ record! {
     ///
     /// GPS time as the receiver knows it.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: GPS Time (0x91,0x09).
     #[derive(Copy, Default)]
@@ -1164,7 +1165,8 @@ record! {
     ///
     /// Type of the position fix and what it is made of.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// Source: 3dm-cv7-gnss-ins: Fix Info (0x91,0x0B).
     #[derive(Copy, Default, Eq, Hash)]
@@ -1242,7 +1244,7 @@ record! {
     ///
     /// State of the receiver and of its antenna.
     ///
-    /// Also called `hw_status`. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `hw_status`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Hardware Status (0x91,0x0D).
     #[derive(Copy, Default, Eq, Hash)]
@@ -1353,7 +1355,7 @@ record! {
     ///
     /// Bias and drift of the receiver clock.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - It supersedes clock info.
     ///
@@ -1391,7 +1393,7 @@ record! {
     ///
     /// Difference between GPS time and UTC.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: GPS Leap Seconds (0x91,0x11).
     #[derive(Copy, Default, Eq, Hash)]
@@ -1415,7 +1417,7 @@ record! {
     ///
     /// Status of the satellite based augmentation.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: SBAS Info (0x91,0x12).
     #[derive(Copy, Default)]
@@ -1546,7 +1548,7 @@ record! {
     ///
     /// Where one satellite stands, and its health.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - An epoch is sent as one field for each satellite; index and count number the fields.
     ///
@@ -1600,7 +1602,7 @@ record! {
     ///
     /// Raw observation of one signal of one satellite.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - An epoch is sent as one field for each signal; index and count number the fields.
     /// - The greatest lock time depends on the receiver.
@@ -1799,7 +1801,7 @@ record! {
     ///
     /// Broadcast orbit and clock of one GPS satellite.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - `iodc` changes with the clock data; the manual has it roll over at 4.
     ///
@@ -1946,7 +1948,7 @@ record! {
     ///
     /// Broadcast orbit and clock of one GLONASS satellite.
     ///
-    /// Also called `glo_ephemeris`. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `glo_ephemeris`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - The interface control document of GLONASS explains p and ft.
     /// - A period of four years has 1461 days; the manual does not say how nt, a u8, counts them.
@@ -2063,7 +2065,7 @@ record! {
     ///
     /// Broadcast orbit and clock of one Galileo satellite.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
     ///   corrections hold here.
@@ -2212,7 +2214,7 @@ record! {
     ///
     /// Broadcast orbit and clock of one BeiDou satellite.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
     ///   corrections hold here.

@@ -17,7 +17,7 @@ record! {
     /// GNSS position as latitude, longitude and height.
     ///
     /// Has the layout of [`gnss_1::LlhPosition`](crate::gnss_1::LlhPosition). Also called
-    /// `pos_llh`. Supported by 3DM-CV7-GNSS/INS.
+    /// `pos_llh`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS LLH Position (0x92,0x03).
     #[derive(Copy, Default)]
@@ -70,7 +70,7 @@ record! {
     /// GNSS position in Earth-fixed coordinates.
     ///
     /// Has the layout of [`gnss_1::EcefPosition`](crate::gnss_1::EcefPosition). Also called
-    /// `pos_ecef`. Supported by 3DM-CV7-GNSS/INS.
+    /// `pos_ecef`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS ECEF Position (0x92,0x04).
     #[derive(Copy, Default)]
@@ -101,7 +101,7 @@ record! {
     /// GNSS velocity in the local level frame.
     ///
     /// Has the layout of [`gnss_1::NedVelocity`](crate::gnss_1::NedVelocity). Also called
-    /// `vel_ned`. Supported by 3DM-CV7-GNSS/INS.
+    /// `vel_ned`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: NED Velocity (0x92,0x05).
     #[derive(Copy, Default)]
@@ -152,7 +152,7 @@ record! {
     /// GNSS velocity in Earth-fixed coordinates.
     ///
     /// Has the layout of [`gnss_1::EcefVelocity`](crate::gnss_1::EcefVelocity). Also called
-    /// `vel_ecef`. Supported by 3DM-CV7-GNSS/INS.
+    /// `vel_ecef`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS ECEF Velocity (0x92,0x06).
     #[derive(Copy, Default)]
@@ -182,7 +182,8 @@ record! {
     ///
     /// Dilution of precision of the satellite geometry.
     ///
-    /// Has the layout of [`gnss_1::Dop`](crate::gnss_1::Dop). Supported by 3DM-CV7-GNSS/INS.
+    /// Has the layout of [`gnss_1::Dop`](crate::gnss_1::Dop). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: DOP (0x92,0x07).
     #[derive(Copy, Default)]
@@ -230,7 +231,7 @@ record! {
     /// Coordinated universal time as the receiver knows it.
     ///
     /// Has the layout of [`gnss_1::UtcTime`](crate::gnss_1::UtcTime). Supported by
-    /// 3DM-CV7-GNSS/INS.
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: UTC Time (0x92,0x08).
     #[derive(Copy, Default, Eq, Hash)]
@@ -285,7 +286,7 @@ record! {
     /// GPS time as the receiver knows it.
     ///
     /// Has the layout of [`gnss_1::GpsTime`](crate::gnss_1::GpsTime). Supported by
-    /// 3DM-CV7-GNSS/INS.
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: GPS Time (0x92,0x09).
     #[derive(Copy, Default)]
@@ -350,7 +351,7 @@ record! {
     /// Type of the position fix and what it is made of.
     ///
     /// Has the layout of [`gnss_1::FixInfo`](crate::gnss_1::FixInfo). Supported by
-    /// 3DM-CV7-GNSS/INS.
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Fix Info (0x92,0x0B).
     #[derive(Copy, Default, Eq, Hash)]
@@ -432,7 +433,8 @@ record! {
     /// State of the receiver and of its antenna.
     ///
     /// Has the layout of [`gnss_1::HardwareStatus`](crate::gnss_1::HardwareStatus). Also called
-    /// `hw_status`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+    /// `hw_status`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Hardware Status (0x92,0x0D).
     #[derive(Copy, Default, Eq, Hash)]
@@ -557,7 +559,7 @@ record! {
     /// Bias and drift of the receiver clock.
     ///
     /// Has the layout of [`gnss_1::ClockInfo2`](crate::gnss_1::ClockInfo2). Supported by
-    /// 3DM-CV7-GNSS/INS.
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - It supersedes clock info.
     ///
@@ -597,7 +599,7 @@ record! {
     /// Difference between GPS time and UTC.
     ///
     /// Has the layout of [`gnss_1::GpsLeapSeconds`](crate::gnss_1::GpsLeapSeconds). Supported by
-    /// 3DM-CV7-GNSS/INS.
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: GPS Leap Seconds (0x92,0x11).
     #[derive(Copy, Default, Eq, Hash)]
@@ -622,7 +624,7 @@ record! {
     /// Status of the satellite based augmentation.
     ///
     /// Has the layout of [`gnss_1::SbasInfo`](crate::gnss_1::SbasInfo). Supported by
-    /// 3DM-CV7-GNSS/INS.
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: SBAS Info (0x92,0x12).
     #[derive(Copy, Default)]
@@ -763,7 +765,7 @@ record! {
     /// Where one satellite stands, and its health.
     ///
     /// Has the layout of [`gnss_1::SatelliteStatus`](crate::gnss_1::SatelliteStatus). Supported by
-    /// 3DM-CV7-GNSS/INS.
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - An epoch is sent as one field for each satellite; index and count number the fields.
     ///
@@ -820,7 +822,8 @@ record! {
     ///
     /// Raw observation of one signal of one satellite.
     ///
-    /// Has the layout of [`gnss_1::Raw`](crate::gnss_1::Raw). Supported by 3DM-CV7-GNSS/INS.
+    /// Has the layout of [`gnss_1::Raw`](crate::gnss_1::Raw). Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - An epoch is sent as one field for each signal; index and count number the fields.
     /// - The greatest lock time depends on the receiver.
@@ -1043,7 +1046,7 @@ record! {
     /// Broadcast orbit and clock of one GPS satellite.
     ///
     /// Has the layout of [`gnss_1::GpsEphemeris`](crate::gnss_1::GpsEphemeris). Supported by
-    /// 3DM-CV7-GNSS/INS.
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - `iodc` changes with the clock data; the manual has it roll over at 4.
     ///
@@ -1216,7 +1219,7 @@ record! {
     /// Broadcast orbit and clock of one GLONASS satellite.
     ///
     /// Has the layout of [`gnss_1::GlonassEphemeris`](crate::gnss_1::GlonassEphemeris). Also called
-    /// `glo_ephemeris`. Supported by 3DM-CV7-GNSS/INS.
+    /// `glo_ephemeris`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - The interface control document of GLONASS explains p and ft.
     /// - A period of four years has 1461 days; the manual does not say how nt, a u8, counts them.
@@ -1348,7 +1351,7 @@ record! {
     /// Broadcast orbit and clock of one Galileo satellite.
     ///
     /// Has the layout of [`gnss_1::GalileoEphemeris`](crate::gnss_1::GalileoEphemeris). Supported
-    /// by 3DM-CV7-GNSS/INS.
+    /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
     ///   corrections hold here.
@@ -1523,7 +1526,7 @@ record! {
     /// Broadcast orbit and clock of one BeiDou satellite.
     ///
     /// Has the layout of [`gnss_1::BeidouEphemeris`](crate::gnss_1::BeidouEphemeris). Supported by
-    /// 3DM-CV7-GNSS/INS.
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
     ///   corrections hold here.

@@ -924,7 +924,7 @@ record! {
     /// The base station of the corrections, from an RTCM message 1005 or 1006.
     ///
     /// Has the layout of [`gnss_1::BaseStationInfo`](crate::gnss_1::BaseStationInfo). Supported by
-    /// 3DM-CV7-GNSS/INS.
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Base Station Info (0x93,0x30).
     #[derive(Copy, Default)]
@@ -974,7 +974,7 @@ record! {
     /// Which corrections come, and how old they are.
     ///
     /// Has the layout of [`gnss_1::RtkCorrectionsStatus`](crate::gnss_1::RtkCorrectionsStatus).
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: RTK Corrections Status (0x93,0x31).
     #[derive(Copy, Default)]

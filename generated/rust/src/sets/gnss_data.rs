@@ -17,8 +17,8 @@ record! {
     /// GNSS position as latitude, longitude and height.
     ///
     /// Has the layout of [`gnss_1::LlhPosition`](crate::gnss_1::LlhPosition). Also called
-    /// `pos_llh`. May be supported by 3DM-GX5-35 and 3DM-GX5-45. Known from the MicroStrain MIP SDK
-    /// only.
+    /// `pos_llh`. May be supported by [3DM-GX5-35](crate::devices::GX5_35) and
+    /// [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Gnss Data (0x81).
     #[derive(Copy, Default)]
@@ -71,8 +71,8 @@ record! {
     /// GNSS position in Earth-fixed coordinates.
     ///
     /// Has the layout of [`gnss_1::EcefPosition`](crate::gnss_1::EcefPosition). Also called
-    /// `pos_ecef`. May be supported by 3DM-GX5-35 and 3DM-GX5-45. Known from the MicroStrain MIP
-    /// SDK only.
+    /// `pos_ecef`. May be supported by [3DM-GX5-35](crate::devices::GX5_35) and
+    /// [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Gnss Data (0x81).
     #[derive(Copy, Default)]
@@ -103,8 +103,8 @@ record! {
     /// GNSS velocity in the local level frame.
     ///
     /// Has the layout of [`gnss_1::NedVelocity`](crate::gnss_1::NedVelocity). Also called
-    /// `vel_ned`. May be supported by 3DM-GX5-35 and 3DM-GX5-45. Known from the MicroStrain MIP SDK
-    /// only.
+    /// `vel_ned`. May be supported by [3DM-GX5-35](crate::devices::GX5_35) and
+    /// [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Gnss Data (0x81).
     #[derive(Copy, Default)]
@@ -155,7 +155,8 @@ record! {
     /// GNSS velocity in Earth-fixed coordinates.
     ///
     /// Has the layout of [`gnss_1::EcefVelocity`](crate::gnss_1::EcefVelocity). Also called
-    /// `vel_ecef`. Supported by 3DM-GX5-35. May be supported by 3DM-GX5-45.
+    /// `vel_ecef`. Supported by [3DM-GX5-35](crate::devices::GX5_35). May be supported by
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-35: 5.2.4 ECEF Velocity (0x81, 0x06).
     #[derive(Copy, Default)]
@@ -185,8 +186,9 @@ record! {
     ///
     /// Dilution of precision of the satellite geometry.
     ///
-    /// Has the layout of [`gnss_1::Dop`](crate::gnss_1::Dop). May be supported by 3DM-GX5-35 and
-    /// 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::Dop`](crate::gnss_1::Dop). May be supported by
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). Known from
+    /// the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Gnss Data (0x81).
     #[derive(Copy, Default)]
@@ -234,7 +236,8 @@ record! {
     /// Coordinated universal time as the receiver knows it.
     ///
     /// Has the layout of [`gnss_1::UtcTime`](crate::gnss_1::UtcTime). May be supported by
-    /// 3DM-GX5-35 and 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). Known from
+    /// the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Gnss Data (0x81).
     #[derive(Copy, Default, Eq, Hash)]
@@ -289,7 +292,8 @@ record! {
     /// GPS time as the receiver knows it.
     ///
     /// Has the layout of [`gnss_1::GpsTime`](crate::gnss_1::GpsTime). May be supported by
-    /// 3DM-GX5-35 and 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). Known from
+    /// the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Gnss Data (0x81).
     #[derive(Copy, Default)]
@@ -318,7 +322,8 @@ record! {
     /// Bias and drift of the receiver clock.
     ///
     /// Has the layout of [`gnss_1::ClockInfo`](crate::gnss_1::ClockInfo). May be supported by
-    /// 3DM-GX5-35 and 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). Known from
+    /// the MicroStrain MIP SDK only.
     ///
     /// - Clock info 2 replaces it and tells more.
     ///
@@ -354,7 +359,8 @@ record! {
     /// Type of the position fix and what it is made of.
     ///
     /// Has the layout of [`gnss_1::FixInfo`](crate::gnss_1::FixInfo). May be supported by
-    /// 3DM-GX5-35 and 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). Known from
+    /// the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Gnss Data (0x81).
     #[derive(Copy, Default, Eq, Hash)]
@@ -385,9 +391,10 @@ record! {
     ///
     /// One satellite that is tracked.
     ///
-    /// Has the layout of [`gnss_1::SvInfo`](crate::gnss_1::SvInfo). Supported by 3DM-GX5-45. May be
-    /// supported by 3DM-GX5-35. Known from the MicroStrain MIP SDK only. Uncertain: Whether a
-    /// packet holds one of these fields or several.
+    /// Has the layout of [`gnss_1::SvInfo`](crate::gnss_1::SvInfo). Supported by
+    /// [3DM-GX5-45](crate::devices::GX5_45). May be supported by
+    /// [3DM-GX5-35](crate::devices::GX5_35). Known from the MicroStrain MIP SDK only. Uncertain:
+    /// Whether a packet holds one of these fields or several.
     ///
     /// - The satellites come as one field each, in packets apart from other GNSS data.
     ///
@@ -436,8 +443,8 @@ record! {
     /// State of the receiver and of its antenna.
     ///
     /// Has the layout of [`gnss_1::HardwareStatus`](crate::gnss_1::HardwareStatus). Also called
-    /// `hw_status`. Supported by 3DM-GX5-45. May be supported by 3DM-GX5-35. Known from the
-    /// MicroStrain MIP SDK only.
+    /// `hw_status`. Supported by [3DM-GX5-45](crate::devices::GX5_45). May be supported by
+    /// [3DM-GX5-35](crate::devices::GX5_35). Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Gnss Data (0x81).
     #[derive(Copy, Default, Eq, Hash)]
@@ -471,12 +478,12 @@ record! {
     ///
     /// State of the differential corrections.
     ///
-    /// Has the layout of [`gnss_1::DgpsInfo`](crate::gnss_1::DgpsInfo). Supported by 3DM-GX5-35 and
-    /// 3DM-GX5-45. Uncertain: The layout is that of a manual of the 3DM-GX5-35 and of MSCL, another
-    /// library of the vendor. It agrees with the valid flags. Uncertain: The SDK has another one,
-    /// u8, three floats and u16, which is that of
-    /// [`gnss_1::DgpsChannel`](crate::gnss_1::DgpsChannel) and does not agree with its own valid
-    /// flags (age, base station id, base station status, number of channels).
+    /// Has the layout of [`gnss_1::DgpsInfo`](crate::gnss_1::DgpsInfo). Supported by
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). Uncertain:
+    /// The layout is that of a manual of the 3DM-GX5-35 and of MSCL, another library of the vendor.
+    /// It agrees with the valid flags. Uncertain: The SDK has another one, u8, three floats and
+    /// u16, which is that of [`gnss_1::DgpsChannel`](crate::gnss_1::DgpsChannel) and does not agree
+    /// with its own valid flags (age, base station id, base station status, number of channels).
     ///
     /// Source: 3dm-gx5-35: 5.2.12 DGNSS Information (0x81, 0x0E); mip-sdk-4: Dgps Info (0x81,0x0E).
     #[derive(Copy, Default)]
@@ -519,7 +526,8 @@ record! {
     /// Differential correction for one satellite.
     ///
     /// Has the layout of [`gnss_1::DgpsChannel`](crate::gnss_1::DgpsChannel). Supported by
-    /// 3DM-GX5-45. May be supported by 3DM-GX5-35. Known from the MicroStrain MIP SDK only.
+    /// [3DM-GX5-45](crate::devices::GX5_45). May be supported by
+    /// [3DM-GX5-35](crate::devices::GX5_35). Known from the MicroStrain MIP SDK only.
     ///
     /// - The active satellites come as one field each, all in one packet.
     ///

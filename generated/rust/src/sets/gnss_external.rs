@@ -19,7 +19,8 @@ record! {
     /// GNSS position as latitude, longitude and height.
     ///
     /// Has the layout of [`gnss_1::LlhPosition`](crate::gnss_1::LlhPosition). Also called
-    /// `pos_llh`. Supported by 3DM-CV7-GNSS/INS. May be supported by 3DM-CV7-INS.
+    /// `pos_llh`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). May be supported
+    /// by [3DM-CV7-INS](crate::devices::CV7_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS LLH Position (0x94,0x03).
     #[derive(Copy, Default)]
@@ -72,7 +73,8 @@ record! {
     /// GNSS position in Earth-fixed coordinates.
     ///
     /// Has the layout of [`gnss_1::EcefPosition`](crate::gnss_1::EcefPosition). Also called
-    /// `pos_ecef`. May be supported by 3DM-CV7-INS. Known from the MicroStrain MIP SDK only.
+    /// `pos_ecef`. May be supported by [3DM-CV7-INS](crate::devices::CV7_INS). Known from the
+    /// MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Gnss4 Data (0x94).
     #[derive(Copy, Default)]
@@ -103,7 +105,8 @@ record! {
     /// GNSS velocity in the local level frame.
     ///
     /// Has the layout of [`gnss_1::NedVelocity`](crate::gnss_1::NedVelocity). Also called
-    /// `vel_ned`. Supported by 3DM-CV7-GNSS/INS. May be supported by 3DM-CV7-INS.
+    /// `vel_ned`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). May be supported
+    /// by [3DM-CV7-INS](crate::devices::CV7_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: NED Velocity (0x94,0x05).
     #[derive(Copy, Default)]
@@ -154,7 +157,8 @@ record! {
     /// GNSS velocity in Earth-fixed coordinates.
     ///
     /// Has the layout of [`gnss_1::EcefVelocity`](crate::gnss_1::EcefVelocity). Also called
-    /// `vel_ecef`. May be supported by 3DM-CV7-INS. Known from the MicroStrain MIP SDK only.
+    /// `vel_ecef`. May be supported by [3DM-CV7-INS](crate::devices::CV7_INS). Known from the
+    /// MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Gnss4 Data (0x94).
     #[derive(Copy, Default)]
@@ -184,8 +188,8 @@ record! {
     ///
     /// Dilution of precision of the satellite geometry.
     ///
-    /// Has the layout of [`gnss_1::Dop`](crate::gnss_1::Dop). May be supported by 3DM-CV7-INS.
-    /// Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::Dop`](crate::gnss_1::Dop). May be supported by
+    /// [3DM-CV7-INS](crate::devices::CV7_INS). Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Gnss4 Data (0x94).
     #[derive(Copy, Default)]
@@ -233,7 +237,8 @@ record! {
     /// Coordinated universal time as the receiver knows it.
     ///
     /// Has the layout of [`gnss_1::UtcTime`](crate::gnss_1::UtcTime). Supported by
-    /// 3DM-CV7-GNSS/INS. May be supported by 3DM-CV7-INS.
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). May be supported by
+    /// [3DM-CV7-INS](crate::devices::CV7_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: UTC Time (0x94,0x08).
     #[derive(Copy, Default, Eq, Hash)]
@@ -353,7 +358,8 @@ record! {
     /// Type of the position fix and what it is made of.
     ///
     /// Has the layout of [`gnss_1::FixInfo`](crate::gnss_1::FixInfo). Supported by
-    /// 3DM-CV7-GNSS/INS. May be supported by 3DM-CV7-INS.
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). May be supported by
+    /// [3DM-CV7-INS](crate::devices::CV7_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Fix Info (0x94,0x0B).
     #[derive(Copy, Default, Eq, Hash)]
@@ -560,7 +566,7 @@ record! {
     /// Bias and drift of the receiver clock.
     ///
     /// Has the layout of [`gnss_1::ClockInfo2`](crate::gnss_1::ClockInfo2). May be supported by
-    /// 3DM-CV7-INS. Known from the MicroStrain MIP SDK only.
+    /// [3DM-CV7-INS](crate::devices::CV7_INS). Known from the MicroStrain MIP SDK only.
     ///
     /// - It supersedes clock info.
     ///
@@ -600,7 +606,8 @@ record! {
     /// Difference between GPS time and UTC.
     ///
     /// Has the layout of [`gnss_1::GpsLeapSeconds`](crate::gnss_1::GpsLeapSeconds). May be
-    /// supported by 3DM-CV7-INS. Known from the MicroStrain MIP SDK only.
+    /// supported by [3DM-CV7-INS](crate::devices::CV7_INS). Known from the MicroStrain MIP SDK
+    /// only.
     ///
     /// Source: mip-sdk-4: Gnss4 Data (0x94).
     #[derive(Copy, Default, Eq, Hash)]
@@ -728,7 +735,8 @@ record! {
     /// Jamming and spoofing as the receiver detects them in one band.
     ///
     /// Has the layout of [`gnss_1::RfErrorDetection`](crate::gnss_1::RfErrorDetection). May be
-    /// supported by 3DM-CV7-INS. Known from the MicroStrain MIP SDK only.
+    /// supported by [3DM-CV7-INS](crate::devices::CV7_INS). Known from the MicroStrain MIP SDK
+    /// only.
     ///
     /// Source: mip-sdk-4: Gnss4 Data (0x94).
     #[derive(Copy, Default, Eq, Hash)]
@@ -766,7 +774,8 @@ record! {
     /// Where one satellite stands, and its health.
     ///
     /// Has the layout of [`gnss_1::SatelliteStatus`](crate::gnss_1::SatelliteStatus). Supported by
-    /// 3DM-CV7-GNSS/INS. May be supported by 3DM-CV7-INS.
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). May be supported by
+    /// [3DM-CV7-INS](crate::devices::CV7_INS).
     ///
     /// - An epoch is sent as one field for each satellite; index and count number the fields.
     ///

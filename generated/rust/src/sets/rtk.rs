@@ -55,7 +55,7 @@ open_enum! {
     /// Source: mip-sdk-4: Led Control (0x0F,0x21).
     LedAction: u8 {
         /// No pattern.
-        NONE_ = 0, "none";
+        NONE = 0, "none";
         /// Flashing.
         FLASH = 1, "flash";
         /// Pulsating.
@@ -216,8 +216,10 @@ record! {
     ///
     /// The device that the modem serves.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`ConnectedDeviceTypeResponse`].
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`ConnectedDeviceTypeResponse`]. No
+    /// device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Connected Device Type (0x0F,0x06).
     #[derive(Copy, Eq, Hash)]
@@ -226,7 +228,7 @@ record! {
         pub function: types::FunctionSelector,
         /// Type of the device.
         ///
-        /// Required for write.
+        /// Required for [write](types::FunctionSelector::WRITE).
         pub device_type: Option<ConnectedDevice>,
     }
     wire 2 {
@@ -555,11 +557,11 @@ record! {
         pub valid: crate::Bool,
         /// Received signal strength.
         ///
-        /// Valid if `valid` is true. Uncertain: The unit; dBm is likely.
+        /// Valid if [`valid`](GetRssiResponse::valid) is true. Uncertain: The unit; dBm is likely.
         pub rssi: i32,
         /// Signal quality.
         ///
-        /// Valid if `valid` is true. Uncertain: The unit.
+        /// Valid if [`valid`](GetRssiResponse::valid) is true. Uncertain: The unit.
         pub signal_quality: i32,
     }
 }

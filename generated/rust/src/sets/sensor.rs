@@ -123,8 +123,9 @@ record! {
     ///
     /// Measured acceleration, temperature compensated.
     ///
-    /// Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and
-    /// 3DM-GX5-45.
+    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15),
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 5.1.1 Scaled Accelerometer Vector (0x80, 0x04); 3dm-cv7-gnss-ins: Scaled
     /// Accel (0x80,0x04).
@@ -146,7 +147,9 @@ record! {
     ///
     /// Measured angular rate, temperature compensated.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35) and
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 5.1.2 Scaled Gyro Vector (0x80, 0x05); 3dm-cv7-gnss-ins: Scaled Gyro
     /// (0x80,0x05).
@@ -168,7 +171,8 @@ record! {
     ///
     /// Measured magnetic field, temperature compensated.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-35 and 3DM-GX5-45.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: Scaled Mag (0x80,0x06).
     #[derive(Copy, Default)]
@@ -189,7 +193,9 @@ record! {
     ///
     /// Time integral of the angular rate over the period that the message format sets.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35). May be
+    /// supported by [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 5.1.4 Delta Theta Vector (0x80, 0x07); 3dm-cv7-gnss-ins: Delta Theta
     /// (0x80,0x07).
@@ -211,7 +217,9 @@ record! {
     ///
     /// Time integral of the acceleration over the period that the message format sets.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GX5-15](crate::devices::GX5_15). May be supported by
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - Multiply by 9.80665 m/s^2 for a change of velocity in metres per second.
     ///
@@ -236,7 +244,9 @@ record! {
     /// Attitude by the complementary filter as a direction cosine matrix, relative to the NED
     /// frame.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GX5-15](crate::devices::GX5_15). May be supported by
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - `v_vehicle = m * v_ned`; the sensor frame takes the place of the vehicle frame on the
     ///   3DM-GX5-15.
@@ -247,8 +257,8 @@ record! {
     pub struct CompOrientationMatrix {
         /// Rotation from the NED frame to the vehicle frame.
         ///
-        /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. On the 3DM-GX5-15: From
-        /// the NED frame to the sensor frame.
+        /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. On the
+        /// [3DM-GX5-15](crate::devices::GX5_15): From the NED frame to the sensor frame.
         pub m: types::Matrix3f,
     }
 }
@@ -262,7 +272,9 @@ record! {
     ///
     /// Attitude by the complementary filter as a quaternion, relative to the NED frame.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GX5-15](crate::devices::GX5_15). May be supported by
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - `v_vehicle = q^-1 * v_ned * q`; the sensor frame takes the place of the vehicle frame on
     ///   the 3DM-GX5-15.
@@ -273,7 +285,8 @@ record! {
     pub struct CompQuaternion {
         /// Rotation between the NED frame and the vehicle frame.
         ///
-        /// Elements: w, x, y, z. Unit: 1. On the 3DM-GX5-15: Between NED and the sensor frame.
+        /// Elements: w, x, y, z. Unit: 1. On the [3DM-GX5-15](crate::devices::GX5_15): Between NED
+        /// and the sensor frame.
         pub q: types::Quatf,
     }
 }
@@ -311,7 +324,9 @@ record! {
     ///
     /// Attitude by the complementary filter as Euler angles, relative to the NED frame.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GX5-15](crate::devices::GX5_15). May be supported by
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - The rotations are in the order yaw, pitch, roll (3-2-1).
     ///
@@ -416,7 +431,8 @@ record! {
     ///
     /// Estimate of the geomagnetic field by the complementary filter, free of short disturbances.
     ///
-    /// Supported by 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
+    /// Supported by [3DM-GX5-15](crate::devices::GX5_15). May be supported by
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - Without magnetic disturbance it equals the measured magnetic field.
     /// - A lasting disturbance is not compensated.
@@ -440,7 +456,8 @@ record! {
     ///
     /// Estimate of the vertical (up) by the complementary filter, free of linear acceleration.
     ///
-    /// Supported by 3DM-GX5-15 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
+    /// Supported by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35).
+    /// May be supported by [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - At rest it equals the measured acceleration.
     ///
@@ -463,7 +480,9 @@ record! {
     ///
     /// GPS time of the sensor data.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35). May be
+    /// supported by [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - Without a PPS the time runs on the internal clock and jumps when the PPS comes back.
     /// - The fraction of the time of week is the time since the last pulse.
@@ -478,7 +497,8 @@ record! {
         /// GPS time of week.
         ///
         /// Unit: s. Valid if [`valid_flags.tow_valid`](types::SensorGpsTimestampFlags::tow_valid)
-        /// is set. On the 3DM-GX5-15 and 3DM-GX5-35: valid if
+        /// is set. On the [3DM-GX5-15](crate::devices::GX5_15) and
+        /// [3DM-GX5-35](crate::devices::GX5_35): valid if
         /// [`valid_flags.time_initialized`](types::Gx5SensorGpsTimestampFlags::time_initialized) is
         /// set.
         pub tow: f64,
@@ -486,13 +506,15 @@ record! {
         ///
         /// Unit: week. Valid if
         /// [`valid_flags.week_number_valid`](types::SensorGpsTimestampFlags::week_number_valid) is
-        /// set. On the 3DM-GX5-15 and 3DM-GX5-35: valid if
+        /// set. On the [3DM-GX5-15](crate::devices::GX5_15) and
+        /// [3DM-GX5-35](crate::devices::GX5_35): valid if
         /// [`valid_flags.time_initialized`](types::Gx5SensorGpsTimestampFlags::time_initialized) is
         /// set.
         pub week_number: u16,
         /// State of the time.
         ///
-        /// On the 3DM-GX5-15 and 3DM-GX5-35: values of [`types::Gx5SensorGpsTimestampFlags`].
+        /// On the [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35):
+        /// values of [`types::Gx5SensorGpsTimestampFlags`].
         pub valid_flags: types::SensorGpsTimestampFlags,
     }
 }
@@ -501,7 +523,9 @@ record! {
 impl GpsTimestamp {
     /// Reads `valid_flags` as [`types::Gx5SensorGpsTimestampFlags`].
     ///
-    /// On the 3DM-GX5-15 and 3DM-GX5-35: values of [`types::Gx5SensorGpsTimestampFlags`].
+    /// On the [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35): values
+    /// of [`types::Gx5SensorGpsTimestampFlags`].
+    #[inline]
     #[must_use]
     pub fn valid_flags_as_gx5_sensor_gps_timestamp_flags(&self) -> types::Gx5SensorGpsTimestampFlags {
         self.valid_flags.into()
@@ -517,7 +541,8 @@ record! {
     ///
     /// Temperatures since the last power-on or reset.
     ///
-    /// Also called `temperature_abs`. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `temperature_abs`. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - The values come from the inertial sensors, alone or together with sensors on the board.
     ///
@@ -569,7 +594,9 @@ record! {
     ///
     /// Measured ambient pressure, temperature compensated.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35). May be
+    /// supported by [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 5.1.3 Scaled Ambient Pressure (0x80, 0x17); 3dm-cv7-gnss-ins: Scaled
     /// Pressure (0x80,0x17).
@@ -591,7 +618,7 @@ record! {
     ///
     /// Which sensor axes are near or outside their range.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Overrange Status (0x80,0x18).
     #[derive(Copy, Default, Eq, Hash)]
@@ -610,7 +637,7 @@ record! {
     ///
     /// Speed by the wheel encoder.
     ///
-    /// Also called `odometer_data`. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `odometer_data`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Odometer Data (0x80,0x40).
     #[derive(Copy, Default)]

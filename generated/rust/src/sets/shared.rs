@@ -47,7 +47,7 @@ record! {
     ///
     /// The event trigger that caused the packet.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - Put it first in the format of event messages, to tell their packets from scheduled ones.
     ///
@@ -121,7 +121,7 @@ record! {
     ///
     /// External time of the data as GPS time of week and week number.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - In event messages it is the time of the trigger.
     /// - It becomes valid after the PPS is locked and
@@ -160,7 +160,7 @@ record! {
     ///
     /// External time since this field was last sent in the same set and event instance.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - It is the same as [`ExternalTimeDelta`], in other units.
     /// - Sending either restarts the counter that both share, so use only one of them.
@@ -185,7 +185,7 @@ record! {
     ///
     /// Time of the data by the internal reference clock.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - The clock starts at power-on, only moves forward and never jumps; the value is always
     ///   valid.
@@ -211,7 +211,7 @@ record! {
     ///
     /// Reference time since this field was last sent in the same set and event instance.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - The value is always valid.
     ///
@@ -235,7 +235,7 @@ record! {
     ///
     /// Time of the data in the external clock domain.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - It is [`GpsTimestamp`] in nanoseconds.
     /// - In event messages it is the time of the trigger.
@@ -264,7 +264,7 @@ record! {
     ///
     /// External time since this field was last sent in the same set and event instance.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - It is the same as [`DeltaTime`], in other units.
     /// - Sending either restarts the counter that both share, so use only one of them.

@@ -14,7 +14,7 @@ open_enum! {
     /// Source: mip-sdk-4: Interface Control (0x7F,0x02).
     CommInterface: u8 {
         /// All ports.
-        ALL_ = 0, "all";
+        ALL = 0, "all";
         /// The main port: USB while it is connected, else the main UART.
         MAIN = 1, "main";
         /// The first port that is a UART or can be one.
@@ -67,8 +67,10 @@ record! {
     ///
     /// Protocols that a port takes in and gives out.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`InterfaceControlResponse`].
-    /// May be supported by 3DM-CV7-GNSS/INS.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`InterfaceControlResponse`]. May
+    /// be supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - Accepted on the main port only. The main port always keeps MIP in both directions.
     /// - The acknowledge comes on that port after the change; what arrives meanwhile may be lost.
@@ -89,11 +91,11 @@ record! {
         pub port: Option<CommInterface>,
         /// Protocols that it takes in.
         ///
-        /// Required for write.
+        /// Required for [write](types::FunctionSelector::WRITE).
         pub protocols_incoming: Option<CommProtocols>,
         /// Protocols that it gives out.
         ///
-        /// Required for write.
+        /// Required for [write](types::FunctionSelector::WRITE).
         pub protocols_outgoing: Option<CommProtocols>,
     }
     wire 10 {
@@ -141,8 +143,11 @@ record! {
     ///
     /// Switches the port between the device and one of the sensors inside it.
     ///
-    /// For advanced use. Functions: write, read, save, load and default. Answered by
-    /// [`CommModeResponse`]. Supported by 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
+    /// For advanced use. Functions: [write](types::FunctionSelector::WRITE),
+    /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
+    /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
+    /// Answered by [`CommModeResponse`]. Supported by [3DM-GX5-15](crate::devices::GX5_15),
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - The acknowledge is sent in the old mode, just before the switch.
     /// - In a direct mode only this command and
@@ -155,8 +160,9 @@ record! {
         pub function: types::FunctionSelector,
         /// Communication mode.
         ///
-        /// Default: [`ProtocolMode::STANDARD`]. Required for write. On the 3DM-GX5-35: default
-        /// [`ProtocolMode::STANDARD`].
+        /// Default: [`ProtocolMode::STANDARD`]. Required for
+        /// [write](types::FunctionSelector::WRITE). On the [3DM-GX5-35](crate::devices::GX5_35):
+        /// default [`ProtocolMode::STANDARD`].
         pub mode: Option<ProtocolMode>,
     }
     wire 2 {
@@ -196,7 +202,8 @@ command! {
 record! {
     /// Interface control response (0x7F,0x82).
     ///
-    /// Answers [`InterfaceControl`]. May be supported by 3DM-CV7-GNSS/INS.
+    /// Answers [`InterfaceControl`]. May be supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: mip-sdk-4: Interface Control (0x7F,0x02); 3dm-cv7-gnss-ins: Ports.
     #[derive(Copy, Default, Eq, Hash)]
@@ -220,7 +227,8 @@ field! {
 record! {
     /// Communication mode response (0x7F,0x90).
     ///
-    /// Answers [`CommMode`]. Supported by 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
+    /// Answers [`CommMode`]. Supported by [3DM-GX5-15](crate::devices::GX5_15),
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10).
     #[derive(Copy, Default, Eq, Hash)]

@@ -22,6 +22,7 @@ def files(model: m.Model) -> Iterable[File]:
     yield File("README.md", "README.md.j2", shown)
     if shown["taste"]:
         yield File("examples/taste.rs", "verbatim.j2", {"text": model.taste("taste.rs")})
+    yield File("src/map.md", "map.md.j2")
     for path in ("types", "protocol", "sets", "devices/known", "registry/fields"):
         yield File(f"src/{path}.rs", f"{path}.rs.j2")
     for s in model.sets:

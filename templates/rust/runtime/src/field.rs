@@ -2,7 +2,6 @@
 
 use crate::codec::{Reader, Wire, Writer};
 use crate::error::{DecodeError, DecodeErrorKind, EncodeError};
-use crate::packet::MAX_FIELD_DATA;
 use core::ops::RangeInclusive;
 
 /// The type of one field: one descriptor of one descriptor set.
@@ -44,18 +43,15 @@ pub trait Field: Wire {
 
     /// Encodes the data of the field to the front of the buffer and returns its length.
     fn encode(&self, buffer: &mut [u8]) -> Result<usize, EncodeError> {
-        let most = buffer.len().min(MAX_FIELD_DATA);
-        let mut writer = Writer::new(buffer.get_mut(..most).unwrap_or_default());
-        match self.encode_to(&mut writer) {
-            Ok(()) => Ok(writer.length()),
-            Err(kind) => Err(writer.error(kind, Self::NAME)),
-        }
+        let mut writer = Writer::of_field(buffer);
+        let done = self.encode_to(&mut writer);
+        writer.finish(done, Self::NAME)
     }
 
     /// The data of the field in a `Vec`.
     #[cfg(feature = "alloc")]
     fn to_vec(&self) -> Result<alloc::vec::Vec<u8>, EncodeError> {
-        let mut buffer = [0; MAX_FIELD_DATA];
+        let mut buffer = [0; crate::packet::MAX_FIELD_DATA];
         let length = self.encode(&mut buffer)?;
         Ok(buffer.iter().copied().take(length).collect())
     }

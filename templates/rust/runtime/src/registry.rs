@@ -9,6 +9,7 @@
 use core::fmt;
 
 use crate::client::{Request, RequestError, Ticket};
+use crate::codec::{Reader, Wire as _, Writer};
 use crate::error::{DecodeError, EncodeError};
 use crate::field::{Field, RawField, Role};
 
@@ -43,6 +44,7 @@ impl FieldInfo {
     }
 
     /// The field that has these bytes; of several layouts the one that the data have.
+    #[inline]
     #[must_use]
     pub fn of(field: &RawField<'_>) -> Option<&'static Self> {
         visit(field, Describe)
@@ -57,10 +59,21 @@ impl FieldInfo {
 
 /// What every type of a field in the registry can do.
 pub trait Listed:
-    Field + Clone + fmt::Debug + PartialEq + Into<AnyField> + bounds::Serde + bounds::Defmt + bounds::Tree
+    Field
+    + Clone
+    + fmt::Debug
+    + PartialEq
+    + Into<AnyField>
+    + bounds::Serde
+    + bounds::Defmt
+    + bounds::Tree
 {
     /// The description of the field.
     const INFO: FieldInfo;
+
+    /// The field as one of any type.
+    #[must_use]
+    fn into_any(self) -> AnyField;
 }
 
 /// Does something with a field of any type: see [`visit`].
@@ -127,11 +140,12 @@ impl Visitor for Decode {
     }
 }
 
-#[inline(never)]
+#[inline(always)]
 fn decode<T: Listed>(data: &[u8]) -> Option<Result<(AnyField, usize), DecodeError>> {
-    match T::decode_with_trailing(data) {
-        Ok((value, trailing)) => Some(Ok((value.into(), trailing))),
-        Err(error) => Some(Err(error)),
+    let mut reader = Reader::new(data);
+    match T::decode_from(&mut reader) {
+        Ok(value) => Some(Ok((value.into_any(), reader.remaining()))),
+        Err(kind) => Some(Err(reader.error(kind, T::NAME))),
     }
 }
 
@@ -154,7 +168,7 @@ impl Visitor for Describe {
 fn from_value<T: Listed>(
     value: &crate::dynamic::Value,
 ) -> Result<AnyField, crate::dynamic::ValueError> {
-    T::from_value(value).map(Into::into)
+    T::from_value(value).map(T::into_any)
 }
 
 /// What types can do besides, as the features of the crate say.

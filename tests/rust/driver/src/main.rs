@@ -86,10 +86,10 @@ fn decode(request: &Json) -> Answer {
 
 fn decode_field(field: &RawField<'_>) -> Json {
     let descriptor = ("descriptor", Json::Integer(field.descriptor.into()));
-    match AnyField::decode(field) {
+    match &AnyField::decode(field) {
         None => object([descriptor, ("raw", hex(field.data))]),
         Some(Err(error)) => {
-            object([descriptor, ("error", string(decode_error(error))), ("raw", hex(field.data))])
+            object([descriptor, ("error", string(decode_error(*error))), ("raw", hex(field.data))])
         }
         Some(Ok((any, trailing))) => {
             let info = any.info();
@@ -98,7 +98,7 @@ fn decode_field(field: &RawField<'_>) -> Json {
                 ("name", string(info.name)),
                 ("role", string(info.role.name())),
                 ("values", from_value(&any.to_value())),
-                ("trailing", Json::Integer(trailing as i128)),
+                ("trailing", Json::Integer(*trailing as i128)),
             ])
         }
     }
@@ -169,7 +169,7 @@ fn decode_error(error: DecodeError) -> &'static str {
         DecodeErrorKind::Truncated => "truncated",
         DecodeErrorKind::Count => "count",
         DecodeErrorKind::Constant => "constant",
-        _ => "unknown",
+        _ => "request",
     }
 }
 
@@ -180,7 +180,7 @@ fn value_error(error: ValueError) -> &'static str {
         ValueError::Range => "range",
         ValueError::Count => "count",
         ValueError::Tag => "tag",
-        _ => "request", // of another kind
+        _ => "request",
     }
 }
 
@@ -190,7 +190,8 @@ fn encode_error(error: EncodeError) -> &'static str {
         EncodeErrorKind::Count => "count",
         EncodeErrorKind::Tag => "tag",
         EncodeErrorKind::Length => "length",
-        _ => "unknown", // the set is not the field's
+        EncodeErrorKind::Set => "unknown",
+        _ => "request",
     }
 }
 

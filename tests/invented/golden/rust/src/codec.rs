@@ -8,6 +8,7 @@ use core::fmt;
 use crate::bits::Number;
 pub use crate::error::{DecodeError, DecodeErrorKind, EncodeError, EncodeErrorKind};
 use crate::list::Item;
+use crate::packet::MAX_FIELD_DATA;
 
 /// A value with a wire format.
 pub trait Wire: Sized {
@@ -124,6 +125,7 @@ impl<'a> Reader<'a> {
 
     /// Checks that the next value is this one.
     #[inline]
+    #[allow(dead_code)] // few sets have constants
     pub(crate) fn constant<T: Wire + Number>(&mut self, value: T) -> Result<(), DecodeErrorKind> {
         let (need, got) = (value.to_bits(), self.read::<T>()?.to_bits());
         if need == got {
@@ -210,10 +212,23 @@ impl<'a> Writer<'a> {
         Self { buffer, length: 0, ended: false, need: 0, got: 0 }
     }
 
-    /// The last mistake, as one of a field.
+    /// Writes no more than a field can hold.
     #[must_use]
-    pub const fn error(&self, kind: EncodeErrorKind, field: &'static str) -> EncodeError {
-        EncodeError::new(kind, field, self.need, self.got)
+    pub(crate) fn of_field(buffer: &'a mut [u8]) -> Self {
+        let most = buffer.len().min(MAX_FIELD_DATA);
+        Self::new(buffer.get_mut(..most).unwrap_or_default())
+    }
+
+    /// The number of bytes written to a field, or the last mistake as one of the field.
+    pub fn finish(
+        &self,
+        done: Result<(), EncodeErrorKind>,
+        field: &'static str,
+    ) -> Result<usize, EncodeError> {
+        match done {
+            Ok(()) => Ok(self.length),
+            Err(kind) => Err(EncodeError::new(kind, field, self.need, self.got)),
+        }
     }
 
     pub(crate) fn wrong(
@@ -296,7 +311,11 @@ impl<'a> Writer<'a> {
 
     /// Appends a value that is a group by itself, if it is present and allowed.
     #[inline]
-    pub fn some<T: Wire>(&mut self, required: bool, value: &Option<T>) -> Result<(), EncodeErrorKind> {
+    pub fn some<T: Wire>(
+        &mut self,
+        required: bool,
+        value: &Option<T>,
+    ) -> Result<(), EncodeErrorKind> {
         self.optional(required, value)?.map_or(Ok(()), |value| self.write(value))
     }
 

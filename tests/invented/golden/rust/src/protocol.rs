@@ -21,7 +21,7 @@ record! {
         pub command: u8,
         /// Zero acknowledges, any other value refuses.
         ///
-        /// On the Model B: values of [`types::Mode`].
+        /// On the [Model B](crate::devices::MODEL_B): values of [`types::Mode`].
         pub code: types::AckCode,
     }
 }
@@ -30,7 +30,8 @@ record! {
 impl Acknowledge {
     /// Reads `code` as [`types::Mode`].
     ///
-    /// On the Model B: values of [`types::Mode`].
+    /// On the [Model B](crate::devices::MODEL_B): values of [`types::Mode`].
+    #[inline]
     #[must_use]
     pub fn code_as_mode(&self) -> types::Mode {
         self.code.into()

@@ -167,7 +167,7 @@ constructors! {
     );
 }
 
-/// On the Model B: values of [`Mode`].
+/// On the [Model B](crate::devices::MODEL_B): values of [`Mode`].
 #[rustfmt::skip]
 impl From<AckCode> for Mode {
     fn from(value: AckCode) -> Self {

@@ -25,6 +25,7 @@ macro_rules! open_enum {
             pub const VALUES: &'static [Self] = &[$(Self::$value),*];
 
             /// The name of the value in the specification, if it has one.
+            #[inline]
             #[must_use]
             pub const fn name(self) -> ::core::option::Option<&'static str> {
                 match self {
@@ -37,6 +38,7 @@ macro_rules! open_enum {
         newtype!($name: $number);
 
         impl ::core::fmt::Display for $name {
+            #[inline]
             fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
                 match self.name() {
                     ::core::option::Option::Some(name) => f.pad(name),
@@ -46,6 +48,7 @@ macro_rules! open_enum {
         }
 
         impl ::core::fmt::Debug for $name {
+            #[inline]
             fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
                 f.write_str(concat!(stringify!($name), "("))?;
                 ::core::fmt::Display::fmt(self, f)?;

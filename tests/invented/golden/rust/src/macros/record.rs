@@ -132,6 +132,7 @@ macro_rules! constructors {
         impl $name {
             $(
                 $(#[$meta])*
+                #[inline]
                 #[must_use]
                 #[allow(clippy::too_many_arguments)]
                 pub fn $new($($given: $type),*) -> Self {
@@ -150,6 +151,7 @@ macro_rules! constructors {
         impl $name {
             $(
                 $(#[$meta])*
+                #[inline]
                 #[must_use]
                 #[allow(clippy::too_many_arguments, clippy::needless_update)]
                 pub fn $new($($given: $type),*) -> Self {
@@ -170,6 +172,7 @@ macro_rules! setters {
         impl $name {
             $(
                 #[doc = concat!("With `", stringify!($member), "`, which is optional.")]
+                #[inline]
                 #[must_use]
                 pub fn $with(mut self, $member: $type) -> Self {
                     self.$member = Some($member);

@@ -39,6 +39,11 @@ macro_rules! registry {
         $($(
             #[cfg($when)]
             impl Listed for $type {
+                #[inline]
+                fn into_any(self) -> AnyField {
+                    AnyField::$variant(self)
+                }
+
                 const INFO: FieldInfo = FieldInfo {
                     set: $set,
                     descriptor: $descriptor,
@@ -81,15 +86,18 @@ macro_rules! registry {
         impl AnyField {
             /// Encodes the data of the field to the front of the buffer and returns its length.
             pub fn encode(&self, buffer: &mut [u8]) -> Result<usize, EncodeError> {
-                match self {
+                let mut writer = Writer::of_field(buffer);
+                let done = match self {
                     $($(
                         #[cfg($when)]
-                        Self::$variant(field) => field.encode(buffer),
+                        Self::$variant(field) => field.encode_to(&mut writer),
                     )*)*
-                }
+                };
+                writer.finish(done, self.info().name)
             }
 
             /// Adds it to a request, if it is a command.
+            #[allow(unused_variables)] // few sets are without commands
             pub(crate) fn add_to<const N: usize>(
                 &self,
                 request: &mut Request<'_, N>,

@@ -14,7 +14,7 @@ record! {
     /// A vector whose elements are valid together.
     ///
     /// Has the layout of [`measurements::Accel`](crate::measurements::Accel). Sent at 100 Hz at
-    /// most. May be supported by Model C.
+    /// most. May be supported by [Model C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Third acceleration.
     #[derive(Copy, Default)]
@@ -89,7 +89,8 @@ record! {
     /// Has the layout of [`measurements::Strings`](crate::measurements::Strings). No device profile
     /// lists it. Known from the Kit of names only.
     ///
-    /// On the wire there is also `length`: Of the name. The number of elements of `name`.
+    /// On the wire there is also `length`: Of the name. The number of elements of
+    /// [`name`](Strings::name).
     ///
     /// Source: sheet: Copied measurements.
     #[derive(Default, Eq, Hash)]
@@ -220,11 +221,13 @@ record! {
         pub connected: crate::Bool,
         /// Of the signal.
         ///
-        /// Range: less than 1. Valid if `connected` is true. Uncertain: Its unit.
+        /// Range: less than 1. Valid if [`connected`](Radio::connected) is true. Uncertain: Its
+        /// unit.
         pub strength: i32,
         /// Never nothing.
         ///
-        /// Unit: m. Range: greater than 0, at most 10. Valid if `connected` is true.
+        /// Unit: m. Range: greater than 0, at most 10. Valid if [`connected`](Radio::connected) is
+        /// true.
         pub noise: f32,
         /// Reserved.
         ///
@@ -248,7 +251,7 @@ record! {
     /// lists it. Known from the Kit of names only.
     ///
     /// On the wire there is also `num_points`: Number of points. The number of elements of
-    /// `points`.
+    /// [`points`](Cloud::points).
     ///
     /// Source: sheet: Copied measurements.
     #[derive(Default, Eq, Hash)]

@@ -11,7 +11,8 @@ record! {
     ///
     /// A vector whose elements are valid together.
     ///
-    /// Sent at 100 Hz at most. Supported by Model A, Model B and Model C.
+    /// Sent at 100 Hz at most. Supported by [Model A](crate::devices::MODEL_A), [Model
+    /// B](crate::devices::MODEL_B) and [Model C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Acceleration; leaflet: Acceleration.
     #[derive(Copy, Default)]
@@ -21,15 +22,16 @@ record! {
         /// Elements: x, y, z. Unit: g. Frame: sensor. Each element is valid by its bit: x by
         /// [`valid_flags.ready`](types::StateFlags::ready), y by
         /// [`valid_flags.hot`](types::StateFlags::hot), z by
-        /// [`valid_flags.ready`](types::StateFlags::ready). On the Model B: unit m, m, s; frame
-        /// ned; valid by element: x by [`valid_flags.hot`](types::StateFlags::hot), y by
+        /// [`valid_flags.ready`](types::StateFlags::ready). On the [Model
+        /// B](crate::devices::MODEL_B): unit m, m, s; frame ned; valid by element: x by
+        /// [`valid_flags.hot`](types::StateFlags::hot), y by
         /// [`valid_flags.ready`](types::StateFlags::ready), z by
-        /// [`valid_flags.hot`](types::StateFlags::hot). Turned by the device. On the Model C:
-        /// nothing says whether it is valid.
+        /// [`valid_flags.hot`](types::StateFlags::hot). Turned by the device. On the [Model
+        /// C](crate::devices::MODEL_C): nothing says whether it is valid.
         pub scaled_accel: types::Vector3f,
         /// What is valid.
         ///
-        /// On the Model C: only [`ready`](types::StateFlags::ready) and
+        /// On the [Model C](crate::devices::MODEL_C): only [`ready`](types::StateFlags::ready) and
         /// [`level`](types::StateFlags::level).
         pub valid_flags: types::StateFlags,
     }
@@ -44,7 +46,8 @@ record! {
     ///
     /// One of each.
     ///
-    /// Supported by Model A and Model C. May be supported by Old 1 and Old 2.
+    /// Supported by [Model A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C). May
+    /// be supported by [Old 1](crate::devices::OLD_1) and [Old 2](crate::devices::OLD_2).
     ///
     /// Source: guide: Numbers.
     #[derive(Copy, Default)]
@@ -89,9 +92,10 @@ record! {
     ///
     /// Fixed, counted, and to the end.
     ///
-    /// Supported by Model A and Model C.
+    /// Supported by [Model A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
     ///
-    /// On the wire there is also `length`: Of the name. The number of elements of `name`.
+    /// On the wire there is also `length`: Of the name. The number of elements of
+    /// [`name`](Strings::name).
     ///
     /// Source: guide: Strings.
     #[derive(Default, Eq, Hash)]
@@ -120,7 +124,8 @@ record! {
     ///
     /// The wide bitfield.
     ///
-    /// Deprecated: use [`Numbers`] instead. Supported by Model A and Model C.
+    /// Deprecated: use [`Numbers`] instead. Supported by [Model A](crate::devices::MODEL_A) and
+    /// [Model C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Health.
     #[derive(Copy, Default, Eq, Hash)]
@@ -142,7 +147,7 @@ record! {
     ///
     /// Arrays of all that can stand in one.
     ///
-    /// Supported by Model A and Model C.
+    /// Supported by [Model A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Arrays.
     #[derive(Copy, Default)]
@@ -175,7 +180,7 @@ record! {
     ///
     /// Newer devices send more of it.
     ///
-    /// Supported by Model A and Model C.
+    /// Supported by [Model A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Growing.
     #[derive(Copy, Default)]
@@ -207,9 +212,9 @@ record! {
     ///
     /// A bool vouches for values; one source has no layout that agrees with it.
     ///
-    /// Also called `modem` and `rf`. Supported by Model C. Known from the Kit of names only.
-    /// Uncertain: The leaflet gives the strength two bytes. Uncertain: Inferred: the strength is
-    /// never positive.
+    /// Also called `modem` and `rf`. Supported by [Model C](crate::devices::MODEL_C). Known from
+    /// the Kit of names only. Uncertain: The leaflet gives the strength two bytes. Uncertain:
+    /// Inferred: the strength is never positive.
     ///
     /// Source: sheet: Radio.
     #[derive(Copy, Default)]
@@ -218,12 +223,14 @@ record! {
         pub connected: crate::Bool,
         /// Of the signal.
         ///
-        /// Range: less than 1. Valid if `connected` is true. Uncertain: Its unit.
+        /// Range: less than 1. Valid if [`connected`](Radio::connected) is true. Uncertain: Its
+        /// unit.
         pub strength: i32,
         /// Never nothing.
         ///
-        /// Unit: m. Range: greater than 0, at most 10. Valid if `connected` is true. On the Model
-        /// C: valid if `connected` is true; deprecated.
+        /// Unit: m. Range: greater than 0, at most 10. Valid if [`connected`](Radio::connected) is
+        /// true. On the [Model C](crate::devices::MODEL_C): valid if
+        /// [`connected`](Radio::connected) is true; deprecated.
         pub noise: f32,
         /// Reserved.
         ///
@@ -243,10 +250,10 @@ record! {
     ///
     /// The count can exceed what a field holds beside the value behind the array.
     ///
-    /// Supported by Model A and Model C.
+    /// Supported by [Model A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
     ///
     /// On the wire there is also `num_points`: Number of points. The number of elements of
-    /// `points`.
+    /// [`points`](Cloud::points).
     ///
     /// Source: guide: Cloud.
     #[derive(Default, Eq, Hash)]
@@ -319,7 +326,7 @@ record! {
     ///
     /// Its place is told as in [`Gust`].
     ///
-    /// Supported by Model A and Model C.
+    /// Supported by [Model A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Breeze.
     #[derive(Copy, Default)]

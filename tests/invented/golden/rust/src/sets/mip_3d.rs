@@ -11,8 +11,9 @@ record! {
     ///
     /// Its parameters are keywords here and there.
     ///
-    /// Not acknowledged if `mode` of [`tools::Settings`](crate::tools::Settings) is
-    /// [`types::Mode::FAST`]. Supported by Model A.
+    /// Not acknowledged if [`mode`](crate::tools::Settings::mode) of
+    /// [`tools::Settings`](crate::tools::Settings) is [`types::Mode::FAST`]. Supported by [Model
+    /// A](crate::devices::MODEL_A).
     ///
     /// Source: guide: Default.
     #[derive(Copy, Default, Eq, Hash)]

@@ -12,7 +12,8 @@ record! {
     /// A vector whose elements are valid together.
     ///
     /// Has the layout of [`measurements::Accel`](crate::measurements::Accel). Sent at 100 Hz at
-    /// most. Supported by Model A and Model C.
+    /// most. Supported by [Model A](crate::devices::MODEL_A) and [Model
+    /// C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Second acceleration.
     #[derive(Copy, Default)]
@@ -39,9 +40,10 @@ record! {
     /// Fixed, counted, and to the end.
     ///
     /// Has the layout of [`measurements::Strings`](crate::measurements::Strings). Supported by
-    /// Model A.
+    /// [Model A](crate::devices::MODEL_A).
     ///
-    /// On the wire there is also `length`: Of the name. The number of elements of `name`.
+    /// On the wire there is also `length`: Of the name. The number of elements of
+    /// [`name`](Strings::name).
     ///
     /// Source: guide: Second strings.
     #[derive(Default, Eq, Hash)]
@@ -70,7 +72,7 @@ record! {
     ///
     /// Beside those that it repeats.
     ///
-    /// Supported by Model A and Model C.
+    /// Supported by [Model A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Own.
     #[derive(Copy, Default, Eq, Hash)]

@@ -10,7 +10,7 @@ open_enum! {
     /// Which member the union has.
     Shape: u8 {
         /// None.
-        NONE_ = 0, "none";
+        NONE = 0, "none";
         /// Circle.
         CIRCLE = 1, "circle";
         /// Path.
@@ -67,7 +67,7 @@ record! {
         pub fill: Fill,
         /// How it is filled.
         ///
-        /// Selected by `fill`.
+        /// Selected by [`fill`](Circle::fill).
         pub filling: CircleFilling,
     }
     wire 17 {
@@ -83,17 +83,17 @@ union! {
     pub enum CircleFilling: Fill {
         /// Empty.
         ///
-        /// Empty if `fill` is [`Fill::EMPTY`].
+        /// Empty if [`fill`](Circle::fill) is [`Fill::EMPTY`].
         #[cfg_attr(feature = "serde", serde(rename = "empty"))]
         EMPTY => Empty,
         /// A colour.
         ///
-        /// If `fill` is [`Fill::SOLID`].
+        /// If [`fill`](Circle::fill) is [`Fill::SOLID`].
         #[cfg_attr(feature = "serde", serde(rename = "solid"))]
         SOLID => Solid(u32) "solid",
         /// Striped.
         ///
-        /// If `fill` is [`Fill::STRIPED`].
+        /// If [`fill`](Circle::fill) is [`Fill::STRIPED`].
         #[cfg_attr(feature = "serde", serde(rename = "striped"))]
         STRIPED => Striped(Stripes) "striped",
     }
@@ -112,7 +112,7 @@ record! {
     /// A counted array at its end.
     ///
     /// On the wire there is also `num_points`: Number of points. The number of elements of
-    /// `points`.
+    /// [`points`](Path::points).
     #[derive(Default, Eq, Hash)]
     pub struct Path {
         /// Does it return to its start?
@@ -221,7 +221,9 @@ record! {
     ///
     /// Tests the line.
     ///
-    /// Supported by Model A, Model B, Model C and Old 1. May be supported by Old 2.
+    /// Supported by [Model A](crate::devices::MODEL_A), [Model B](crate::devices::MODEL_B), [Model
+    /// C](crate::devices::MODEL_C) and [Old 1](crate::devices::OLD_1). May be supported by [Old
+    /// 2](crate::devices::OLD_2).
     ///
     /// Source: guide: Ping; leaflet: Ping.
     #[derive(Copy, Default, Eq, Hash)]
@@ -248,9 +250,15 @@ record! {
     ///
     /// Every function, and a prefix of parameters for each.
     ///
-    /// Functions: write, read, save, load, default and apply. Answered by [`SettingsResponse`].
-    /// Supported by Model A, Model B and Model C. On the Model B: write and read only. On the Model
-    /// C: write, read and save only.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD),
+    /// [default](types::FunctionSelector::DEFAULT) and [apply](types::FunctionSelector::APPLY).
+    /// Answered by [`SettingsResponse`]. Supported by [Model A](crate::devices::MODEL_A), [Model
+    /// B](crate::devices::MODEL_B) and [Model C](crate::devices::MODEL_C). On the [Model
+    /// B](crate::devices::MODEL_B): [write](types::FunctionSelector::WRITE) and
+    /// [read](types::FunctionSelector::READ) only. On the [Model C](crate::devices::MODEL_C):
+    /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ) and
+    /// [save](types::FunctionSelector::SAVE) only.
     ///
     /// Source: guide: Settings; leaflet: Settings.
     #[derive(Copy, Eq, Hash)]
@@ -263,17 +271,20 @@ record! {
         pub port: Option<u8>,
         /// What to do.
         ///
-        /// Default: [`types::Mode::FAST`]. Required for write, read and apply. On the Model C: only
-        /// [`types::Mode::DEFAULT`] and [`types::Mode::FAST`]; not deprecated.
+        /// Default: [`types::Mode::FAST`]. Required for [write](types::FunctionSelector::WRITE),
+        /// [read](types::FunctionSelector::READ) and [apply](types::FunctionSelector::APPLY). On
+        /// the [Model C](crate::devices::MODEL_C): only [`types::Mode::DEFAULT`] and
+        /// [`types::Mode::FAST`]; not deprecated.
         pub mode: Option<types::Mode>,
         /// Speed.
         ///
-        /// Unit: Bd. Default: 115200. Required for write and apply.
+        /// Unit: Bd. Default: 115200. Required for [write](types::FunctionSelector::WRITE) and
+        /// [apply](types::FunctionSelector::APPLY).
         pub baud: Option<u32>,
         /// Required by no function, not even by write.
         ///
-        /// Optional. If `mode` is [`types::Mode::FAST`]: unit s; range 1 to 10; default 5. If
-        /// `mode` is [`types::Mode::SLOW`]: unit m.
+        /// Optional. If [`mode`](Settings::mode) is [`types::Mode::FAST`]: unit s; range 1 to 10;
+        /// default 5. If [`mode`](Settings::mode) is [`types::Mode::SLOW`]: unit m.
         pub limit: Option<u16>,
         /// Reserved: send 1. Optional.
         pub reserved: Option<u8>,
@@ -339,8 +350,10 @@ record! {
     ///
     /// Two responses for one command.
     ///
-    /// Functions: write, read and apply. Answered by [`SetTimeFastResponse`] or
-    /// [`SetTimeSlowResponse`]. Supported by Model A and Model C.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ)
+    /// and [apply](types::FunctionSelector::APPLY). Answered by [`SetTimeFastResponse`] or
+    /// [`SetTimeSlowResponse`]. Supported by [Model A](crate::devices::MODEL_A) and [Model
+    /// C](crate::devices::MODEL_C).
     ///
     /// - Send it once a second.
     ///
@@ -353,7 +366,8 @@ record! {
         pub part: Option<types::Mode>,
         /// The new value.
         ///
-        /// Unit: s. Required for write and apply.
+        /// Unit: s. Required for [write](types::FunctionSelector::WRITE) and
+        /// [apply](types::FunctionSelector::APPLY).
         pub value: Option<u32>,
     }
     wire 6 {
@@ -406,8 +420,9 @@ record! {
     /// Layouts of one response, told apart by constants and by size.
     ///
     /// For advanced use. Answered by [`StatusShort`], [`StatusLong`], [`StatusOld`] or
-    /// [`StatusFull`]. The device may take 2.5 s to answer. Supported by Model A, Model B and Model
-    /// C.
+    /// [`StatusFull`]. The device may take 2.5 s to answer. Supported by [Model
+    /// A](crate::devices::MODEL_A), [Model B](crate::devices::MODEL_B) and [Model
+    /// C](crate::devices::MODEL_C).
     ///
     /// On the wire there is also `model`: The model that the layouts belong to. Always 4711.
     ///
@@ -416,7 +431,7 @@ record! {
     pub struct Status {
         /// Which layout.
         ///
-        /// Range: 1 to 2. On the Model C: always 2.
+        /// Range: 1 to 2. On the [Model C](crate::devices::MODEL_C): always 2.
         pub selector: u8,
     }
     wire 3 {
@@ -468,8 +483,10 @@ record! {
     ///
     /// Its response serves another command too.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`BiasVector`]. Supported by
-    /// Model A and Model C.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`BiasVector`]. Supported by [Model
+    /// A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Bias; leaflet: Bias.
     #[derive(Copy)]
@@ -478,7 +495,8 @@ record! {
         pub function: types::FunctionSelector,
         /// Taken off the measurement.
         ///
-        /// Elements: x, y, z. Unit: g. Frame: sensor. Required for write.
+        /// Elements: x, y, z. Unit: g. Frame: sensor. Required for
+        /// [write](types::FunctionSelector::WRITE).
         pub bias: Option<types::Vector3f>,
     }
     wire 13 {
@@ -520,7 +538,8 @@ record! {
     ///
     /// Measures the bias.
     ///
-    /// Answered by [`BiasVector`]. Supported by Model A and Model C. Deprecated on the Model C: use
+    /// Answered by [`BiasVector`]. Supported by [Model A](crate::devices::MODEL_A) and [Model
+    /// C](crate::devices::MODEL_C). Deprecated on the [Model C](crate::devices::MODEL_C): use
     /// [`Bias`] instead.
     ///
     /// Source: guide: Capture bias.
@@ -554,10 +573,11 @@ record! {
     ///
     /// Counted arrays of structures and of numbers; not answered if told so.
     ///
-    /// Not acknowledged if `suppress_ack` is true. Supported by Model A and Model C.
+    /// Not acknowledged if [`suppress_ack`](Formats::suppress_ack) is true. Supported by [Model
+    /// A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
     ///
     /// On the wire there is also `num_segments`: Number of segments. The number of elements of
-    /// `segments`.
+    /// [`segments`](Formats::segments).
     ///
     /// Source: guide: Formats.
     #[derive(Default, Eq, Hash)]
@@ -602,7 +622,9 @@ record! {
     ///
     /// A tagged union with an empty variant, nested unions, arrays and strings in it.
     ///
-    /// Functions: write and read. Answered by [`ChoiceResponse`]. Supported by Model A.
+    /// Functions: [write](types::FunctionSelector::WRITE) and
+    /// [read](types::FunctionSelector::READ). Answered by [`ChoiceResponse`]. Supported by [Model
+    /// A](crate::devices::MODEL_A).
     ///
     /// Source: guide: Choice.
     pub struct Choice {
@@ -612,11 +634,12 @@ record! {
         pub instance: Option<u8>,
         /// Which member follows.
         ///
-        /// Required for write.
+        /// Required for [write](types::FunctionSelector::WRITE).
         pub shape: Option<Shape>,
         /// The member.
         ///
-        /// Selected by `shape`. Required for write.
+        /// Selected by [`shape`](Choice::shape). Required for
+        /// [write](types::FunctionSelector::WRITE).
         pub parameters: Option<ChoiceParameters>,
     }
     wire 253 {
@@ -632,27 +655,27 @@ union! {
     pub enum ChoiceParameters: Shape {
         /// None.
         ///
-        /// Empty if `shape` is [`Shape::NONE_`].
+        /// Empty if [`shape`](Choice::shape) is [`Shape::NONE`].
         #[cfg_attr(feature = "serde", serde(rename = "none"))]
-        NONE_ => None,
+        NONE => None,
         /// Circle.
         ///
-        /// If `shape` is [`Shape::CIRCLE`].
+        /// If [`shape`](Choice::shape) is [`Shape::CIRCLE`].
         #[cfg_attr(feature = "serde", serde(rename = "circle"))]
         CIRCLE => Circle(Circle) "circle",
         /// Path.
         ///
-        /// If `shape` is [`Shape::PATH`].
+        /// If [`shape`](Choice::shape) is [`Shape::PATH`].
         #[cfg_attr(feature = "serde", serde(rename = "path"))]
         PATH => Path(Path) "path",
         /// A rotation.
         ///
-        /// If `shape` is [`Shape::TURN`]. Elements: w, x, y, z. Unit: 1.
+        /// If [`shape`](Choice::shape) is [`Shape::TURN`]. Elements: w, x, y, z. Unit: 1.
         #[cfg_attr(feature = "serde", serde(rename = "turn"))]
         TURN => Turn(types::Quatf) "rotation",
         /// A name.
         ///
-        /// If `shape` is [`Shape::LABEL`].
+        /// If [`shape`](Choice::shape) is [`Shape::LABEL`].
         #[cfg_attr(feature = "serde", serde(rename = "label"))]
         LABEL => Label(crate::Text<8>) "label",
     }
@@ -683,11 +706,12 @@ record! {
     ///
     /// Optional counted array; a read may carry a zero count.
     ///
-    /// Functions: write, read and save. Answered by [`ListResponse`]. Supported by Model A and
-    /// Model C.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ)
+    /// and [save](types::FunctionSelector::SAVE). Answered by [`ListResponse`]. Supported by [Model
+    /// A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
     ///
-    /// On the wire there is also `count`: Number of items. The number of elements of `items`.
-    /// Required for write.
+    /// On the wire there is also `count`: Number of items. The number of elements of
+    /// [`items`](List::items). Required for [write](types::FunctionSelector::WRITE).
     ///
     /// Source: guide: List.
     #[derive(Eq, Hash)]
@@ -696,7 +720,7 @@ record! {
         pub function: types::FunctionSelector,
         /// The items.
         ///
-        /// Required for write.
+        /// Required for [write](types::FunctionSelector::WRITE).
         pub items: Option<crate::List<u16, 125>>,
     }
     wire 252 {
@@ -735,7 +759,8 @@ record! {
     ///
     /// Answers with an array to the end of the field.
     ///
-    /// Answered by [`InventoryResponse`]. Supported by Model A and Model C.
+    /// Answered by [`InventoryResponse`]. Supported by [Model A](crate::devices::MODEL_A) and
+    /// [Model C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Inventory.
     #[derive(Copy, Default, Eq, Hash)]
@@ -763,7 +788,9 @@ record! {
     ///
     /// The names of one number depend on another.
     ///
-    /// Functions: write and read. Answered by [`PinResponse`]. Supported by Model A and Model C.
+    /// Functions: [write](types::FunctionSelector::WRITE) and
+    /// [read](types::FunctionSelector::READ). Answered by [`PinResponse`]. Supported by [Model
+    /// A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Pin.
     #[derive(Copy, Eq, Hash)]
@@ -774,8 +801,9 @@ record! {
         pub drive: Option<Drive>,
         /// How it is used.
         ///
-        /// Required for write. If `drive` is [`Drive::PULSE`]: values of [`PulseUse`]. If `drive`
-        /// is [`Drive::SERIAL`]: values of [`SerialUse`].
+        /// Required for [write](types::FunctionSelector::WRITE). If [`drive`](Pin::drive) is
+        /// [`Drive::PULSE`]: values of [`PulseUse`]. If [`drive`](Pin::drive) is [`Drive::SERIAL`]:
+        /// values of [`SerialUse`].
         #[cfg_attr(feature = "serde", serde(rename = "use"))]
         pub use_: Option<u8>,
     }
@@ -800,7 +828,8 @@ constructors! {
 impl Pin {
     /// Reads `use_` as [`PulseUse`].
     ///
-    /// If `drive` is [`Drive::PULSE`]: values of [`PulseUse`].
+    /// If [`drive`](Pin::drive) is [`Drive::PULSE`]: values of [`PulseUse`].
+    #[inline]
     #[must_use]
     pub fn use_as_pulse_use(&self) -> Option<PulseUse> {
         let named = matches!(self.drive, Some(Drive::PULSE));
@@ -809,7 +838,8 @@ impl Pin {
 
     /// Reads `use_` as [`SerialUse`].
     ///
-    /// If `drive` is [`Drive::SERIAL`]: values of [`SerialUse`].
+    /// If [`drive`](Pin::drive) is [`Drive::SERIAL`]: values of [`SerialUse`].
+    #[inline]
     #[must_use]
     pub fn use_as_serial_use(&self) -> Option<SerialUse> {
         let named = matches!(self.drive, Some(Drive::SERIAL));
@@ -832,7 +862,8 @@ record! {
     /// The device asks and a host answers.
     ///
     /// Also called `keep_alive`. Answered by [`HelloResponse`]. The device sends it, and the host
-    /// answers. May be supported by Model C. Known from the Kit of names only.
+    /// answers. May be supported by [Model C](crate::devices::MODEL_C). Known from the Kit of names
+    /// only.
     ///
     /// Source: sheet: Hello.
     #[derive(Copy)]
@@ -884,7 +915,8 @@ record! {
     ///
     /// A parameter outside of a structure says how its members are read.
     ///
-    /// Answered by [`ReadingsResponse`]. Supported by Model A and Model C.
+    /// Answered by [`ReadingsResponse`]. Supported by [Model A](crate::devices::MODEL_A) and [Model
+    /// C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Readings.
     #[derive(Copy, Default, Eq, Hash)]
@@ -913,7 +945,8 @@ command! {
 record! {
     /// Settings response (0x01,0x82).
     ///
-    /// Answers [`Settings`]. Supported by Model A, Model B and Model C.
+    /// Answers [`Settings`]. Supported by [Model A](crate::devices::MODEL_A), [Model
+    /// B](crate::devices::MODEL_B) and [Model C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Settings; leaflet: Settings.
     #[derive(Copy, Eq, Hash)]
@@ -932,8 +965,8 @@ record! {
         pub baud: u32,
         /// Required by no function, not even by write.
         ///
-        /// If `mode` is [`types::Mode::FAST`]: unit s; range 1 to 10; default 5. If `mode` is
-        /// [`types::Mode::SLOW`]: unit m.
+        /// If [`mode`](SettingsResponse::mode) is [`types::Mode::FAST`]: unit s; range 1 to 10;
+        /// default 5. If [`mode`](SettingsResponse::mode) is [`types::Mode::SLOW`]: unit m.
         pub limit: u16,
         /// Reserved.
         pub reserved: u8,
@@ -961,8 +994,8 @@ field! {
 record! {
     /// Set time response (0x01,0x83).
     ///
-    /// Answers [`SetTime`]. Sent if `part` is [`types::Mode::FAST`]. Supported by Model A and Model
-    /// C.
+    /// Answers [`SetTime`]. Sent if [`part`](SetTime::part) is [`types::Mode::FAST`]. Supported by
+    /// [Model A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Set time.
     #[derive(Copy, Default, Eq, Hash)]
@@ -982,8 +1015,8 @@ field! {
 record! {
     /// Set time response (0x01,0x84).
     ///
-    /// Answers [`SetTime`]. Sent if `part` is [`types::Mode::SLOW`]. Supported by Model A and Model
-    /// C.
+    /// Answers [`SetTime`]. Sent if [`part`](SetTime::part) is [`types::Mode::SLOW`]. Supported by
+    /// [Model A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Set time.
     #[derive(Copy, Default, Eq, Hash)]
@@ -1003,7 +1036,7 @@ field! {
 record! {
     /// Choice response (0x01,0x88).
     ///
-    /// Answers [`Choice`]. Supported by Model A.
+    /// Answers [`Choice`]. Supported by [Model A](crate::devices::MODEL_A).
     ///
     /// Source: guide: Choice.
     #[derive(Default)]
@@ -1014,7 +1047,7 @@ record! {
         pub shape: Shape,
         /// The member.
         ///
-        /// Selected by `shape`.
+        /// Selected by [`shape`](ChoiceResponse::shape).
         pub parameters: ChoiceParameters,
     }
     wire 252 {
@@ -1032,9 +1065,11 @@ field! {
 record! {
     /// List response (0x01,0x89).
     ///
-    /// Answers [`List`]. Supported by Model A and Model C.
+    /// Answers [`List`]. Supported by [Model A](crate::devices::MODEL_A) and [Model
+    /// C](crate::devices::MODEL_C).
     ///
-    /// On the wire there is also `count`: Number of items. The number of elements of `items`.
+    /// On the wire there is also `count`: Number of items. The number of elements of
+    /// [`items`](ListResponse::items).
     ///
     /// Source: guide: List.
     #[derive(Default, Eq, Hash)]
@@ -1056,7 +1091,8 @@ field! {
 record! {
     /// Inventory response (0x01,0x8A).
     ///
-    /// Answers [`Inventory`]. Supported by Model A and Model C.
+    /// Answers [`Inventory`]. Supported by [Model A](crate::devices::MODEL_A) and [Model
+    /// C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Inventory.
     #[derive(Default, Eq, Hash)]
@@ -1074,7 +1110,8 @@ field! {
 record! {
     /// Pin response (0x01,0x8B).
     ///
-    /// Answers [`Pin`]. Supported by Model A and Model C.
+    /// Answers [`Pin`]. Supported by [Model A](crate::devices::MODEL_A) and [Model
+    /// C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Pin.
     #[derive(Copy, Default, Eq, Hash)]
@@ -1083,8 +1120,8 @@ record! {
         pub drive: Drive,
         /// How it is used.
         ///
-        /// If `drive` is [`Drive::PULSE`]: values of [`PulseUse`]. If `drive` is [`Drive::SERIAL`]:
-        /// values of [`SerialUse`].
+        /// If [`drive`](PinResponse::drive) is [`Drive::PULSE`]: values of [`PulseUse`]. If
+        /// [`drive`](PinResponse::drive) is [`Drive::SERIAL`]: values of [`SerialUse`].
         #[cfg_attr(feature = "serde", serde(rename = "use"))]
         pub use_: u8,
     }
@@ -1098,7 +1135,8 @@ record! {
 impl PinResponse {
     /// Reads `use_` as [`PulseUse`].
     ///
-    /// If `drive` is [`Drive::PULSE`]: values of [`PulseUse`].
+    /// If [`drive`](PinResponse::drive) is [`Drive::PULSE`]: values of [`PulseUse`].
+    #[inline]
     #[must_use]
     pub fn use_as_pulse_use(&self) -> Option<PulseUse> {
         let named = matches!(self.drive, Drive::PULSE);
@@ -1107,7 +1145,8 @@ impl PinResponse {
 
     /// Reads `use_` as [`SerialUse`].
     ///
-    /// If `drive` is [`Drive::SERIAL`]: values of [`SerialUse`].
+    /// If [`drive`](PinResponse::drive) is [`Drive::SERIAL`]: values of [`SerialUse`].
+    #[inline]
     #[must_use]
     pub fn use_as_serial_use(&self) -> Option<SerialUse> {
         let named = matches!(self.drive, Drive::SERIAL);
@@ -1124,7 +1163,8 @@ record! {
     /// Hello response (0x01,0x8C).
     ///
     /// Also called `keep_alive_response` and `welcome`. Answers [`Hello`]. May be supported by
-    /// Model C. Known from the Kit of names only. Uncertain: When it comes.
+    /// [Model C](crate::devices::MODEL_C). Known from the Kit of names only. Uncertain: When it
+    /// comes.
     ///
     /// Source: sheet: Hello.
     #[derive(Copy, Default, Eq, Hash)]
@@ -1144,9 +1184,11 @@ field! {
 record! {
     /// Readings response (0x01,0x8D).
     ///
-    /// Answers [`Readings`]. Supported by Model A and Model C.
+    /// Answers [`Readings`]. Supported by [Model A](crate::devices::MODEL_A) and [Model
+    /// C](crate::devices::MODEL_C).
     ///
-    /// On the wire there is also `count`: Number of readings. The number of elements of `readings`.
+    /// On the wire there is also `count`: Number of readings. The number of elements of
+    /// [`readings`](ReadingsResponse::readings).
     ///
     /// Source: guide: Readings.
     #[derive(Default)]
@@ -1155,13 +1197,15 @@ record! {
         pub drive: Drive,
         /// The readings.
         ///
-        /// If `drive` is [`Drive::PULSE`]: `kind` has values of [`PulseUse`]. Seldom 2. If `drive`
-        /// is [`Drive::SERIAL`]: `kind` has values of [`SerialUse`].
+        /// If [`drive`](ReadingsResponse::drive) is [`Drive::PULSE`]: [`kind`](Reading::kind) has
+        /// values of [`PulseUse`]. Seldom 2. If [`drive`](ReadingsResponse::drive) is
+        /// [`Drive::SERIAL`]: [`kind`](Reading::kind) has values of [`SerialUse`].
         pub readings: crate::List<Reading, 49>,
         /// The last one.
         ///
-        /// If `drive` is [`Drive::PULSE`]: `value` has unit s; range 0 to 1. If `drive` is
-        /// [`Drive::SERIAL`]: `value`: Nothing.
+        /// If [`drive`](ReadingsResponse::drive) is [`Drive::PULSE`]: [`value`](Reading::value) has
+        /// unit s; range 0 to 1. If [`drive`](ReadingsResponse::drive) is [`Drive::SERIAL`]:
+        /// [`value`](Reading::value): Nothing.
         pub last: Reading,
     }
     wire 252 {
@@ -1180,7 +1224,9 @@ field! {
 record! {
     /// Status response (0x01,0x90).
     ///
-    /// Answers [`Status`]. Sent if `selector` is 1. Supported by Model A, Model B and Model C.
+    /// Answers [`Status`]. Sent if [`selector`](Status::selector) is 1. Supported by [Model
+    /// A](crate::devices::MODEL_A), [Model B](crate::devices::MODEL_B) and [Model
+    /// C](crate::devices::MODEL_C).
     ///
     /// On the wire there is also `model`: The model. Always 4711.
     ///
@@ -1191,7 +1237,8 @@ record! {
     pub struct StatusShort {
         /// Faults.
         ///
-        /// On the Model A and Model C: values of [`ModelAFaults`]. On the Model B: values of
+        /// On the [Model A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C): values
+        /// of [`ModelAFaults`]. On the [Model B](crate::devices::MODEL_B): values of
         /// [`ModelBFaults`].
         pub flags: u32,
     }
@@ -1206,7 +1253,9 @@ record! {
 impl StatusShort {
     /// Reads `flags` as [`ModelAFaults`].
     ///
-    /// On the Model A and Model C: values of [`ModelAFaults`].
+    /// On the [Model A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C): values of
+    /// [`ModelAFaults`].
+    #[inline]
     #[must_use]
     pub fn flags_as_model_a_faults(&self) -> ModelAFaults {
         self.flags.into()
@@ -1214,7 +1263,8 @@ impl StatusShort {
 
     /// Reads `flags` as [`ModelBFaults`].
     ///
-    /// On the Model B: values of [`ModelBFaults`].
+    /// On the [Model B](crate::devices::MODEL_B): values of [`ModelBFaults`].
+    #[inline]
     #[must_use]
     pub fn flags_as_model_b_faults(&self) -> ModelBFaults {
         self.flags.into()
@@ -1231,7 +1281,8 @@ record! {
     /// Status response (0x01,0x90).
     ///
     /// Answers [`Status`]. Told from [`StatusOld`] and [`StatusFull`] by the size of its data. Sent
-    /// if `selector` is 2. Supported by Model A, Model B and Model C.
+    /// if [`selector`](Status::selector) is 2. Supported by [Model A](crate::devices::MODEL_A),
+    /// [Model B](crate::devices::MODEL_B) and [Model C](crate::devices::MODEL_C).
     ///
     /// On the wire there is also `model`: The model. Always 4711.
     ///
@@ -1242,8 +1293,9 @@ record! {
     pub struct StatusLong {
         /// Faults.
         ///
-        /// On the Model A: values of [`ModelAFaults`]. On the Model B: values of [`ModelBFaults`].
-        /// On the Model C: values that are not known.
+        /// On the [Model A](crate::devices::MODEL_A): values of [`ModelAFaults`]. On the [Model
+        /// B](crate::devices::MODEL_B): values of [`ModelBFaults`]. On the [Model
+        /// C](crate::devices::MODEL_C): values that are not known.
         pub flags: u32,
         /// Since start.
         ///
@@ -1262,7 +1314,8 @@ record! {
 impl StatusLong {
     /// Reads `flags` as [`ModelAFaults`].
     ///
-    /// On the Model A: values of [`ModelAFaults`].
+    /// On the [Model A](crate::devices::MODEL_A): values of [`ModelAFaults`].
+    #[inline]
     #[must_use]
     pub fn flags_as_model_a_faults(&self) -> ModelAFaults {
         self.flags.into()
@@ -1270,7 +1323,8 @@ impl StatusLong {
 
     /// Reads `flags` as [`ModelBFaults`].
     ///
-    /// On the Model B: values of [`ModelBFaults`].
+    /// On the [Model B](crate::devices::MODEL_B): values of [`ModelBFaults`].
+    #[inline]
     #[must_use]
     pub fn flags_as_model_b_faults(&self) -> ModelBFaults {
         self.flags.into()
@@ -1290,7 +1344,9 @@ record! {
     /// The long layout of old devices. Its size tells it from the others.
     ///
     /// Answers [`Status`]. Told from [`StatusLong`] and [`StatusFull`] by the size of its data.
-    /// Sent if `selector` is 2. Supported by Model A, Model B and Model C.
+    /// Sent if [`selector`](Status::selector) is 2. Supported by [Model
+    /// A](crate::devices::MODEL_A), [Model B](crate::devices::MODEL_B) and [Model
+    /// C](crate::devices::MODEL_C).
     ///
     /// On the wire there is also `model`: The model. Always 4711.
     ///
@@ -1322,7 +1378,8 @@ record! {
     /// Status response (0x01,0x90).
     ///
     /// Answers [`Status`]. Told from [`StatusLong`] and [`StatusOld`] by the size of its data. Sent
-    /// if `selector` is 2. Supported by Model A, Model B and Model C.
+    /// if [`selector`](Status::selector) is 2. Supported by [Model A](crate::devices::MODEL_A),
+    /// [Model B](crate::devices::MODEL_B) and [Model C](crate::devices::MODEL_C).
     ///
     /// On the wire there is also `model`: The model. Always 4711.
     ///
@@ -1359,7 +1416,8 @@ field! {
 record! {
     /// Bias response (0x01,0x9B).
     ///
-    /// Answers [`Bias`] and [`CaptureBias`]. Supported by Model A and Model C.
+    /// Answers [`Bias`] and [`CaptureBias`]. Supported by [Model A](crate::devices::MODEL_A) and
+    /// [Model C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Bias; leaflet: Bias.
     #[derive(Copy, Default)]
