@@ -319,6 +319,8 @@ fn the_packets_of_a_slice_borrow_it() {
     }
     let mut none = packets(&[]);
     assert_eq!((none.next(), none.skipped(), none.remainder()), (None, 0, &[][..]));
+    let mut open = packets(b"xue\x80\xFFue\x80"); // the first of two candidates may be the packet
+    assert_eq!((open.next(), open.skipped(), open.remainder().len()), (None, 1, 7));
     let mut noise = packets(b"uuxu");
     assert_eq!((noise.next(), noise.skipped(), noise.remainder()), (None, 3, &b"u"[..]));
 }
