@@ -4,10 +4,11 @@ fn main() -> Result<(), mip_protocol::EncodeError> {
     let packet = PacketBuilder::with(&GetDeviceInfo::new())?; // now send packet.bytes()
     println!("{} bytes to send", packet.bytes().len());
 
-    let mut stream: &[u8] = b"$GPGGA noise\r\n\x75\x65\x80\x0E\x0E\x04\x3E\x7A\x63\xA0\
-                              \xBB\x8E\x3B\x29\x7F\xE5\xBF\x7F\x84\xEE";
-    let mut parser = Parser::new();
-    while let Some(packet) = parser.next(&mut stream) {
+    let received = b"$GPGGA noise\r\n\x75\x65\x80\x0E\x0E\x04\x3E\x7A\x63\xA0\
+                     \xBB\x8E\x3B\x29\x7F\xE5\xBF\x7F\x84\xEE";
+    let mut parser = Parser::new(); // for a stream; `packets` if all bytes are there
+    let mut packets = parser.feed(received);
+    while let Some(packet) = packets.next() {
         for field in packet.fields().flatten() {
             if let Some(Ok(accel)) = field.get::<ScaledAccel>() {
                 println!("{:.4} g along x", accel.scaled_accel.x);

@@ -4,10 +4,11 @@ use mip_protocol::sensor::{ScaledAccel, ScaledGyro};
 use mip_protocol::Parser;
 use std::time::Instant;
 
-fn run(mut data: &[u8], decode: bool, sum: &mut f64) -> f64 {
+fn run(data: &[u8], decode: bool, sum: &mut f64) -> f64 {
     let (mut parser, mut packets) = (Parser::new(), 0u32);
     let begin = Instant::now();
-    while let Some(packet) = parser.next(&mut data) {
+    let mut found = parser.feed(data);
+    while let Some(packet) = found.next() {
         packets += 1;
         if !decode {
             continue;

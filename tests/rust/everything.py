@@ -22,7 +22,7 @@ HEAD = """//! Made by everything.py.
 
 #![allow(deprecated, unused_imports)]
 
-use mip_protocol::{devices, Bool, Command, DecodeError, Field, List, ResponseOf, Text, VarText};
+use mip_protocol::{devices, Bool, Command, DecodeErrorKind, Field, List, ResponseOf, Text, VarText};
 
 /// All prefixes of the data of a field: negative numbers are errors, others tell what is left over.
 fn prefixes<T: Field + PartialEq + std::fmt::Debug>(data: &[u8], expected: &[i16]) {
@@ -34,11 +34,14 @@ fn prefixes<T: Field + PartialEq + std::fmt::Debug>(data: &[u8], expected: &[i16
                 assert_eq!(value.to_vec().as_deref(), Ok(&data[..length - trailing]), "{}", T::NAME);
             }
             Err(error) => {
-                let found = match error {
-                    DecodeError::Truncated => -1,
-                    DecodeError::Count => -2,
-                    DecodeError::Constant => -3,
+                let found = match error.kind {
+                    DecodeErrorKind::Truncated => -1,
+                    DecodeErrorKind::Count => -2,
+                    DecodeErrorKind::Constant => -3,
+                    other => panic!("{other:?}"),
                 };
+                assert_eq!(error.field, T::NAME);
+                assert_ne!(error.need, error.got, "{error}");
                 assert_eq!(found, *wanted, "{} {data:x?}", T::NAME);
             }
         }
@@ -58,6 +61,25 @@ fn named<T: Field>(set: u8, descriptor: u8, name: &str, sets: &[u8]) {
 }
 
 fn answers<C: Command, R: ResponseOf<C>>() {}
+
+macro_rules! copied {
+    ($type:ty) => {{
+        fn copies<T: Copy>() {}
+        copies::<$type>();
+    }};
+}
+
+/// Which of both traits is implemented would be ambiguous for a type that is `Copy`.
+macro_rules! not_copied {
+    ($type:ty) => {{
+        trait Ambiguous<A> {
+            fn name() {}
+        }
+        impl<T: ?Sized> Ambiguous<()> for T {}
+        impl<T: ?Sized + Copy> Ambiguous<u8> for T {}
+        <$type as Ambiguous<_>>::name();
+    }};
+}
 """
 ERRORS = {"truncated": -1, "count": -2, "constant": -3}
 
@@ -70,7 +92,7 @@ def source(model: m.Model) -> str:
     for t in model.all_types:
         if isinstance(t, m.Bitfield):
             parts.append(test(f"bits_of_{rust.home(t)}_{t.name}", bitfield(t)))
-    for f in (*(f for s in model.sets for f in s.own_fields), model.protocol.acknowledge):
+    for f in (*(f for s in model.sets for f in s.fields), model.protocol.acknowledge):
         parts.append(test(f"{rust.home(f)}_{f.name}", writer.field(f)))
     for d in model.devices:
         parts.append(test(f"device_{d.name}", writer.device(d)))
@@ -147,7 +169,7 @@ class _Writer:
 
     def field(self, f: m.Field) -> Iterator[str]:
         of = path(f)
-        sets = [f.set, *(x.set for x in self.model.repeats(f))]
+        sets = [f.set]
         if f.set in (0, 0xFF):
             sets = list(range(0x01, 0x80)) if f.set == 0 else list(range(0x80, 0x100))
         yield f'named::<{of}>({f.set}, {f.descriptor}, "{f.full_name}", &{sorted(sets)});'
@@ -161,11 +183,29 @@ class _Writer:
         yield f"prefixes::<{of}>({data_literal(data + bytes(3))}, &{self.prefixes(f, data + bytes(3))});"
         if not f.selector:
             yield f"same({of}::default(), {data_literal(codec.encode(f, defaults(f)))});"
+        size = "copied" if self.is_copy(f) else "not_copied"
+        yield f"{size}!({of});"
         if f.role == m.COMMAND:
             timeout = f"Some({int(f.timeout * 1000)})" if f.timeout else "None"
             yield f"assert_eq!({of}::TIMEOUT_MS, {timeout});"
         for response in self.model.responses(f):
             yield f"answers::<{of}, {path(response)}>();"
+
+    def is_copy(self, f: m.Field) -> bool:
+        """Small and without lists: as a user may rely on, wherever a list is."""
+        lists = any("List<" in x.type or "VarText<" in x.type for x in self.members(f))
+        return f.max_size <= 64 and not lists
+
+    def members(self, record: rust.Record) -> Iterator[Any]:
+        for x in self.records.members(record):
+            yield x
+            match x.parameter.operation:
+                case m.StructOp() as op:
+                    yield from self.members(op.struct)
+                case m.SwitchOp() as op:
+                    for case in op.cases:
+                        if isinstance(case.operation, m.StructOp):
+                            yield from self.members(case.operation.struct)
 
     def constructed(self, f: m.Field, call: m.Call, constructor: Constructor) -> Iterator[str]:
         """A constructor must make the shortest form that the function allows."""
@@ -178,7 +218,7 @@ class _Writer:
         replies = (function is None or function.reply) and not (f.silent_when and len(silent) == len(f.silent_when))
         wanted = wanted_responses(self.model, f, values)
         yield f"let command = {expression};"
-        yield f"same(command, {data_literal(data)});"
+        yield f"same(command.clone(), {data_literal(data)});"
         yield f"assert_eq!(command.expects_reply(), {str(replies).lower()});"
         yield f"assert_eq!(command.expects_response(), {str(bool(wanted)).lower()});"
 

@@ -30,10 +30,16 @@ pub extern "C" fn _start() -> ! {
     let mut client: Client<4> = Client::new();
     let mut builder = PacketBuilder::new(0x80);
     loop {
-        let mut chunk = input();
-        while let Some(packet) = parser.next(&mut chunk) {
+        let mut packets = parser.feed(input());
+        while let Some(packet) = packets.next() {
             look_into(&packet, &mut client, &mut builder);
         }
+        black_box(packets.rest());
+        let mut packets = mip_protocol::packets(input());
+        for packet in &mut packets {
+            look_into(&packet, &mut client, &mut builder);
+        }
+        black_box((packets.skipped(), packets.remainder()));
         while let Some(packet) = parser.flush() {
             look_into(&packet, &mut client, &mut builder);
         }

@@ -85,7 +85,7 @@ class Expected:
             yield from (((module, "", ""), text) for text in texts)
             for f in s.fields:
                 yield from self.field(f)
-            for f in s.own_fields:
+            for f in s.fields:
                 yield from self.parameters(f)
         yield from self.field(self.model.protocol.acknowledge)
         yield from self.parameters(self.model.protocol.acknowledge)

@@ -44,7 +44,7 @@ class _Writer:
             if field is None or f.trailing:
                 yield f"b.push_raw({f.descriptor}, {everything.data_literal(f.data)}).unwrap();"
             else:
-                yield f"b.push(&{self.record(self.model.original(field), f.values or {})}).unwrap();"
+                yield f"b.push(&{self.record(field, f.values or {})}).unwrap();"
         yield f"assert_eq!(b.bytes(), {everything.data_literal(e.packet)});"
 
     def record(self, record: rust.Record, values: dict[str, Any]) -> str:
@@ -70,7 +70,7 @@ class _Writer:
             case m.TextOp():
                 octets = everything.data_literal(value.encode("latin-1"))
                 return (
-                    f"Text(*{octets})" if op.count is not None else f"VarText::try_from({octets}.as_slice()).unwrap()"
+                    f"Text(*{octets})" if op.count is not None else f"VarText(List::from({octets}))"
                 )
             case m.ArrayOp():
                 array = f"[{', '.join(self.value(op.item, record, v, {}) for v in value)}]"

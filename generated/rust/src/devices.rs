@@ -8,6 +8,7 @@ pub use known::*;
 
 /// A device profile.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Device {
     /// The name in the specification.
     pub id: &'static str,
@@ -41,6 +42,7 @@ pub struct Device {
 
 /// A field that a device supports.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Supported {
     /// The descriptor set.
     pub set: u8,
@@ -56,6 +58,7 @@ pub struct Supported {
 
 /// The base rate of a data set.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct BaseRate {
     /// The descriptor set.
     pub set: u8,
@@ -65,6 +68,7 @@ pub struct BaseRate {
 
 /// A port of a device.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Port {
     /// Its title.
     pub name: &'static str,
@@ -78,6 +82,7 @@ pub struct Port {
 
 /// A limit of a device.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Limit {
     /// The name in the specification.
     pub name: &'static str,
@@ -91,6 +96,7 @@ pub struct Limit {
 
 /// A parameter with another meaning on a device.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Variant {
     /// The parameter by its name in the specification, `set.field.parameter`.
     pub parameter: &'static str,

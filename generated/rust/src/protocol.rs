@@ -16,7 +16,7 @@ record! {
     ///
     /// Source: 3dm-gx5-15: 2.2.2 Example “Ping” Reply Packet; 3dm-cv7-gnss-ins: Ack/Nack Field
     /// Specification.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct Acknowledge {
         /// Descriptor of the command that is answered.
         pub command: u8,

@@ -1,19 +1,36 @@
 //! One module for each descriptor set.
 
+#[cfg(feature = "aiding")]
 pub mod aiding;
+#[cfg(feature = "base")]
 pub mod base;
+#[cfg(feature = "filter")]
 pub mod filter;
+#[cfg(feature = "filter_data")]
 pub mod filter_data;
+#[cfg(feature = "gnss")]
 pub mod gnss;
+#[cfg(feature = "gnss_1")]
 pub mod gnss_1;
+#[cfg(feature = "gnss_2")]
 pub mod gnss_2;
+#[cfg(feature = "gnss_corrections")]
 pub mod gnss_corrections;
+#[cfg(feature = "gnss_data")]
 pub mod gnss_data;
+#[cfg(feature = "gnss_external")]
 pub mod gnss_external;
+#[cfg(feature = "gnss_external_2")]
 pub mod gnss_external_2;
+#[cfg(feature = "mip_3dm")]
 pub mod mip_3dm;
+#[cfg(feature = "rtk")]
 pub mod rtk;
+#[cfg(feature = "sensor")]
 pub mod sensor;
+#[cfg(feature = "shared")]
 pub mod shared;
+#[cfg(feature = "system")]
 pub mod system;
+#[cfg(feature = "system_data")]
 pub mod system_data;

@@ -2,8 +2,9 @@
 
 use core::{fmt, str};
 
-use crate::codec::{Counted, DecodeError, EncodeError, Reader, Wire, Writer};
-use crate::List;
+use crate::codec::{Counted, Reader, Wire, Writer};
+use crate::error::{DecodeErrorKind, EncodeErrorKind};
+use crate::list::{Item, List};
 
 /// Exactly `N` characters.
 ///
@@ -19,7 +20,7 @@ use crate::List;
 pub struct Text<const N: usize>(pub [u8; N]);
 
 /// At most `N` characters.
-#[derive(Clone, Copy, Default, PartialEq)]
+#[derive(Clone, Default, PartialEq, Eq, Hash)]
 pub struct VarText<const N: usize>(pub List<u8, N>);
 
 impl<const N: usize> Text<N> {
@@ -126,14 +127,23 @@ impl<const N: usize> fmt::Debug for VarText<N> {
     }
 }
 
+impl<const N: usize> Item for Text<N> {
+    const BLANK: Self = Self([b' '; N]);
+}
+
+impl<const N: usize> Item for VarText<N> {
+    const BLANK: Self = Self(List::new());
+}
+
 impl<const N: usize> Wire for Text<N> {
     const SIZE: usize = N;
+    const FIXED: bool = true;
 
-    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeErrorKind> {
         reader.bytes().map(Self)
     }
 
-    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeErrorKind> {
         writer.put(&self.0)
     }
 }
@@ -142,17 +152,17 @@ impl<const N: usize> Wire for Text<N> {
 impl<const N: usize> Wire for VarText<N> {
     const SIZE: usize = N;
 
-    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeErrorKind> {
         reader.read().map(Self)
     }
 
-    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
-        writer.put(&self.0)
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeErrorKind> {
+        writer.write(&self.0)
     }
 }
 
 impl<const N: usize> Counted for VarText<N> {
-    fn decode_counted(count: usize, reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+    fn decode_counted(count: usize, reader: &mut Reader<'_>) -> Result<Self, DecodeErrorKind> {
         reader.counted(u64::try_from(count).unwrap_or(u64::MAX)).map(Self)
     }
 }

@@ -341,7 +341,7 @@ record! {
     /// A trigger on a GPIO pin.
     ///
     /// Source: 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct EventTriggerGpio {
         /// GPIO pin, counted from 1.
         ///
@@ -352,6 +352,7 @@ record! {
     }
 }
 
+item! { EventTriggerGpio { pin mode } }
 constructors! {
     EventTriggerGpio
 
@@ -361,7 +362,7 @@ constructors! {
 
 record! {
     /// Two thresholds with a window between them.
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct EventThresholdWindow {
         /// Lower threshold, in the unit of the watched value.
         pub low_threshold: f64,
@@ -371,6 +372,7 @@ record! {
     }
 }
 
+item! { EventThresholdWindow { low_threshold high_threshold } }
 constructors! {
     EventThresholdWindow
 
@@ -380,7 +382,7 @@ constructors! {
 
 record! {
     /// A threshold inside a repeating interval.
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct EventThresholdInterval {
         /// The trigger is active while the remainder is at most this, in the unit of the watched
         /// value.
@@ -392,6 +394,7 @@ record! {
     }
 }
 
+item! { EventThresholdInterval { interval_threshold interval } }
 constructors! {
     EventThresholdInterval
 
@@ -404,7 +407,7 @@ record! {
     /// compared.
     ///
     /// Source: 3dm-cv7-gnss-ins: ThresholdParams.
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct EventTriggerThreshold {
         /// Data descriptor set of the watched value.
         pub descriptor_set: u8,
@@ -415,10 +418,11 @@ record! {
         /// Range: at least 1.
         pub parameter_id: u8,
         /// Kind of comparison.
+        #[cfg_attr(feature = "serde", serde(rename = "type"))]
         pub type_: EventThresholdType,
         /// What the value is compared with.
         ///
-        /// Selected by `type_`.
+        /// Selected by [`type_`](EventTriggerThreshold::type_).
         pub thresholds: EventTriggerThresholdThresholds,
     }
     wire 20 {
@@ -432,19 +436,23 @@ record! {
 
 union! {
     /// The alternatives of `thresholds` in [`EventTriggerThreshold`].
+    #[derive(Copy)]
     pub enum EventTriggerThresholdThresholds: EventThresholdType {
         /// The value lies between two thresholds.
         ///
-        /// If `type_` is [`EventThresholdType::WINDOW`].
+        /// If [`type_`](EventTriggerThreshold::type_) is [`EventThresholdType::WINDOW`].
+        #[cfg_attr(feature = "serde", serde(rename = "window"))]
         WINDOW => Window(EventThresholdWindow) "window",
         /// The remainder of the value by an interval is at most a threshold.
         ///
-        /// If `type_` is [`EventThresholdType::INTERVAL`].
+        /// If [`type_`](EventTriggerThreshold::type_) is [`EventThresholdType::INTERVAL`].
+        #[cfg_attr(feature = "serde", serde(rename = "interval"))]
         INTERVAL => Interval(EventThresholdInterval) "interval",
     }
     default EventTriggerThresholdThresholds::Other(EventThresholdType(0))
 }
 
+item! { EventTriggerThreshold { descriptor_set field_descriptor parameter_id type_ thresholds } }
 constructors! {
     EventTriggerThreshold
 
@@ -461,7 +469,7 @@ record! {
     /// A trigger that combines up to four others.
     ///
     /// Source: 3dm-cv7-gnss-ins: CombinationParams; 3dm-cv7-gnss-ins: Logical Truth Table.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct EventTriggerCombination {
         /// Bit n is the output when n = a + 2b + 4c + 8d, with a to d the states (0 or 1) of the
         /// four inputs.
@@ -473,6 +481,7 @@ record! {
     }
 }
 
+item! { EventTriggerCombination { logic_table input_triggers } }
 constructors! {
     EventTriggerCombination
 
@@ -484,7 +493,7 @@ record! {
     /// An action on a GPIO pin, which needs the gpio feature and an output behavior.
     ///
     /// Source: 3dm-cv7-gnss-ins: GpioParams.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct EventActionGpio {
         /// GPIO pin, counted from 1.
         ///
@@ -495,6 +504,7 @@ record! {
     }
 }
 
+item! { EventActionGpio { pin mode } }
 constructors! {
     EventActionGpio
 
@@ -506,10 +516,10 @@ record! {
     /// An action that sends data packets.
     ///
     /// On the wire there is also `num_fields`: Number of fields in the packet. The number of
-    /// elements of `descriptors`. Range: 0 to 12.
+    /// elements of [`descriptors`](EventActionMessage::descriptors). Range: 0 to 12.
     ///
     /// Source: 3dm-cv7-gnss-ins: MessageParams.
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct EventActionMessage {
         /// Data descriptor set of the packet.
         pub descriptor_set: u8,
@@ -528,6 +538,7 @@ record! {
     }
 }
 
+item! { EventActionMessage { descriptor_set decimation descriptors } }
 constructors! {
     EventActionMessage
 
@@ -878,7 +889,7 @@ record! {
     /// An NMEA-0183 sentence with its talker, its data source and how often it is sent.
     ///
     /// Source: 3dm-cv7-gnss-ins: Sources and Talker IDs.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct NmeaMessage {
         /// The sentence.
         pub message_id: NmeaMessageId,
@@ -891,6 +902,7 @@ record! {
     }
 }
 
+item! { NmeaMessage { message_id talker_id source_descriptor_set decimation } }
 constructors! {
     NmeaMessage
 
@@ -1080,7 +1092,7 @@ open_enum! {
 
 record! {
     /// A field of a message format and how often it is sent.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct DescriptorRate {
         /// Field descriptor.
         pub descriptor: u8,
@@ -1089,6 +1101,7 @@ record! {
     }
 }
 
+item! { DescriptorRate { descriptor decimation } }
 constructors! {
     DescriptorRate
 
@@ -1137,7 +1150,8 @@ bitfield! {
     }
 }
 
-/// On the 3DM-GX5-15 and 3DM-GX5-35: values of [`Gx5SensorGpsTimestampFlags`].
+/// On the [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35): values of
+/// [`Gx5SensorGpsTimestampFlags`].
 #[rustfmt::skip]
 impl From<SensorGpsTimestampFlags> for Gx5SensorGpsTimestampFlags {
     fn from(value: SensorGpsTimestampFlags) -> Self {

@@ -2,8 +2,9 @@
 
 use mip_protocol::types::{Mode, Vector3f};
 use mip_protocol::{
-    measurements, protocol, tools, Answer, AnyField, Client, Command, DecodeError, EncodeError,
-    Event, Field, Outcome, PacketBuilder, Parser, RequestError, Ticket,
+    measurements, protocol, tools, Answer, AnyField, Client, Command, CommandError,
+    DecodeErrorKind, EncodeErrorKind, Event, Field, Outcome, PacketBuilder, Parser, RequestError,
+    Ticket,
 };
 use protocol::{AckCode, Acknowledge};
 
@@ -26,9 +27,9 @@ impl Reply {
 }
 
 fn only<const N: usize>(client: &mut Client<N>, reply: &Reply) -> Event {
-    let events: Vec<_> = client.receive(&reply.0.packet()).collect();
+    let mut events: Vec<_> = client.receive(&reply.0.packet()).collect();
     assert_eq!(events.len(), 1);
-    events[0]
+    events.remove(0)
 }
 
 /// The events of commands that took too long; there is no parser that holds anything back.
@@ -39,7 +40,7 @@ fn expire<const N: usize>(client: &mut Client<N>, now: u64) -> Vec<Event> {
 
 fn sent<C: Command>(client: &mut Client, command: &C, now: u64) -> Ticket<C> {
     let (ticket, packet) = client.send(command, now).unwrap();
-    assert_eq!(packet.packet().find::<C>().unwrap().to_vec(), command.to_vec());
+    assert_eq!(packet.packet().find::<C>().unwrap().unwrap().to_vec(), command.to_vec());
     ticket
 }
 
@@ -159,6 +160,9 @@ fn commands_that_nobody_answers_are_not_waited_for() {
     assert!(quiet.is_silent());
     assert_eq!((client.pending(), client.deadline()), (0, None));
     assert_eq!(expire(&mut client, u64::MAX).len(), 0);
+    // Who waits for the result of such a command has it at once.
+    assert_eq!(client.take(&apply), Some(Answer::Silent));
+    assert_eq!(client.take(&quiet).map(Answer::into_result), Some(Ok(None)));
     // Next to others too, and even if the client is full.
     let mut request = client.request(tools::SET);
     let loud = request.add(&tools::Ping).unwrap();
@@ -194,8 +198,10 @@ fn a_response_that_is_broken_or_another_one() {
     let ticket = sent(&mut client, &tools::Bias::read(), 0);
     let mut reply = Reply::new().ack(5, AckCode::OK);
     reply.0.push_raw(tools::BiasVector::DESCRIPTOR, &[0; 11]).unwrap();
-    let answer = only(&mut client, &reply).answer(&ticket);
-    assert_eq!(answer, Some(Answer::Undecodable(DecodeError::Truncated)));
+    let event = only(&mut client, &reply);
+    let Some(Answer::Undecodable(error)) = event.answer(&ticket) else { panic!("{event:?}") };
+    assert_eq!((error.kind, error.got), (DecodeErrorKind::Truncated, 11));
+    assert_eq!(event.response().map(|field| field.data), Some(&[0; 11][..]));
     let ticket = sent(&mut client, &tools::Bias::read(), 0);
     let reply = Reply::new().ack(5, AckCode::OK).field(&tools::InventoryResponse::default());
     assert_eq!(only(&mut client, &reply).answer(&ticket), Some(Answer::MissingResponse));
@@ -257,6 +263,65 @@ fn sent_in<const N: usize>(client: &mut Client<N>, now: u64) -> Ticket<tools::Pi
 }
 
 #[test]
+fn answers_as_results() {
+    let mut client: Client = Client::new();
+    let response = tools::BiasVector { bias: Vector3f::from([1.0, 2.0, 3.0]) };
+    let mut answer = |reply: &Reply| {
+        let ticket = sent(&mut client, &tools::Bias::read(), 0);
+        only(&mut client, reply).answer(&ticket).unwrap()
+    };
+    let good = answer(&Reply::new().ack(5, AckCode::OK).field(&response));
+    assert_eq!((good.into_result(), good.into_response()), (Ok(Some(response)), Ok(response)));
+    let refused = answer(&Reply::new().ack(5, AckCode::INVALID_PARAMETER));
+    let error = refused.into_response().unwrap_err();
+    assert_eq!(error, CommandError::Refused(AckCode::INVALID_PARAMETER));
+    assert!(error.to_string().contains("invalid_parameter"));
+    let bare = answer(&Reply::new().ack(5, AckCode::OK));
+    assert_eq!(bare.into_result(), Err(CommandError::MissingResponse));
+    let mut short = Reply::new().ack(5, AckCode::OK);
+    short.0.push_raw(tools::BiasVector::DESCRIPTOR, &[0; 11]).unwrap();
+    assert!(matches!(answer(&short).into_result(), Err(CommandError::Undecodable(_))));
+    let late: Answer<()> = Answer::TimedOut;
+    assert_eq!(late.into_result(), Err(CommandError::TimedOut));
+    let done: Answer<()> = Answer::Acknowledged(None);
+    assert_eq!(done.into_result(), Ok(None));
+    assert_eq!(done.into_response(), Err(CommandError::MissingResponse));
+}
+
+#[test]
+fn a_client_in_static_memory() {
+    static CLIENT: std::sync::Mutex<Client<2>> = std::sync::Mutex::new(Client::with_timeout(7));
+    static PARSER: std::sync::Mutex<Parser> = std::sync::Mutex::new(Parser::new());
+    const BUILDER: PacketBuilder = PacketBuilder::new(tools::SET);
+    let mut client = CLIENT.lock().unwrap();
+    let ticket = sent_in(&mut client, 0);
+    let mut reply = BUILDER;
+    reply.push(&Acknowledge { command: 1, code: AckCode::OK }).unwrap();
+    let mut parser = PARSER.lock().unwrap();
+    let mut packets = parser.feed(reply.bytes());
+    while let Some(packet) = packets.next() {
+        assert_eq!(client.receive(&packet).count(), 1);
+    }
+    assert!(!client.is_pending(&ticket));
+}
+
+#[test]
+fn later_commands_are_answered_later_in_whatever_slots() {
+    let mut client: Client<3> = Client::new();
+    for _ in 0..100 {
+        let mut request = client.request(tools::SET);
+        let tickets = [0; 3].map(|_| request.add(&tools::Ping).unwrap());
+        assert_eq!(request.add(&tools::Ping).unwrap_err(), RequestError::Busy);
+        let _ = request.send(0);
+        client.cancel(&tickets[1]);
+        let again = sent_in(&mut client, 0); // in a slot before that of an older command
+        let reply = Reply::new().ack(1, AckCode::OK).ack(1, AckCode::OK).ack(1, AckCode::OK);
+        let ids: Vec<_> = client.receive(&reply.0.packet()).map(|event| event.id).collect();
+        assert_eq!(ids, [tickets[0].id(), tickets[2].id(), again.id()]);
+    }
+}
+
+#[test]
 fn answers_go_to_the_commands_that_they_fit() {
     let mut client: Client = Client::new();
     let data = || Reply::new().ack(5, AckCode::OK).field(&tools::BiasVector::default());
@@ -298,14 +363,21 @@ fn an_answer_behind_noise() {
     let reply = Reply::new().ack(1, AckCode::OK);
     let stream = [b"ue\x80\xFF", reply.0.bytes(), data.bytes()].concat();
     // The last packet is not complete yet; it is not given up.
-    let (mut input, mut rest) = stream.split_at(stream.len() - 3);
-    assert!(parser.next(&mut input).is_none());
+    let (input, rest) = stream.split_at(stream.len() - 3);
+    assert!(parser.feed(input).next().is_none());
     assert!(client.poll(&mut parser, 999).is_none() && client.is_pending(&ticket));
     let packet = client.poll(&mut parser, 1000).unwrap();
     assert_eq!(client.receive(&packet).count(), 1);
     assert!(client.poll(&mut parser, 1000).is_none());
-    assert_eq!(parser.next(&mut rest).unwrap().bytes(), data.bytes());
+    assert_eq!(parser.feed(rest).next().unwrap().bytes(), data.bytes());
     assert_eq!(parser.skipped(), 4);
+}
+
+fn refused<C>(added: Result<Ticket<C>, RequestError>) -> EncodeErrorKind {
+    match added {
+        Err(RequestError::Encode(error)) => error.kind,
+        other => panic!("{other:?}"),
+    }
 }
 
 #[test]
@@ -318,12 +390,12 @@ fn commands_whose_type_is_known_only_when_the_program_runs() {
     let response = AnyField::ToolsBiasVector(tools::BiasVector::default());
     assert_eq!(request.add_any(&response).unwrap_err(), RequestError::NoCommand);
     let other = AnyField::Mip3dDefault(Default::default());
-    assert_eq!(request.add_any(&other).unwrap_err(), RequestError::Encode(EncodeError::Set));
+    assert_eq!(refused(request.add_any(&other)), EncodeErrorKind::Set);
     assert_eq!(request.send(0).packet().fields().count(), 2);
     let reply = Reply::new().ack(5, AckCode::OK).field(&tools::BiasVector::default());
     let event = only(&mut client, &reply);
     assert_eq!((event.id, event.outcome), (read.id(), Outcome::Acknowledged));
-    assert_eq!(AnyField::decode(&event.response().unwrap()), Some(Ok((response, 0))));
+    assert_eq!(AnyField::decode(&event.response().unwrap()), Some(Ok((response.clone(), 0))));
     assert_eq!(format!("{read:?}"), format!("Ticket({})", read.id()));
 }
 
@@ -357,12 +429,11 @@ fn a_full_client_or_packet_refuses() {
     let mut request = client.request(tools::SET);
     let long = tools::List::write([0; 100]);
     request.add(&long).unwrap();
-    let error = RequestError::Encode(EncodeError::Length);
-    assert_eq!(request.add(&long).unwrap_err(), error);
+    assert_eq!(refused(request.add(&long)), EncodeErrorKind::Length);
     assert_eq!(request.send(0).packet().fields().count(), 1);
     assert_eq!(client.pending(), 1);
     let mut request = client.request(0x0C);
-    assert_eq!(request.add(&tools::Ping).unwrap_err(), RequestError::Encode(EncodeError::Set));
+    assert_eq!(refused(request.add(&tools::Ping)), EncodeErrorKind::Set);
     // What is not sent is forgotten.
     let mut request = client.request(tools::SET);
     request.add(&tools::Ping).unwrap();

@@ -3,10 +3,10 @@
 #![allow(deprecated)] // of the fields that are tested here
 
 use mip_protocol::packet::{checksum, MAX_FIELD_DATA, MAX_PAYLOAD};
-use mip_protocol::{measurements, protocol, shared, tools, types};
+use mip_protocol::{measurements, more, packets, protocol, shared, tools, types};
 use mip_protocol::{
-    CapacityError, EncodeError, Field, FieldLengthError, List, Packet, PacketBuilder, PacketError,
-    PacketReader, Parser, RawField, Text, VarText,
+    EncodeError, EncodeErrorKind, Field, FieldLengthError, List, Packet, PacketBuf, PacketBuilder,
+    PacketError, PacketReader, Parser, RawField, Text, VarText,
 };
 
 const PING: [u8; 8] = [0x75, 0x65, 0x01, 0x02, 0x02, 0x01, 0xE0, 0xC6];
@@ -23,13 +23,44 @@ fn a_packet_is_built_and_looked_into() {
     assert_eq!((packet.set(), packet.payload()), (tools::SET, &PING[4..6]));
     let fields: Vec<_> = packet.fields().collect();
     assert_eq!(fields, [Ok(RawField { set: 1, descriptor: 1, data: &[] })]);
-    assert_eq!(packet.find::<tools::Ping>(), Some(tools::Ping));
+    assert_eq!(packet.find::<tools::Ping>(), Some(Ok(tools::Ping)));
     assert_eq!(packet.find::<tools::Inventory>(), None);
     assert_eq!(format!("{packet:?}"), "Packet(756501020201e0c6)");
 }
 
+fn kind(error: EncodeError) -> EncodeErrorKind {
+    error.kind
+}
+
+#[test]
+fn packets_are_kept_and_built_on_without_checking_them_again() {
+    let built = PacketBuilder::with(&tools::Ping).unwrap();
+    let packet = Packet::from(&built);
+    let kept = PacketBuf::from(packet);
+    assert_eq!(kept, PacketBuf::from(&built));
+    assert_eq!(kept, PacketBuf::from(built.clone()));
+    assert_eq!((kept.bytes(), kept.as_ref(), packet.as_ref()), (&PING[..], &PING[..], &PING[..]));
+    assert_eq!((Packet::from(&kept), kept.packet()), (packet, packet));
+    assert_eq!(format!("{kept:?}"), format!("{packet:?}"));
+    assert_eq!(Vec::from(kept.clone()), PING);
+    assert_eq!(PacketBuf::try_from(PING.to_vec()), Ok(kept.clone()));
+    assert_eq!(PacketBuf::try_from(vec![0x75]), Err(PacketError::Sync));
+    assert_eq!(Packet::try_from(&PING[..]), Ok(packet));
+    assert_eq!(Packet::try_from(&PING[1..]), Err(PacketError::Sync));
+    let mut more = PacketBuilder::from(packet);
+    assert_eq!((more == built, more == PacketBuilder::from(&kept)), (true, true));
+    more.push(&tools::Inventory::default()).unwrap();
+    assert_eq!(Packet::new(more.bytes()).unwrap().fields().count(), 2);
+    assert!(more != built);
+}
+
 #[test]
 fn an_empty_packet_is_legal() {
+    for set in 0..=0xFF {
+        let packet = PacketBuilder::new(set);
+        assert_eq!(packet.bytes()[4..], checksum(&packet.bytes()[..4]));
+        assert_eq!(Packet::new(packet.bytes()).is_ok(), set > 0);
+    }
     let packet = PacketBuilder::new(0x80);
     assert_eq!(packet.bytes(), [0x75, 0x65, 0x80, 0x00, 0x5A, 0x03]);
     assert_eq!(packet.packet().fields().count(), 0);
@@ -76,27 +107,27 @@ fn a_builder_refuses_what_does_not_fit_and_stays_valid() {
     packet.push_raw(0x70, &[0xAA; 200]).unwrap();
     let before = packet.bytes().to_vec();
     for (data, error) in [
-        (&[0; 54][..], EncodeError::Length), // one byte too many for the payload
-        (&[0; 253], EncodeError::Length),
-        (&[0; 254], EncodeError::Length), // too much for any field
-        (&[0; 1000], EncodeError::Length),
+        (&[0; 54][..], EncodeErrorKind::Length), // one byte too many for the payload
+        (&[0; 253], EncodeErrorKind::Length),
+        (&[0; 254], EncodeErrorKind::Length), // too much for any field
+        (&[0; 1000], EncodeErrorKind::Length),
     ] {
-        assert_eq!(packet.push_raw(0x71, data), Err(error));
+        assert_eq!(packet.push_raw(0x71, data).map_err(kind), Err(error));
         assert_eq!(packet.bytes(), before);
         assert!(Packet::new(packet.bytes()).is_ok());
     }
     // A field that fails half-way.
     let mut broken = tools::Settings::write(1, types::Mode::FAST, 9600);
     broken.mode = None;
-    assert_eq!(packet.push(&broken), Err(EncodeError::Missing));
+    assert_eq!(packet.push(&broken).map_err(kind), Err(EncodeErrorKind::Missing));
     assert_eq!(packet.bytes(), before);
     // A field of another set.
-    assert_eq!(packet.push(&more()), Err(EncodeError::Set));
+    assert_eq!(packet.push(&more()).map_err(kind), Err(EncodeErrorKind::Set));
     assert_eq!(packet.bytes(), before);
     // What just fits.
     packet.push_raw(0x71, &[0; 51]).unwrap();
     assert_eq!(packet.bytes().len(), MAX_PAYLOAD + 6);
-    assert_eq!(packet.push(&tools::Ping), Err(EncodeError::Length));
+    assert_eq!(packet.push(&tools::Ping).map_err(kind), Err(EncodeErrorKind::Length));
     assert_eq!(packet.packet().fields().count(), 2);
     packet.clear();
     assert_eq!((packet.set(), packet.bytes().len()), (tools::SET, 6));
@@ -109,24 +140,29 @@ fn more() -> mip_protocol::more::Own {
 }
 
 #[test]
-fn sets_take_their_own_the_repeated_and_the_shared_fields() {
+fn sets_take_their_own_and_the_shared_fields() {
     let stamp = shared::Timestamp::default();
-    for set in [0x80, 0x81, 0xFE, 0xFF] {
+    for set in [0x80, 0x81, 0xFE] {
         assert!(PacketBuilder::new(set).push(&stamp).is_ok());
     }
-    assert_eq!(PacketBuilder::new(0x7F).push(&stamp), Err(EncodeError::Set));
+    // Set 0xFF defines them, but no packet has it.
+    let error = PacketBuilder::with(&stamp).unwrap_err();
+    assert_eq!((error.kind, error.got), (EncodeErrorKind::Set, 0xFF));
+    assert_eq!(PacketBuilder::new(0xFF).push_raw(1, &[]).map_err(kind), Err(EncodeErrorKind::Set));
+    assert_eq!(PacketBuilder::new(0x7F).push(&stamp).map_err(kind), Err(EncodeErrorKind::Set));
     let accel = measurements::Accel::default();
     assert!(PacketBuilder::new(0x80).push(&accel).is_ok());
-    assert!(PacketBuilder::new(0x81).push(&accel).is_ok());
-    assert_eq!(PacketBuilder::new(0x82).push(&accel), Err(EncodeError::Set));
+    assert!(PacketBuilder::new(0x81).push(&accel).is_err());
+    assert!(PacketBuilder::new(0x81).push(&more::Accel::default()).is_ok());
+    assert_eq!(PacketBuilder::new(0x82).push(&accel).map_err(kind), Err(EncodeErrorKind::Set));
     let health = measurements::Health::default();
-    assert_eq!(PacketBuilder::new(0x81).push(&health), Err(EncodeError::Set));
+    assert_eq!(PacketBuilder::new(0x81).push(&health).map_err(kind), Err(EncodeErrorKind::Set));
     let ack = protocol::Acknowledge::default();
     assert!(PacketBuilder::new(0x01).push(&ack).is_ok());
     assert!(PacketBuilder::new(0x7F).push(&ack).is_ok());
-    assert_eq!(PacketBuilder::new(0x80).push(&ack), Err(EncodeError::Set));
-    assert_eq!(PacketBuilder::new(0).push(&ack), Err(EncodeError::Set));
-    assert_eq!(PacketBuilder::new(0).push_raw(1, &[]), Err(EncodeError::Set));
+    assert_eq!(PacketBuilder::new(0x80).push(&ack).map_err(kind), Err(EncodeErrorKind::Set));
+    assert_eq!(PacketBuilder::new(0).push(&ack).map_err(kind), Err(EncodeErrorKind::Set));
+    assert_eq!(PacketBuilder::new(0).push_raw(1, &[]).map_err(kind), Err(EncodeErrorKind::Set));
 }
 
 // ----------------------------------------------------------------------------------------- parser
@@ -137,11 +173,11 @@ fn parse(stream: &[u8], cuts: &[usize]) -> (Vec<Vec<u8>>, u64) {
     let mut packets = Vec::new();
     let mut start = 0;
     for end in cuts.iter().copied().chain([stream.len()]) {
-        let mut chunk = &stream[start..end];
-        while let Some(packet) = parser.next(&mut chunk) {
+        let mut found = parser.feed(&stream[start..end]);
+        while let Some(packet) = found.next() {
             packets.push(packet.bytes().to_vec());
         }
-        assert!(chunk.is_empty());
+        assert!(found.rest().is_empty());
         start = end;
     }
     while let Some(packet) = parser.flush() {
@@ -150,6 +186,9 @@ fn parse(stream: &[u8], cuts: &[usize]) -> (Vec<Vec<u8>>, u64) {
     assert_eq!(parser.pending(), 0);
     let whole: usize = packets.iter().map(Vec::len).sum();
     assert_eq!(whole as u64 + parser.skipped(), stream.len() as u64);
+    let mut all = mip_protocol::packets(stream);
+    assert!(all.by_ref().map(|packet| packet.bytes()).eq(packets.iter()));
+    assert_eq!((all.skipped() + all.remainder().len()) as u64, parser.skipped());
     (packets, parser.skipped())
 }
 
@@ -189,16 +228,14 @@ fn every_chunking_gives_the_same_packets() {
 fn flush_loses_no_packet_inside_of_what_it_gives_up() {
     let mut parser = Parser::new();
     let stream = [&[0x75, 0x65, 0x80, 0xFF][..], &PING, &PING, b"ue"].concat();
-    let mut chunk = &stream[..];
-    assert!(parser.next(&mut chunk).is_none());
+    assert!(parser.feed(&stream).next().is_none());
     assert_eq!((parser.pending(), parser.skipped()), (stream.len(), 0));
     assert_eq!(parser.flush().unwrap().bytes(), PING);
     assert_eq!(parser.flush().unwrap().bytes(), PING);
     assert!(parser.flush().is_none());
     assert_eq!((parser.pending(), parser.skipped()), (0, 6));
     // It goes on as if nothing had been.
-    let mut chunk = &PING[..];
-    assert_eq!(parser.next(&mut chunk).unwrap().bytes(), PING);
+    assert_eq!(parser.feed(&PING).next().unwrap().bytes(), PING);
     assert!(parser.flush().is_none());
     assert_eq!(parser.skipped(), 6);
 }
@@ -206,9 +243,8 @@ fn flush_loses_no_packet_inside_of_what_it_gives_up() {
 #[test]
 fn a_packet_that_was_given_is_not_given_again_by_flush() {
     let mut parser = Parser::new();
-    let (mut first, mut second) = (&PING[..3], &PING[3..]);
-    assert!(parser.next(&mut first).is_none());
-    assert_eq!(parser.next(&mut second).unwrap().bytes(), PING);
+    assert!(parser.feed(&PING[..3]).next().is_none());
+    assert_eq!(parser.feed(&PING[3..]).next().unwrap().bytes(), PING);
     assert_eq!(parser.pending(), 0);
     assert!(parser.flush().is_none());
     assert_eq!(parser.skipped(), 0);
@@ -225,6 +261,68 @@ fn long_garbage_full_of_false_syncs_passes() {
         assert_eq!(packets, [PING]);
         assert_eq!(skipped, 14_000);
     }
+}
+
+#[test]
+fn what_is_not_asked_for_stays_in_the_chunk() {
+    let mut parser = Parser::new();
+    let stream = [&PING[..], &PING, b"no", &PING[..5]].concat();
+    let mut packets = parser.feed(&stream);
+    assert_eq!(packets.next().unwrap().bytes(), PING);
+    let rest = packets.rest();
+    assert_eq!(rest, &stream[8..]);
+    assert_eq!((parser.pending(), parser.skipped()), (0, 0));
+    let mut packets = parser.feed(rest);
+    assert_eq!(packets.next().unwrap().bytes(), PING);
+    assert!(packets.next().is_none() && packets.next().is_none() && packets.rest().is_empty());
+    assert_eq!(parser.feed(&PING[5..]).next().unwrap().bytes(), PING);
+    assert_eq!((parser.pending(), parser.skipped()), (0, 2));
+}
+
+#[test]
+fn stopping_anywhere_loses_nothing() {
+    let broken = [&[0x75, 0x65, 0x80, 30][..], &PING, &PING, b"ueu"].concat();
+    let stream = [b"u", &broken[..], &PING, &broken, NMEA, &PING, b"ue"].concat();
+    let wanted = parse(&stream, &[]);
+    for size in 1..=stream.len() {
+        let (mut parser, mut found) = (Parser::new(), Vec::new());
+        for mut chunk in stream.chunks(size) {
+            while !chunk.is_empty() {
+                let mut packets = parser.feed(chunk);
+                found.extend(packets.next().map(|packet| packet.bytes().to_vec()));
+                chunk = packets.rest();
+            }
+        }
+        while let Some(packet) = parser.flush() {
+            found.push(packet.bytes().to_vec());
+        }
+        assert_eq!((found, parser.skipped()), wanted, "{size}");
+    }
+}
+
+#[test]
+fn the_packets_of_a_slice_borrow_it() {
+    let noise: &[u8] = b"ue\x80\xFF";
+    let stream = [&PING[..], noise, &PING, NMEA, &PING[..7]].concat();
+    let mut found = packets(&stream);
+    assert_eq!(found.next().map(|packet| packet.bytes()), Some(&PING[..]));
+    assert_eq!((found.skipped(), found.remainder()), (0, &stream[8..]));
+    let last = {
+        let all: Vec<Packet<'_>> = found.by_ref().collect(); // of which one is behind a false sync
+        assert_eq!(all.len(), 1);
+        all[0]
+    };
+    assert_eq!(last.bytes().as_ptr(), stream[12..].as_ptr());
+    for _ in 0..2 {
+        assert_eq!(found.next(), None);
+        assert_eq!((found.skipped(), found.remainder()), (4 + NMEA.len(), &PING[..7]));
+    }
+    let mut none = packets(&[]);
+    assert_eq!((none.next(), none.skipped(), none.remainder()), (None, 0, &[][..]));
+    let mut open = packets(b"xue\x80\xFFue\x80"); // the first of two candidates may be the packet
+    assert_eq!((open.next(), open.skipped(), open.remainder().len()), (None, 1, 7));
+    let mut noise = packets(b"uuxu");
+    assert_eq!((noise.next(), noise.skipped(), noise.remainder()), (None, 3, &b"u"[..]));
 }
 
 /// Gives little at a time, with interruptions and a time-out.
@@ -261,6 +359,39 @@ fn packets_of_a_source() {
     assert_eq!(packets.parser().skipped(), NMEA.len() as u64 + 4);
 }
 
+/// A port that gives nothing now and then: one piece of the list for each read.
+struct Pieces(Vec<std::io::Result<&'static [u8]>>);
+
+impl std::io::Read for Pieces {
+    fn read(&mut self, buffer: &mut [u8]) -> std::io::Result<usize> {
+        let piece = if self.0.is_empty() { Ok(&[][..]) } else { self.0.remove(0) }?;
+        buffer[..piece.len()].copy_from_slice(piece);
+        Ok(piece.len())
+    }
+}
+
+#[test]
+fn a_source_that_pauses_loses_no_packet() {
+    let pause = || Err(std::io::ErrorKind::WouldBlock.into());
+    let interrupted = || Err(std::io::ErrorKind::Interrupted.into());
+    let (head, tail): (&[u8], &[u8]) = (b"\x75\x65\x01", b"\x02\x02\x01\xE0\xC6");
+    let pieces =
+        vec![Ok(head), Ok(&[][..]), Ok(tail), Ok(head), pause(), interrupted(), Ok(tail), Ok(head)];
+    let mut packets = PacketReader::new(Pieces(pieces));
+    assert!(packets.next_packet().unwrap().is_none()); // nothing for now
+    assert_eq!(packets.parser().pending(), 3);
+    assert_eq!(packets.next_packet().unwrap().unwrap().bytes(), PING);
+    let error = packets.next_packet().unwrap_err();
+    assert_eq!((error.kind(), packets.parser().pending()), (std::io::ErrorKind::WouldBlock, 3));
+    assert_eq!(packets.next_packet().unwrap().unwrap().bytes(), PING);
+    for _ in 0..2 {
+        assert!(packets.next_packet().unwrap().is_none());
+        assert_eq!((packets.parser().pending(), packets.parser().skipped()), (3, 0));
+    }
+    assert!(packets.get_ref().0.is_empty() && packets.get_mut().0.is_empty());
+    assert!(packets.into_inner().0.is_empty());
+}
+
 // ---------------------------------------------------------------------------------- lists and text
 
 #[test]
@@ -270,12 +401,12 @@ fn a_list_holds_what_fits() {
     for n in 1..=3 {
         list.push(n).unwrap();
     }
-    assert_eq!(list.push(4), Err(CapacityError));
+    assert_eq!(list.push(4).map_err(|e| (e.need, e.got)), Err((4, 3)));
     assert_eq!(*list, [1, 2, 3]);
     list[1] = 7;
     list.as_mut_slice().reverse();
     assert_eq!(list, List::from([3, 7, 1]));
-    assert_eq!(List::<u8, 3>::from_slice(&[0; 4]), Err(CapacityError));
+    assert_eq!(List::<u8, 3>::from_slice(&[0; 4]).map_err(|e| e.need), Err(4));
     assert_eq!(List::<u8, 3>::try_from(&[9][..]), Ok([9].into()));
     assert_ne!(List::<u8, 3>::from([1]), List::from([1, 2]));
     assert_eq!(format!("{list:?}"), "[3, 7, 1]");
@@ -283,7 +414,7 @@ fn a_list_holds_what_fits() {
     list.clear();
     assert_eq!(list, List::default());
     let mut none = List::<u8, 0>::new();
-    assert_eq!(none.push(1), Err(CapacityError));
+    assert_eq!(none.push(1).map_err(|e| e.got), Err(0));
 }
 
 #[test]

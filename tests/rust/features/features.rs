@@ -2,7 +2,7 @@
 
 use mip_protocol::dynamic::ToValue;
 use mip_protocol::types::{Mode, StateFlags, Vector3f};
-use mip_protocol::{measurements, mip_9_lives, tools, AnyField, Text, VarText};
+use mip_protocol::{measurements, mip_3d, mip_9_lives, tools, AnyField, Text, VarText};
 use serde::{de::DeserializeOwned, Serialize};
 
 /// There and back again, and what it looks like.
@@ -21,15 +21,30 @@ fn fields_go_to_json_and_come_back() {
         scaled_accel: Vector3f::from([1.0, 2.0, 3.0]),
         valid_flags: StateFlags::READY,
     };
-    assert_eq!(json(&accel), r#"{"scaled_accel":{"x":1.0,"y":2.0,"z":3.0},"valid_flags":1}"#);
-    assert_eq!(json(&AnyField::ToolsPing(tools::Ping)), r#"{"ToolsPing":null}"#);
+    assert_eq!(json(&accel), r#"{"scaled_accel":[1.0,2.0,3.0],"valid_flags":1}"#);
+    assert_eq!(json(&AnyField::ToolsPing(tools::Ping)), r#"{"tools.ping":null}"#);
     assert_eq!(json(&tools::List::write([1, 2]).items), "[1,2]");
     let label = tools::ChoiceParameters::Label(Text::padded("é").unwrap());
-    assert_eq!(json(&tools::Choice::write(1, label).parameters), r#"{"Label":"é       "}"#);
+    assert_eq!(json(&tools::Choice::write(1, label).parameters), r#"{"label":"é       "}"#);
     json(&measurements::Numbers::default());
     json(&measurements::Strings::default());
     json(&measurements::Arrays::default());
-    json(&tools::StatusResponses::Short(tools::StatusShort { flags: 1 }));
+    let short = tools::StatusResponses::Short(tools::StatusShort { flags: 1 });
+    assert_eq!(json(&short), r#"{"status_short":{"flags":1}}"#);
+}
+
+#[test]
+fn names_are_those_of_the_specification() {
+    let field = mip_3d::Default { class: 1, type_: 2, register: 3, self_: 4, present: 5 };
+    let text = json(&field);
+    assert_eq!(text, r#"{"class":1,"type":2,"register":3,"self":4,"present":5}"#);
+    assert_eq!(serde_json::to_string(&field.to_value()).unwrap(), text);
+    let accel = measurements::Accel::default();
+    assert_eq!(serde_json::to_string(&accel.to_value()).unwrap(), json(&accel));
+    assert_eq!(json(&mip_protocol::Role::Command), "\"command\"");
+    let other = tools::ChoiceParameters::Other(tools::Shape(9));
+    assert_eq!(json(&other), r#"{"other":9}"#);
+    assert!(serde_json::to_string(&(0..9).collect::<mip_protocol::List<u8, 2>>()).is_err());
 }
 
 #[test]

@@ -1,5 +1,7 @@
 //! The macros that the generated types are written with.
 
+#![allow(unused_macros)] // few sets use all of them
+
 /// The name in the specification.
 macro_rules! spec_name {
     ($name:ident) => {
@@ -8,6 +10,17 @@ macro_rules! spec_name {
     ($name:ident $text:literal) => {
         $text
     };
+}
+
+/// Errors for `dyn Error`, with `std` or where the compiler has it without.
+macro_rules! error {
+    ($($name:ident)+) => {$(
+        #[cfg(feature = "core-error")]
+        #[allow(clippy::incompatible_msrv)] // the feature demands a newer compiler
+        impl core::error::Error for $name {}
+        #[cfg(all(feature = "std", not(feature = "core-error")))]
+        impl std::error::Error for $name {}
+    )+};
 }
 
 #[macro_use]

@@ -49,6 +49,7 @@ open_enum! {
 
 record! {
     /// When a measurement was taken.
+    #[derive(Copy, Eq, Hash)]
     pub struct MeasurementTime {
         /// Clock of the time.
         pub timebase: Timebase,
@@ -61,6 +62,7 @@ record! {
     }
 }
 
+item! { MeasurementTime { timebase reserved nanoseconds } }
 #[rustfmt::skip]
 impl core::default::Default for MeasurementTime {
     fn default() -> Self {
@@ -114,8 +116,11 @@ record! {
     ///
     /// Where and how an external sensor is mounted on the vehicle.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`FrameConfigResponse`].
-    /// Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`FrameConfigResponse`]. Supported
+    /// by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - Aiding measurements name the frame by its number.
     /// - `p_vehicle = R * p_frame + t`, with the rotation R and the translation t.
@@ -123,6 +128,7 @@ record! {
     /// - A read names the format that the answer shall have.
     ///
     /// Source: 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01); 3dm-cv7-gnss-ins: Aiding Frames.
+    #[derive(Copy)]
     pub struct FrameConfig {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -132,19 +138,22 @@ record! {
         pub frame_id: Option<u8>,
         /// How the rotation is given.
         ///
-        /// Required for write and read.
+        /// Required for [write](types::FunctionSelector::WRITE) and
+        /// [read](types::FunctionSelector::READ).
         pub format: Option<AidingFrameFormat>,
         /// Whether the filter estimates the errors of the frame.
         ///
-        /// Required for write.
+        /// Required for [write](types::FunctionSelector::WRITE).
         pub tracking_enabled: Option<crate::Bool>,
         /// Origin of the frame in the vehicle.
         ///
-        /// Elements: x, y, z. Unit: m. Frame: vehicle. Required for write.
+        /// Elements: x, y, z. Unit: m. Frame: vehicle. Required for
+        /// [write](types::FunctionSelector::WRITE).
         pub translation: Option<types::Vector3f>,
         /// Rotation from the frame to the vehicle.
         ///
-        /// Selected by `format`. Required for write.
+        /// Selected by [`format`](FrameConfig::format). Required for
+        /// [write](types::FunctionSelector::WRITE).
         pub rotation: Option<FrameConfigRotation>,
     }
     wire 32 {
@@ -159,15 +168,19 @@ record! {
 
 union! {
     /// The alternatives of `rotation` in [`FrameConfig`].
+    #[derive(Copy)]
     pub enum FrameConfigRotation: AidingFrameFormat {
         /// Roll, pitch and yaw.
         ///
-        /// If `format` is [`AidingFrameFormat::EULER`]. Elements: x, y, z. Unit: rad. Range:
-        /// -3.141592653589793 to 3.141592653589793.
+        /// If [`format`](FrameConfig::format) is [`AidingFrameFormat::EULER`]. Elements: x, y, z.
+        /// Unit: rad. Range: -3.141592653589793 to 3.141592653589793.
+        #[cfg_attr(feature = "serde", serde(rename = "euler"))]
         EULER => Euler(types::Vector3f) "euler",
         /// Quaternion, scalar part first.
         ///
-        /// If `format` is [`AidingFrameFormat::QUATERNION`]. Elements: w, x, y, z. Unit: 1.
+        /// If [`format`](FrameConfig::format) is [`AidingFrameFormat::QUATERNION`]. Elements: w, x,
+        /// y, z. Unit: 1.
+        #[cfg_attr(feature = "serde", serde(rename = "quaternion"))]
         QUATERNION => Quaternion(types::Quatf) "quaternion",
     }
     default FrameConfigRotation::Other(AidingFrameFormat(0))
@@ -211,19 +224,23 @@ record! {
     ///
     /// How the device answers aiding measurements.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`EchoControlResponse`].
-    /// Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`EchoControlResponse`]. Supported
+    /// by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - The manual does not give the layout of the responses that carry the data back.
     ///
     /// Source: 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F); 3dm-cv7-gnss-ins: Aiding Command Echo
     /// Control.
+    #[derive(Copy, Eq, Hash)]
     pub struct EchoControl {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// How they are answered.
         ///
-        /// Required for write.
+        /// Required for [write](types::FunctionSelector::WRITE).
         pub mode: Option<AidingEchoMode>,
     }
     wire 2 {
@@ -265,8 +282,9 @@ record! {
     ///
     /// A measured position in Earth-fixed coordinates.
     ///
-    /// Also called `pos_ecef`. Not acknowledged if `mode` of [`EchoControl`] is
-    /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `pos_ecef`. Not acknowledged if [`mode`](EchoControl::mode) of [`EchoControl`]
+    /// is [`AidingEchoMode::SUPPRESS_ACK`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - Use only one form of position: ECEF or LLH.
     /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
@@ -274,7 +292,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: ECEF Position (0x13,0x21); 3dm-cv7-gnss-ins: Filter Aiding
     /// Measurements \> ECEF Position.
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct EcefPosition {
         /// When the measurement was taken.
         pub time: MeasurementTime,
@@ -325,8 +343,9 @@ record! {
     ///
     /// A measured position as latitude, longitude and height.
     ///
-    /// Also called `pos_llh`. Not acknowledged if `mode` of [`EchoControl`] is
-    /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `pos_llh`. Not acknowledged if [`mode`](EchoControl::mode) of [`EchoControl`] is
+    /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - Use only one form of position: ECEF or LLH.
     /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
@@ -334,7 +353,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: LLH Position (0x13,0x22); 3dm-cv7-gnss-ins: Filter Aiding
     /// Measurements \> LLH Position.
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct LlhPosition {
         /// When the measurement was taken.
         pub time: MeasurementTime,
@@ -395,14 +414,15 @@ record! {
     ///
     /// A measured height.
     ///
-    /// Not acknowledged if `mode` of [`EchoControl`] is [`AidingEchoMode::SUPPRESS_ACK`]. Supported
-    /// by 3DM-CV7-GNSS/INS.
+    /// Not acknowledged if [`mode`](EchoControl::mode) of [`EchoControl`] is
+    /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
     ///   unknown layout.
     ///
     /// Source: 3dm-cv7-gnss-ins: Height Above Ellipsoid (0x13,0x23).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct HeightAboveEllipsoid {
         /// When the measurement was taken.
         pub time: MeasurementTime,
@@ -449,8 +469,9 @@ record! {
     ///
     /// A measured velocity in Earth-fixed coordinates.
     ///
-    /// Also called `vel_ecef`. Not acknowledged if `mode` of [`EchoControl`] is
-    /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `vel_ecef`. Not acknowledged if [`mode`](EchoControl::mode) of [`EchoControl`]
+    /// is [`AidingEchoMode::SUPPRESS_ACK`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - Use only one form of velocity: ECEF or NED.
     /// - Not for a sensor that is fixed to the vehicle; that takes [`BodyFrameVelocity`].
@@ -459,7 +480,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: ECEF Velocity (0x13,0x28); 3dm-cv7-gnss-ins: Filter Aiding
     /// Measurements \> ECEF Velocity.
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct EcefVelocity {
         /// When the measurement was taken.
         pub time: MeasurementTime,
@@ -510,8 +531,9 @@ record! {
     ///
     /// A measured velocity in the local level frame.
     ///
-    /// Also called `vel_ned`. Not acknowledged if `mode` of [`EchoControl`] is
-    /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `vel_ned`. Not acknowledged if [`mode`](EchoControl::mode) of [`EchoControl`] is
+    /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - Use only one form of velocity: ECEF or NED.
     /// - Not for a sensor that is fixed to the vehicle; that takes [`BodyFrameVelocity`].
@@ -520,7 +542,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: NED Velocity (0x13,0x29); 3dm-cv7-gnss-ins: Filter Aiding
     /// Measurements \> NED Velocity.
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct NedVelocity {
         /// When the measurement was taken.
         pub time: MeasurementTime,
@@ -571,8 +593,9 @@ record! {
     ///
     /// A measured velocity of the vehicle in the frame of the sensor.
     ///
-    /// Also called `vel_body_frame`. Not acknowledged if `mode` of [`EchoControl`] is
-    /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `vel_body_frame`. Not acknowledged if [`mode`](EchoControl::mode) of
+    /// [`EchoControl`] is [`AidingEchoMode::SUPPRESS_ACK`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - The device takes up to four sensors of this kind.
     /// - A wheeled vehicle constraint is a velocity of 0 with y valid only, sent at least once in a
@@ -585,7 +608,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: Body Frame Velocity (0x13,0x2A); 3dm-cv7-gnss-ins: Filter Aiding
     /// Measurements \> Body Frame Velocity; 3dm-cv7-gnss-ins: Filter Kinematic Constraints.
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct BodyFrameVelocity {
         /// When the measurement was taken.
         pub time: MeasurementTime,
@@ -636,16 +659,17 @@ record! {
     ///
     /// A measured heading relative to true north.
     ///
-    /// Also called `heading_true`. Not acknowledged if `mode` of [`EchoControl`] is
-    /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and
-    /// 3DM-CV7-GNSS/INS.
+    /// Also called `heading_true`. Not acknowledged if [`mode`](EchoControl::mode) of
+    /// [`EchoControl`] is [`AidingEchoMode::SUPPRESS_ACK`]. Supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
     ///   unknown layout.
     ///
     /// Source: 3dm-cv7-gnss-ins: True Heading (0x13,0x31); 3dm-cv7-gnss-ins: Filter Aiding
     /// Measurements \> True Heading.
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct TrueHeading {
         /// When the measurement was taken.
         pub time: MeasurementTime,
@@ -692,8 +716,9 @@ record! {
     ///
     /// A magnetic field measured by an external magnetometer.
     ///
-    /// Not acknowledged if `mode` of [`EchoControl`] is [`AidingEchoMode::SUPPRESS_ACK`]. Supported
-    /// by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+    /// Not acknowledged if [`mode`](EchoControl::mode) of [`EchoControl`] is
+    /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR) and [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - The magnetometer must be calibrated.
     /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
@@ -701,7 +726,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: Magnetic Field (0x13,0x32); 3dm-cv7-gnss-ins: Filter Aiding
     /// Measurements \> External Magnetometer.
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct MagneticField {
         /// When the measurement was taken.
         pub time: MeasurementTime,
@@ -752,15 +777,16 @@ record! {
     ///
     /// A static air pressure measured by an external sensor.
     ///
-    /// Not acknowledged if `mode` of [`EchoControl`] is [`AidingEchoMode::SUPPRESS_ACK`]. Supported
-    /// by 3DM-CV7-GNSS/INS.
+    /// Not acknowledged if [`mode`](EchoControl::mode) of [`EchoControl`] is
+    /// [`AidingEchoMode::SUPPRESS_ACK`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
     ///   unknown layout.
     ///
     /// Source: 3dm-cv7-gnss-ins: Pressure (0x13,0x33); 3dm-cv7-gnss-ins: Filter Aiding Measurements
     /// \> External Pressure.
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct Pressure {
         /// When the measurement was taken.
         pub time: MeasurementTime,
@@ -805,10 +831,11 @@ command! {
 record! {
     /// Frame configuration response (0x13,0x81).
     ///
-    /// Answers [`FrameConfig`]. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+    /// Answers [`FrameConfig`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR) and [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01); 3dm-cv7-gnss-ins: Aiding Frames.
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct FrameConfigResponse {
         /// Number of the frame.
         ///
@@ -824,7 +851,7 @@ record! {
         pub translation: types::Vector3f,
         /// Rotation from the frame to the vehicle.
         ///
-        /// Selected by `format`.
+        /// Selected by [`format`](FrameConfigResponse::format).
         pub rotation: FrameConfigRotation,
     }
     wire 31 {
@@ -844,11 +871,12 @@ field! {
 record! {
     /// Echo control response (0x13,0x9F).
     ///
-    /// Answers [`EchoControl`]. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.
+    /// Answers [`EchoControl`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR) and [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F); 3dm-cv7-gnss-ins: Aiding Command Echo
     /// Control.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct EchoControlResponse {
         /// How they are answered.
         pub mode: AidingEchoMode,

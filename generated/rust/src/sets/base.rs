@@ -14,7 +14,7 @@ record! {
     ///
     /// Source: 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03); 3dm-cv7-gnss-ins: Get device
     /// information (0x01,0x03).
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct BaseDeviceInfo {
         /// Firmware version as one decimal number: 1202 stands for 1.2.02.
         pub firmware_version: u16,
@@ -31,6 +31,7 @@ record! {
     }
 }
 
+item! { BaseDeviceInfo { firmware_version model_name model_number serial_number lot_number device_options } }
 constructors! {
     BaseDeviceInfo
 
@@ -60,17 +61,31 @@ record! {
     ///
     /// Asks whether a device is there and answers commands.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and
-    /// 3DM-RQ1-45-ST. May be supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10,
-    /// 3DM-CV5-15, 3DM-CV5-25, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15,
-    /// 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR,
-    /// 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25,
-    /// 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR and 3DM-RTK.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
+    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). May be supported by
+    /// [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
+    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX5-10](crate::devices::CX5_10),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-DH3](crate::devices::DH3), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
+    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX3-15](crate::devices::GX3_15),
+    /// [3DM-GX3-25](crate::devices::GX3_25), [3DM-GX3-35](crate::devices::GX3_35),
+    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
+    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-GX5-10](crate::devices::GX5_10), [3DM-GX5-25](crate::devices::GX5_25),
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-MV5-AR](crate::devices::MV5_AR) and
+    /// [3DM-RTK](crate::devices::RTK).
     ///
     /// - A device that is not in a normal operating mode may refuse the command.
     ///
     /// Source: 3dm-gx5-15: 4.1.1 Ping (0x01, 0x01); 3dm-cv7-gnss-ins: Ping (0x01,0x01).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct Ping;
 }
 
@@ -94,19 +109,33 @@ record! {
     ///
     /// Stops all data streams, and wakes a sleeping device, so that it can be set up.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May
-    /// be supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25,
-    /// 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
-    /// 3DM-CX5-45, 3DM-DH3, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15,
-    /// 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10,
-    /// 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR and 3DM-RTK.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// May be supported by [3DM-CL5-10](crate::devices::CL5_10),
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-CX5-15](crate::devices::CX5_15),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-DH3](crate::devices::DH3),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
+    /// [3DM-GX3-15](crate::devices::GX3_15), [3DM-GX3-25](crate::devices::GX3_25),
+    /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10),
+    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-35](crate::devices::GX5_35),
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-MV5-AR](crate::devices::MV5_AR) and
+    /// [3DM-RTK](crate::devices::RTK).
     ///
     /// - The resume command restores the previous mode.
     /// - While idle the device sends no NMEA sentences either.
     ///
     /// Source: 3dm-gx5-15: 4.1.2 Set To Idle (0x01, 0x02); 3dm-cv7-gnss-ins: Set to idle
     /// (0x01,0x02).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct SetIdle;
 }
 
@@ -130,17 +159,30 @@ record! {
     ///
     /// Gets the firmware version and the identity strings of the device.
     ///
-    /// Answered by [`GetDeviceInfoResponse`]. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
-    /// 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
-    /// 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV7-AHRS,
-    /// 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45,
-    /// 3DM-DH3, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25,
-    /// 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25,
-    /// 3DM-MV5-AR and 3DM-RTK.
+    /// Answered by [`GetDeviceInfoResponse`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). May be supported by
+    /// [3DM-CL5-10](crate::devices::CL5_10), [3DM-CL5-15](crate::devices::CL5_15),
+    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-CX5-10](crate::devices::CX5_10),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-DH3](crate::devices::DH3), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GV7-AHRS](crate::devices::GV7_AHRS), [3DM-GV7-AR](crate::devices::GV7_AR),
+    /// [3DM-GV7-INS](crate::devices::GV7_INS), [3DM-GX3-15](crate::devices::GX3_15),
+    /// [3DM-GX3-25](crate::devices::GX3_25), [3DM-GX3-35](crate::devices::GX3_35),
+    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
+    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-GX5-10](crate::devices::GX5_10), [3DM-GX5-25](crate::devices::GX5_25),
+    /// [3DM-MV5-AR](crate::devices::MV5_AR) and [3DM-RTK](crate::devices::RTK).
     ///
     /// Source: 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03); 3dm-cv7-gnss-ins: Get device
     /// information (0x01,0x03).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GetDeviceInfo;
 }
 
@@ -165,20 +207,33 @@ record! {
     ///
     /// Gets the command and data descriptors that the device supports.
     ///
-    /// Answered by [`GetDeviceDescriptorsResponse`]. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
-    /// 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-CL5-10,
-    /// 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV7-AHRS, 3DM-CV7-AR,
-    /// 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3,
-    /// 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35,
-    /// 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45,
-    /// 3DM-MV5-AR and 3DM-RTK.
+    /// Answered by [`GetDeviceDescriptorsResponse`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// May be supported by [3DM-CL5-10](crate::devices::CL5_10),
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-CX5-15](crate::devices::CX5_15),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-DH3](crate::devices::DH3),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
+    /// [3DM-GX3-15](crate::devices::GX3_15), [3DM-GX3-25](crate::devices::GX3_25),
+    /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10),
+    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-45](crate::devices::GX5_45),
+    /// [3DM-MV5-AR](crate::devices::MV5_AR) and [3DM-RTK](crate::devices::RTK).
     ///
     /// - If the list contains the descriptor of [`GetExtendedDescriptors`], that command gives
     ///   more.
     ///
     /// Source: 3dm-gx5-15: 4.1.4 Get Device Descriptor Sets (0x01, 0x04); 3dm-cv7-gnss-ins: Get
     /// device descriptors (0x01,0x04).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GetDeviceDescriptors;
 }
 
@@ -204,9 +259,12 @@ record! {
     /// Runs the self test of the device and gets its result.
     ///
     /// Answered by [`BuiltInTestResponse`]. The device may take 10 s to answer. Supported by
-    /// 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported
-    /// by 3DM-GX5-35 and 3DM-GX5-45. Uncertain: How long the test takes at most. The manual of the
-    /// 3DM-CV7 says several seconds; 10 s leaves room for that.
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). May be supported by
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). Uncertain:
+    /// How long the test takes at most. The manual of the 3DM-CV7 says several seconds; 10 s leaves
+    /// room for that.
     ///
     /// - The test interrupts normal operation for up to several seconds; no data is available
     ///   meanwhile.
@@ -215,7 +273,7 @@ record! {
     ///
     /// Source: 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05); 3dm-cv7-gnss-ins: Built in test
     /// (0x01,0x05); 3dm-cv7-gnss-ins: Commanded Built-in Test.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct BuiltInTest;
 }
 
@@ -241,17 +299,31 @@ record! {
     ///
     /// Ends idle mode and returns the device to the mode that it was in before.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May
-    /// be supported by 3DM-CL5-10, 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25,
-    /// 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
-    /// 3DM-CX5-45, 3DM-DH3, 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15,
-    /// 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10,
-    /// 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR and 3DM-RTK.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// May be supported by [3DM-CL5-10](crate::devices::CL5_10),
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-CX5-15](crate::devices::CX5_15),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-DH3](crate::devices::DH3),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
+    /// [3DM-GX3-15](crate::devices::GX3_15), [3DM-GX3-25](crate::devices::GX3_25),
+    /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10),
+    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-35](crate::devices::GX5_35),
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-MV5-AR](crate::devices::MV5_AR) and
+    /// [3DM-RTK](crate::devices::RTK).
     ///
     /// - If the device was not idle, it enters its default mode (3DM-GX5-15).
     ///
     /// Source: 3dm-gx5-15: 4.1.6 Resume (0x01, 0x06); 3dm-cv7-gnss-ins: Resume (0x01,0x06).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct Resume;
 }
 
@@ -275,14 +347,16 @@ record! {
     ///
     /// Gets the supported descriptors that did not fit into the reply of get device descriptors.
     ///
-    /// Answered by [`GetExtendedDescriptorsResponse`]. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15
-    /// and 3DM-GX5-35. May be supported by 3DM-GX5-45.
+    /// Answered by [`GetExtendedDescriptorsResponse`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15) and
+    /// [3DM-GX5-35](crate::devices::GX5_35). May be supported by
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - Only supported if [`GetDeviceDescriptors`] lists it.
     ///
     /// Source: 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07);
     /// 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GetExtendedDescriptors;
 }
 
@@ -308,7 +382,7 @@ record! {
     /// Gets the flags of the tests that run all the time. It does not interrupt operation.
     ///
     /// Also called `continuous_bit`. Answered by [`ContinuousBuiltInTestResponse`]. Supported by
-    /// 3DM-CV7-GNSS/INS.
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - It is less thorough than the built-in test command.
     /// - Each flag stays set until it is reported by this command, apart from the copy of the
@@ -316,7 +390,7 @@ record! {
     /// - The self-test flags change only when the built-in test command runs.
     ///
     /// Source: 3dm-cv7-gnss-ins: Continuous built-in test (0x01,0x08).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct ContinuousBuiltInTest;
 }
 
@@ -341,14 +415,17 @@ record! {
     ///
     /// Baud rate of one communication port.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`CommSpeedResponse`]. Supported
-    /// by 3DM-CV7-GNSS/INS.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`CommSpeedResponse`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - The change waits until pending data is sent and received, at most 250 ms.
     /// - Send it alone in a packet while the device is idle, and wait 250 ms before going on.
     /// - Commands and data during the change may be lost or come at either rate.
     ///
     /// Source: 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09).
+    #[derive(Copy, Eq, Hash)]
     pub struct CommSpeed {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -356,7 +433,7 @@ record! {
         pub port: Option<u8>,
         /// Baud rate; one that the port supports.
         ///
-        /// Unit: Bd. Required for write.
+        /// Unit: Bd. Required for [write](types::FunctionSelector::WRITE).
         pub baud: Option<u32>,
     }
     wire 6 {
@@ -399,9 +476,14 @@ record! {
     ///
     /// Sets the week number or the time of week of the external (GPS) time.
     ///
-    /// Functions: write, read and apply. Answered by [`GpsTimeUpdateWeekNumberResponse`] or
-    /// [`GpsTimeUpdateTowResponse`]. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and
-    /// 3DM-GX5-35. May be supported by 3DM-GX5-45. On the 3DM-CV7-GNSS/INS: write only.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ)
+    /// and [apply](types::FunctionSelector::APPLY). Answered by [`GpsTimeUpdateWeekNumberResponse`]
+    /// or [`GpsTimeUpdateTowResponse`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35). May be
+    /// supported by [3DM-GX5-45](crate::devices::GX5_45). On the
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): [write](types::FunctionSelector::WRITE)
+    /// only.
     ///
     /// - Send it once for the time of week and once for the week number after the PPS is locked.
     /// - The PPS supplies the fraction of the second; send the whole second that began at its last
@@ -413,6 +495,7 @@ record! {
     ///
     /// Source: 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72); 3dm-cv7-gnss-ins: GPS Time Update
     /// Command (0x01,0x72).
+    #[derive(Copy, Eq, Hash)]
     pub struct GpsTimeUpdate {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -420,9 +503,11 @@ record! {
         pub field_id: Option<GpsTimeField>,
         /// What `field_id` says.
         ///
-        /// Required for write and apply. If `field_id` is [`GpsTimeField::WEEK_NUMBER`]: unit week.
-        /// GPS week number since 6 January 1980. If `field_id` is [`GpsTimeField::TOW`]: unit s.
-        /// Whole seconds of the GPS week.
+        /// Required for [write](types::FunctionSelector::WRITE) and
+        /// [apply](types::FunctionSelector::APPLY). If [`field_id`](GpsTimeUpdate::field_id) is
+        /// [`GpsTimeField::WEEK_NUMBER`]: unit week. GPS week number since 6 January 1980. If
+        /// [`field_id`](GpsTimeUpdate::field_id) is [`GpsTimeField::TOW`]: unit s. Whole seconds of
+        /// the GPS week.
         pub value: Option<u32>,
     }
     wire 6 {
@@ -458,10 +543,13 @@ command! {
 
 responses! {
     /// What [`GpsTimeUpdate`] is answered with.
+    #[derive(Copy, Eq, Hash)]
     pub enum GpsTimeUpdateResponses {
         /// The response [`GpsTimeUpdateWeekNumberResponse`].
+        #[cfg_attr(feature = "serde", serde(rename = "gps_time_update_week_number_response"))]
         WeekNumber(GpsTimeUpdateWeekNumberResponse),
         /// The response [`GpsTimeUpdateTowResponse`].
+        #[cfg_attr(feature = "serde", serde(rename = "gps_time_update_tow_response"))]
         Tow(GpsTimeUpdateTowResponse),
     }
 }
@@ -471,12 +559,15 @@ record! {
     ///
     /// Acknowledges the command, then resets the device at once.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and
-    /// 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). May be supported by
+    /// [3DM-GX5-35](crate::devices::GX5_35).
     ///
     /// Source: 3dm-gx5-15: 4.1.9 Device Reset (0x01, 0x7E); 3dm-cv7-gnss-ins: Reset device
     /// (0x01,0x7E).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct SoftReset;
 }
 
@@ -498,17 +589,30 @@ command! {
 record! {
     /// Get device information response (0x01,0x81).
     ///
-    /// Answers [`GetDeviceInfo`]. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15,
-    /// 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-CL5-10,
-    /// 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV7-AHRS, 3DM-CV7-AR,
-    /// 3DM-CV7-INS, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3,
-    /// 3DM-GQ7-GNSS/INS, 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35,
-    /// 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-MV5-AR and
-    /// 3DM-RTK.
+    /// Answers [`GetDeviceInfo`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
+    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// May be supported by [3DM-CL5-10](crate::devices::CL5_10),
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-CX5-15](crate::devices::CX5_15),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-DH3](crate::devices::DH3),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
+    /// [3DM-GX3-15](crate::devices::GX3_15), [3DM-GX3-25](crate::devices::GX3_25),
+    /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10),
+    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-MV5-AR](crate::devices::MV5_AR) and
+    /// [3DM-RTK](crate::devices::RTK).
     ///
     /// Source: 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03); 3dm-cv7-gnss-ins: Get device
     /// information (0x01,0x03).
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct GetDeviceInfoResponse {
         /// Identity of the device.
         pub device_info: BaseDeviceInfo,
@@ -523,17 +627,30 @@ field! {
 record! {
     /// Get device descriptors response (0x01,0x82).
     ///
-    /// Answers [`GetDeviceDescriptors`]. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15,
-    /// 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-CL5-10, 3DM-CL5-15,
-    /// 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-INS,
-    /// 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ7-GNSS/INS,
-    /// 3DM-GV7-AHRS, 3DM-GV7-AR, 3DM-GV7-INS, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
-    /// 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45, 3DM-MV5-AR and
-    /// 3DM-RTK.
+    /// Answers [`GetDeviceDescriptors`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// May be supported by [3DM-CL5-10](crate::devices::CL5_10),
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-INS](crate::devices::CV7_INS),
+    /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-CX5-15](crate::devices::CX5_15),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-DH3](crate::devices::DH3),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GV7-AHRS](crate::devices::GV7_AHRS),
+    /// [3DM-GV7-AR](crate::devices::GV7_AR), [3DM-GV7-INS](crate::devices::GV7_INS),
+    /// [3DM-GX3-15](crate::devices::GX3_15), [3DM-GX3-25](crate::devices::GX3_25),
+    /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10),
+    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-45](crate::devices::GX5_45),
+    /// [3DM-MV5-AR](crate::devices::MV5_AR) and [3DM-RTK](crate::devices::RTK).
     ///
     /// Source: 3dm-gx5-15: 4.1.4 Get Device Descriptor Sets (0x01, 0x04); 3dm-cv7-gnss-ins: Get
     /// device descriptors (0x01,0x04).
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct GetDeviceDescriptorsResponse {
         /// Supported descriptors: the descriptor set in the high byte, the field descriptor in the
         /// low byte.
@@ -549,18 +666,24 @@ field! {
 record! {
     /// Built-in test response (0x01,0x83).
     ///
-    /// Answers [`BuiltInTest`]. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15,
-    /// 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
+    /// Answers [`BuiltInTest`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// May be supported by [3DM-GX5-35](crate::devices::GX5_35) and
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05); 3dm-cv7-gnss-ins: Built in test
     /// (0x01,0x05); 3dm-cv7-gnss-ins: Commanded Built-in Test.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct BuiltInTestResponse {
         /// Failure flags, defined by each device. Zero means that every test passed.
         ///
-        /// On the 3DM-CV7-GNSS/INS: values of [`types::Cv7BuiltInTest`]. On the 3DM-GQ4-45,
-        /// 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values that are not known. On
-        /// the 3DM-GX5-15: values of [`types::Gx5BuiltInTest`].
+        /// On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of
+        /// [`types::Cv7BuiltInTest`]. On the [3DM-GQ4-45](crate::devices::GQ4_45),
+        /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
+        /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+        /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): values that are not known. On the
+        /// [3DM-GX5-15](crate::devices::GX5_15): values of [`types::Gx5BuiltInTest`].
         pub result: u32,
     }
 }
@@ -569,7 +692,9 @@ record! {
 impl BuiltInTestResponse {
     /// Reads `result` as [`types::Cv7BuiltInTest`].
     ///
-    /// On the 3DM-CV7-GNSS/INS: values of [`types::Cv7BuiltInTest`].
+    /// On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of
+    /// [`types::Cv7BuiltInTest`].
+    #[inline]
     #[must_use]
     pub fn result_as_cv7_built_in_test(&self) -> types::Cv7BuiltInTest {
         self.result.into()
@@ -577,7 +702,8 @@ impl BuiltInTestResponse {
 
     /// Reads `result` as [`types::Gx5BuiltInTest`].
     ///
-    /// On the 3DM-GX5-15: values of [`types::Gx5BuiltInTest`].
+    /// On the [3DM-GX5-15](crate::devices::GX5_15): values of [`types::Gx5BuiltInTest`].
+    #[inline]
     #[must_use]
     pub fn result_as_gx5_built_in_test(&self) -> types::Gx5BuiltInTest {
         self.result.into()
@@ -594,12 +720,14 @@ record! {
     ///
     /// The current week number.
     ///
-    /// Answers [`GpsTimeUpdate`]. Sent if `field_id` is [`GpsTimeField::WEEK_NUMBER`]. Supported by
-    /// 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
+    /// Answers [`GpsTimeUpdate`]. Sent if [`field_id`](GpsTimeUpdate::field_id) is
+    /// [`GpsTimeField::WEEK_NUMBER`]. Supported by [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35). May be
+    /// supported by [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72); 3dm-cv7-gnss-ins: GPS Time Update
     /// Command (0x01,0x72).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GpsTimeUpdateWeekNumberResponse {
         /// GPS week number.
         ///
@@ -618,12 +746,14 @@ record! {
     ///
     /// The current time of week.
     ///
-    /// Answers [`GpsTimeUpdate`]. Sent if `field_id` is [`GpsTimeField::TOW`]. Supported by
-    /// 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
+    /// Answers [`GpsTimeUpdate`]. Sent if [`field_id`](GpsTimeUpdate::field_id) is
+    /// [`GpsTimeField::TOW`]. Supported by [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35). May be
+    /// supported by [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72); 3dm-cv7-gnss-ins: GPS Time Update
     /// Command (0x01,0x72).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GpsTimeUpdateTowResponse {
         /// GPS time of week in whole seconds.
         ///
@@ -640,12 +770,14 @@ field! {
 record! {
     /// Get device descriptors (extended) response (0x01,0x86).
     ///
-    /// Answers [`GetExtendedDescriptors`]. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and
-    /// 3DM-GX5-35. May be supported by 3DM-GX5-45.
+    /// Answers [`GetExtendedDescriptors`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15) and
+    /// [3DM-GX5-35](crate::devices::GX5_35). May be supported by
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07);
     /// 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07).
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct GetExtendedDescriptorsResponse {
         /// Supported descriptors: the descriptor set in the high byte, the field descriptor in the
         /// low byte.
@@ -662,15 +794,16 @@ record! {
     /// Continuous built-in test response (0x01,0x88).
     ///
     /// Also called `continuous_bit_response`. Answers [`ContinuousBuiltInTest`]. Supported by
-    /// 3DM-CV7-GNSS/INS.
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Continuous built-in test (0x01,0x08).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct ContinuousBuiltInTestResponse {
         /// Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the
         /// second byte.
         ///
-        /// On the 3DM-CV7-GNSS/INS: values of [`types::Cv7ContinuousBuiltInTest`].
+        /// On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of
+        /// [`types::Cv7ContinuousBuiltInTest`].
         pub result: [u8; 16],
     }
 }
@@ -679,7 +812,9 @@ record! {
 impl ContinuousBuiltInTestResponse {
     /// Reads `result` as [`types::Cv7ContinuousBuiltInTest`].
     ///
-    /// On the 3DM-CV7-GNSS/INS: values of [`types::Cv7ContinuousBuiltInTest`].
+    /// On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of
+    /// [`types::Cv7ContinuousBuiltInTest`].
+    #[inline]
     #[must_use]
     pub fn result_as_cv7_continuous_built_in_test(&self) -> types::Cv7ContinuousBuiltInTest {
         self.result.into()
@@ -694,10 +829,10 @@ field! {
 record! {
     /// Comm port speed response (0x01,0x89).
     ///
-    /// Answers [`CommSpeed`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Answers [`CommSpeed`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct CommSpeedResponse {
         /// Port id of the device; 0 means all ports, and is for save, load and default only.
         pub port: u8,

@@ -323,8 +323,10 @@ record! {
     ///
     /// Puts the filter back into its initialization state.
     ///
-    /// Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-RQ1-45-LT and
-    /// 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
+    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// May be supported by [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - If automatic initialization is off, the attitude or heading must be set before the filter
     ///   runs again.
@@ -333,7 +335,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: Reset Navigation Filter (0x0D,0x01); 3dm-gx5-15: 4.3.1 Reset
     /// Filter (0x0D, 0x01).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct Reset;
 }
 
@@ -357,12 +359,14 @@ record! {
     ///
     /// Gives the filter its initial attitude, the orientation of the sensor frame in the NED frame.
     ///
-    /// Supported by 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
+    /// Supported by [3DM-GX5-15](crate::devices::GX5_15),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// May be supported by [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - Accepted only in the initialization state.
     ///
     /// Source: 3dm-gx5-15: 4.3.2 Set Initial Attitude (0x0D, 0x02).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct SetInitialAttitude {
         /// Roll angle.
         ///
@@ -403,8 +407,10 @@ record! {
     ///
     /// Gives the filter its initial heading; pitch and roll come from the accelerometers.
     ///
-    /// Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-45,
-    /// 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15),
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// - 3DM-GX5: accepted only in the initialization state.
     /// - 3DM-CV7: resets the estimated heading; if magnetometer aiding is on, the given heading is
@@ -412,7 +418,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: Set Initial Heading Control (0x0D,0x03); 3dm-gx5-15: 4.3.3 Set
     /// Initial Heading (0x0D, 0x03).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct SetInitialHeading {
         /// Initial heading.
         ///
@@ -441,13 +447,14 @@ record! {
     ///
     /// Starts a filter that was set up to wait for this command.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// - The filter waits in its initialization state if `wait_for_run_command` of
     ///   [`InitializationConfig`] is set.
     ///
     /// Source: 3dm-cv7-gnss-ins: Run Navigation Filter (0x0D,0x05).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct Run;
 }
 
@@ -471,17 +478,21 @@ record! {
     ///
     /// Kind of vehicle that the filter is tuned for.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`VehicleDynamicsModeResponse`].
-    /// Supported by 3DM-GX5-45. May be supported by 3DM-GX3-45. Known from the MicroStrain MIP SDK
-    /// only.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`VehicleDynamicsModeResponse`].
+    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). May be supported by
+    /// [3DM-GX3-45](crate::devices::GX3_45). Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10).
+    #[derive(Copy, Eq, Hash)]
     pub struct VehicleDynamicsMode {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Kind of vehicle.
         ///
-        /// Required for write. On the 3DM-GX3-45: only [`DynamicsMode::PORTABLE`],
+        /// Required for [write](types::FunctionSelector::WRITE). On the
+        /// [3DM-GX3-45](crate::devices::GX3_45): only [`DynamicsMode::PORTABLE`],
         /// [`DynamicsMode::AUTOMOTIVE`] and [`DynamicsMode::AIRBORNE`].
         pub mode: Option<DynamicsMode>,
     }
@@ -524,8 +535,11 @@ record! {
     ///
     /// Euler angles of the rotation from the sensor frame to the vehicle frame (5-series).
     ///
-    /// Functions: write, read, save, load and default. Answered by
-    /// [`SensorToVehicleRotationEulerResponse`]. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by
+    /// [`SensorToVehicleRotationEulerResponse`]. Supported by [3DM-GX5-15](crate::devices::GX5_15)
+    /// and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
     ///   velocity, and the orientation, compensated and linear acceleration, angular rate and
@@ -534,20 +548,21 @@ record! {
     ///   [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler).
     ///
     /// Source: 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11).
+    #[derive(Copy)]
     pub struct SensorToVehicleRotationEuler {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Roll angle.
         ///
-        /// Unit: rad. Required for write.
+        /// Unit: rad. Required for [write](types::FunctionSelector::WRITE).
         pub roll: Option<f32>,
         /// Pitch angle.
         ///
-        /// Unit: rad. Required for write.
+        /// Unit: rad. Required for [write](types::FunctionSelector::WRITE).
         pub pitch: Option<f32>,
         /// Yaw angle.
         ///
-        /// Unit: rad. Required for write.
+        /// Unit: rad. Required for [write](types::FunctionSelector::WRITE).
         pub yaw: Option<f32>,
     }
     wire 13 {
@@ -595,22 +610,25 @@ record! {
     ///
     /// Origin of the vehicle frame, as seen from the sensor.
     ///
-    /// Functions: write, read, save, load and default. Answered by
-    /// [`SensorToVehicleOffsetResponse`]. Supported by 3DM-GX5-45. Known from the MicroStrain MIP
-    /// SDK only. Uncertain: The direction, from the sensor to the origin of the vehicle frame, is
-    /// inferred from the name.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`SensorToVehicleOffsetResponse`].
+    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only.
+    /// Uncertain: The direction, from the sensor to the origin of the vehicle frame, is inferred
+    /// from the name.
     ///
     /// - It shifts [`filter_data::LlhPosition`](crate::filter_data::LlhPosition) and nothing else.
     /// - The shift is constant. It does not follow the attitude, as a lever arm would.
     ///
     /// Source: mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12).
+    #[derive(Copy)]
     pub struct SensorToVehicleOffset {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// From the sensor to the origin of the vehicle frame.
         ///
         /// Elements: x, y, z. Unit: m. Frame: sensor. Range: magnitude at most 10. Required for
-        /// write.
+        /// [write](types::FunctionSelector::WRITE).
         pub offset: Option<types::Vector3f>,
     }
     wire 13 {
@@ -652,21 +670,25 @@ record! {
     ///
     /// Position of the GNSS antenna relative to the origin of the sensor.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`AntennaOffsetResponse`].
-    /// Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GX5-45.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`AntennaOffsetResponse`].
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - 7-series devices expect the vehicle frame, 5-series devices the sensor frame.
     /// - On the 3DM-CV7 it is for GNSS data that come as NMEA; data that come by the aiding
     ///   commands use [`aiding::FrameConfig`](crate::aiding::FrameConfig).
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13).
+    #[derive(Copy)]
     pub struct AntennaOffset {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// From the sensor origin to the centre of the antenna.
         ///
         /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at most 10. Required for
-        /// write.
+        /// [write](types::FunctionSelector::WRITE).
         pub offset: Option<types::Vector3f>,
     }
     wire 13 {
@@ -708,24 +730,38 @@ record! {
     ///
     /// Which states the filter estimates.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`EstimationControlResponse`].
-    /// Supported by 3DM-GX5-15 and 3DM-GX5-45. May be supported by 3DM-CL5-15, 3DM-CL5-25,
-    /// 3DM-CV5-15, 3DM-CV5-25, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
-    /// 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`EstimationControlResponse`].
+    /// Supported by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// May be supported by [3DM-CL5-15](crate::devices::CL5_15),
+    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
+    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// Source: 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14).
+    #[derive(Copy, Eq, Hash)]
     pub struct EstimationControl {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// States to estimate.
         ///
-        /// Required for write. On the 3DM-CL5-15, 3DM-CV5-15, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25
-        /// and 3DM-GX5-15: only [`gyro_bias`](EstimatedStates::gyro_bias). On the 3DM-CL5-25,
-        /// 3DM-CV5-25 and 3DM-GX5-25: only [`gyro_bias`](EstimatedStates::gyro_bias),
+        /// Required for [write](types::FunctionSelector::WRITE). On the
+        /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CV5-15](crate::devices::CV5_15),
+        /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-15](crate::devices::GX4_15),
+        /// [3DM-GX4-25](crate::devices::GX4_25) and [3DM-GX5-15](crate::devices::GX5_15): only
+        /// [`gyro_bias`](EstimatedStates::gyro_bias). On the [3DM-CL5-25](crate::devices::CL5_25),
+        /// [3DM-CV5-25](crate::devices::CV5_25) and [3DM-GX5-25](crate::devices::GX5_25): only
+        /// [`gyro_bias`](EstimatedStates::gyro_bias),
         /// [`auto_hard_iron`](EstimatedStates::auto_hard_iron) and
-        /// [`auto_soft_iron`](EstimatedStates::auto_soft_iron). On the 3DM-GQ4-45, 3DM-GX4-45,
-        /// 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only [`gyro_bias`](EstimatedStates::gyro_bias),
-        /// [`accel_bias`](EstimatedStates::accel_bias),
+        /// [`auto_soft_iron`](EstimatedStates::auto_soft_iron). On the
+        /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX4-45](crate::devices::GX4_45),
+        /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+        /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): only
+        /// [`gyro_bias`](EstimatedStates::gyro_bias), [`accel_bias`](EstimatedStates::accel_bias),
         /// [`gyro_scale_factor`](EstimatedStates::gyro_scale_factor),
         /// [`accel_scale_factor`](EstimatedStates::accel_scale_factor) and
         /// [`antenna_offset`](EstimatedStates::antenna_offset).
@@ -770,19 +806,23 @@ record! {
     ///
     /// Which GNSS receiver aids the filter.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`GnssSourceResponse`].
-    /// Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`GnssSourceResponse`]. Supported
+    /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7)
+    /// and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - A change while the filter runs may put it back into initialization until the new source
     ///   gives data.
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15).
+    #[derive(Copy, Eq, Hash)]
     pub struct GnssSource {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Source of the GNSS data.
         ///
-        /// Required for write.
+        /// Required for [write](types::FunctionSelector::WRITE).
         pub source: Option<GnssAidingSource>,
     }
     wire 2 {
@@ -824,7 +864,7 @@ record! {
     ///
     /// Gives the filter one position and velocity of a GNSS receiver that the user provides.
     ///
-    /// Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
+    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only.
     ///
     /// - Refused unless [`GnssSource`] selects the external source.
     /// - The highest rate depends on the device.
@@ -896,7 +936,8 @@ record! {
     ///
     /// Gives the filter one measurement of the heading of the sensor frame in the NED frame.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - Refused unless external heading updates are enabled, by [`HeadingSource`] on the 3DM-GX5
     ///   and by [`AidingMeasurementEnable`] on the 3DM-CV7.
@@ -906,7 +947,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: External Heading Update (0x0D,0x17); 3dm-gx5-15: 4.3.7 External
     /// Heading Update (0x0D, 0x17).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct ExternalHeadingUpdate {
         /// Heading relative to the north that `type` names.
         ///
@@ -917,6 +958,7 @@ record! {
         /// Unit: rad. Range: greater than 0.
         pub heading_uncertainty: f32,
         /// North that the heading refers to.
+        #[cfg_attr(feature = "serde", serde(rename = "type"))]
         pub type_: HeadingType,
     }
     wire 9 {
@@ -950,26 +992,37 @@ record! {
     ///
     /// Source of the heading that aids the filter.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`HeadingSourceResponse`].
-    /// Supported by 3DM-GX5-15 and 3DM-GX5-45. May be supported by 3DM-CL5-15, 3DM-CL5-25,
-    /// 3DM-CV5-15, 3DM-CV5-25, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25,
-    /// 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`HeadingSourceResponse`].
+    /// Supported by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// May be supported by [3DM-CL5-15](crate::devices::CL5_15),
+    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX3-45](crate::devices::GX3_45), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// Source: 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18).
+    #[derive(Copy, Eq, Hash)]
     pub struct HeadingSource {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Source of the heading.
         ///
-        /// Required for write. On the 3DM-CL5-15, 3DM-CV5-15 and 3DM-GX5-15: only
-        /// [`HeadingUpdateSource::NONE`] and [`HeadingUpdateSource::EXTERNAL`]. On the 3DM-CL5-25,
-        /// 3DM-CV5-25, 3DM-GX4-25 and 3DM-GX5-25: only [`HeadingUpdateSource::NONE`],
-        /// [`HeadingUpdateSource::MAG`] and [`HeadingUpdateSource::EXTERNAL`]. On the 3DM-GQ4-45,
-        /// 3DM-GX3-45 and 3DM-GX4-45: only [`HeadingUpdateSource::NONE`],
+        /// Required for [write](types::FunctionSelector::WRITE). On the
+        /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CV5-15](crate::devices::CV5_15) and
+        /// [3DM-GX5-15](crate::devices::GX5_15): only [`HeadingUpdateSource::NONE`] and
+        /// [`HeadingUpdateSource::EXTERNAL`]. On the [3DM-CL5-25](crate::devices::CL5_25),
+        /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-GX4-25](crate::devices::GX4_25) and
+        /// [3DM-GX5-25](crate::devices::GX5_25): only [`HeadingUpdateSource::NONE`],
+        /// [`HeadingUpdateSource::MAG`] and [`HeadingUpdateSource::EXTERNAL`]. On the
+        /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45) and
+        /// [3DM-GX4-45](crate::devices::GX4_45): only [`HeadingUpdateSource::NONE`],
         /// [`HeadingUpdateSource::MAG`], [`HeadingUpdateSource::GNSS_VELOCITY`] and
-        /// [`HeadingUpdateSource::EXTERNAL`]. On the 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only
-        /// [`HeadingUpdateSource::NONE`], [`HeadingUpdateSource::GNSS_VELOCITY`] and
-        /// [`HeadingUpdateSource::EXTERNAL`].
+        /// [`HeadingUpdateSource::EXTERNAL`]. On the [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+        /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): only [`HeadingUpdateSource::NONE`],
+        /// [`HeadingUpdateSource::GNSS_VELOCITY`] and [`HeadingUpdateSource::EXTERNAL`].
         pub source: Option<HeadingUpdateSource>,
     }
     wire 2 {
@@ -1011,18 +1064,22 @@ record! {
     ///
     /// Whether the filter initializes by itself when the device starts.
     ///
-    /// Also called `auto_init_control`. Functions: write, read, save, load and default. Answered by
-    /// [`AutoInitializationControlResponse`]. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+    /// Also called `auto_init_control`. Functions: [write](types::FunctionSelector::WRITE),
+    /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
+    /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
+    /// Answered by [`AutoInitializationControlResponse`]. Supported by
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - It needs a valid heading source.
     ///
     /// Source: 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19).
+    #[derive(Copy, Eq, Hash)]
     pub struct AutoInitializationControl {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// 0 disables, 1 enables.
         ///
-        /// Range: 0 to 1. Required for write.
+        /// Range: 0 to 1. Required for [write](types::FunctionSelector::WRITE).
         pub enable: Option<u8>,
     }
     wire 2 {
@@ -1064,19 +1121,24 @@ record! {
     ///
     /// Standard deviation of the accelerometer noise that the filter assumes (process noise).
     ///
-    /// Functions: write, read, save, load and default. Answered by [`AccelNoiseResponse`].
-    /// Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`AccelNoiseResponse`]. Supported
+    /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15)
+    /// and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - The factory values suit most laboratory conditions.
     ///
     /// Source: 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A); 3dm-gx5-15:
     /// 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A).
+    #[derive(Copy)]
     pub struct AccelNoise {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Standard deviation per axis.
         ///
-        /// Elements: x, y, z. Unit: m/s^2. Range: greater than 0. Required for write.
+        /// Elements: x, y, z. Unit: m/s^2. Range: greater than 0. Required for
+        /// [write](types::FunctionSelector::WRITE).
         pub noise: Option<types::Vector3f>,
     }
     wire 13 {
@@ -1118,19 +1180,24 @@ record! {
     ///
     /// Standard deviation of the gyroscope noise that the filter assumes (process noise).
     ///
-    /// Functions: write, read, save, load and default. Answered by [`GyroNoiseResponse`]. Supported
-    /// by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`GyroNoiseResponse`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15) and
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - The factory values suit most laboratory conditions.
     ///
     /// Source: 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B); 3dm-gx5-15: 4.3.13
     /// Gyroscope Noise Standard Deviation (0x0D, 0x1B).
+    #[derive(Copy)]
     pub struct GyroNoise {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Standard deviation per axis.
         ///
-        /// Elements: x, y, z. Unit: rad/s. Range: greater than 0. Required for write.
+        /// Elements: x, y, z. Unit: rad/s. Range: greater than 0. Required for
+        /// [write](types::FunctionSelector::WRITE).
         pub noise: Option<types::Vector3f>,
     }
     wire 13 {
@@ -1172,20 +1239,25 @@ record! {
     ///
     /// Parameters of the model by which the accelerometer bias drifts.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`AccelBiasModelResponse`].
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-45.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`AccelBiasModelResponse`].
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C).
+    #[derive(Copy)]
     pub struct AccelBiasModel {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Reciprocal of the correlation time per axis.
         ///
-        /// Elements: x, y, z. Unit: 1/s. Required for write.
+        /// Elements: x, y, z. Unit: 1/s. Required for [write](types::FunctionSelector::WRITE).
         pub beta: Option<types::Vector3f>,
         /// Standard deviation of the noise per axis.
         ///
-        /// Elements: x, y, z. Unit: m/s^2. Range: greater than 0. Required for write.
+        /// Elements: x, y, z. Unit: m/s^2. Range: greater than 0. Required for
+        /// [write](types::FunctionSelector::WRITE).
         pub noise: Option<types::Vector3f>,
     }
     wire 25 {
@@ -1228,21 +1300,26 @@ record! {
     ///
     /// Parameters of the model by which the gyroscope bias drifts.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`GyroBiasModelResponse`].
-    /// Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`GyroBiasModelResponse`].
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D); 3dm-gx5-15: 4.3.14
     /// Gyroscope Bias Model Parameters (0x0D, 0x1D).
+    #[derive(Copy)]
     pub struct GyroBiasModel {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Reciprocal of the correlation time per axis.
         ///
-        /// Elements: x, y, z. Unit: 1/s. Required for write.
+        /// Elements: x, y, z. Unit: 1/s. Required for [write](types::FunctionSelector::WRITE).
         pub beta: Option<types::Vector3f>,
         /// Standard deviation of the noise per axis.
         ///
-        /// Elements: x, y, z. Unit: rad/s. Range: greater than 0. Required for write.
+        /// Elements: x, y, z. Unit: rad/s. Range: greater than 0. Required for
+        /// [write](types::FunctionSelector::WRITE).
         pub noise: Option<types::Vector3f>,
     }
     wire 25 {
@@ -1285,23 +1362,27 @@ record! {
     ///
     /// Lets the filter take the device as standing still while its GNSS speed is small.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`AutoZuptResponse`]. Supported
-    /// by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`AutoZuptResponse`]. Supported by
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GX5-45](crate::devices::GX5_45). Known from
+    /// the MicroStrain MIP SDK only.
     ///
     /// - The update applies while the magnitude of the GNSS velocity vector is at or below the
     ///   threshold.
     ///
     /// Source: mip-sdk-4: Auto Zupt (0x0D,0x1E).
+    #[derive(Copy)]
     pub struct AutoZupt {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// 0 disables, 1 enables.
         ///
-        /// Range: 0 to 1. Required for write.
+        /// Range: 0 to 1. Required for [write](types::FunctionSelector::WRITE).
         pub enable: Option<u8>,
         /// Largest speed that is taken as zero.
         ///
-        /// Unit: m/s. Range: at least 0. Required for write.
+        /// Unit: m/s. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
         pub threshold: Option<f32>,
     }
     wire 6 {
@@ -1344,7 +1425,8 @@ record! {
     ///
     /// Gives the filter one measurement of the heading of the sensor frame with its GPS time.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - Better than [`ExternalHeadingUpdate`] where the heading changes quickly; the time must be
     ///   accurate.
@@ -1356,7 +1438,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: External Heading Update With Time (0x0D,0x1F); 3dm-gx5-15: 4.3.8
     /// External Heading Update with Timestamp (0x0D, 0x1F).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct ExternalHeadingUpdateWithTime {
         /// GPS time of week of the measurement.
         ///
@@ -1375,6 +1457,7 @@ record! {
         /// Unit: rad. Range: greater than 0.
         pub heading_uncertainty: f32,
         /// North that the heading refers to.
+        #[cfg_attr(feature = "serde", serde(rename = "type"))]
         pub type_: HeadingType,
     }
     wire 19 {
@@ -1412,24 +1495,29 @@ record! {
     ///
     /// Lets the filter take the device as not rotating while its angular rate is small.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`AutoAngularZuptResponse`].
-    /// Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-GQ7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`AutoAngularZuptResponse`].
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - The update applies while the magnitude of the angular rate vector is at or below the
     ///   threshold.
     ///
     /// Source: 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20); 3dm-gx5-15: 4.3.15
     /// Zero Angular Rate Update Control (0x0D, 0x20).
+    #[derive(Copy)]
     pub struct AutoAngularZupt {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// 0 disables, 1 enables.
         ///
-        /// Range: 0 to 1. Required for write.
+        /// Range: 0 to 1. Required for [write](types::FunctionSelector::WRITE).
         pub enable: Option<u8>,
         /// Largest angular rate that is taken as zero.
         ///
-        /// Unit: rad/s. Range: at least 0. Required for write.
+        /// Unit: rad/s. Range: at least 0. Required for [write](types::FunctionSelector::WRITE).
         pub threshold: Option<f32>,
     }
     wire 6 {
@@ -1472,20 +1560,28 @@ record! {
     ///
     /// Makes the present orientation in the NED frame the sensor-to-vehicle transformation.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`TareOrientationResponse`].
-    /// Supported by 3DM-GX5-15 and 3DM-GX5-45. On the 3DM-GX5-15: write, save, load and default
-    /// only. On the 3DM-GX5-45: write, save, load and default only.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`TareOrientationResponse`].
+    /// Supported by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
+    /// On the [3DM-GX5-15](crate::devices::GX5_15): [write](types::FunctionSelector::WRITE),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT) only. On the
+    /// [3DM-GX5-45](crate::devices::GX5_45): [write](types::FunctionSelector::WRITE),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT) only.
     ///
     /// - Refused while the filter has no valid attitude.
     ///
     /// Source: 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21); mip-sdk-4: Tare Orientation
     /// (0x0D,0x21).
+    #[derive(Copy, Eq, Hash)]
     pub struct TareOrientation {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Axes to tare; 0 resets all axes.
         ///
-        /// Required for write.
+        /// Required for [write](types::FunctionSelector::WRITE).
         pub axes: Option<TareAxes>,
     }
     wire 2 {
@@ -1527,12 +1623,12 @@ record! {
     ///
     /// Tells the filter once that the device stands still.
     ///
-    /// Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
+    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only.
     ///
     /// - The highest rate depends on the device.
     ///
     /// Source: mip-sdk-4: Commanded Zupt (0x0D,0x22).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct CommandedZupt;
 }
 
@@ -1556,12 +1652,12 @@ record! {
     ///
     /// Tells the filter once that the device is not rotating.
     ///
-    /// Supported by 3DM-GX5-15 and 3DM-GX5-45.
+    /// Supported by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - At most 10 per second.
     ///
     /// Source: 3dm-gx5-15: 4.3.17 Commanded Zero-Angular Rate Update (0x0D, 0x23).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct CommandedAngularZupt;
 }
 
@@ -1585,28 +1681,31 @@ record! {
     ///
     /// Position for which the device computes gravity (WGS84) and the magnetic field (WMM2015).
     ///
-    /// Functions: write, read, save, load and default. Answered by [`ReferencePositionResponse`].
-    /// Supported by 3DM-GX5-15.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`ReferencePositionResponse`].
+    /// Supported by [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// Source: 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26).
+    #[derive(Copy)]
     pub struct ReferencePosition {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// 0 disables, 1 enables.
         ///
-        /// Range: 0 to 1. Required for write.
+        /// Range: 0 to 1. Required for [write](types::FunctionSelector::WRITE).
         pub enable: Option<u8>,
         /// Latitude.
         ///
-        /// Unit: deg. Frame: llh. Required for write.
+        /// Unit: deg. Frame: llh. Required for [write](types::FunctionSelector::WRITE).
         pub latitude: Option<f64>,
         /// Longitude.
         ///
-        /// Unit: deg. Frame: llh. Required for write.
+        /// Unit: deg. Frame: llh. Required for [write](types::FunctionSelector::WRITE).
         pub longitude: Option<f64>,
         /// Altitude.
         ///
-        /// Unit: m. Frame: llh. Required for write.
+        /// Unit: m. Frame: llh. Required for [write](types::FunctionSelector::WRITE).
         pub altitude: Option<f64>,
     }
     wire 26 {
@@ -1656,7 +1755,8 @@ record! {
     ///
     /// Makes the automatic magnetometer calibration part of the fixed one.
     ///
-    /// Also called `mag_capture_auto_cal`. Functions: write and save. Supported by 3DM-GX5-45.
+    /// Also called `mag_capture_auto_cal`. Functions: [write](types::FunctionSelector::WRITE) and
+    /// [save](types::FunctionSelector::SAVE). Supported by [3DM-GX5-45](crate::devices::GX5_45).
     /// Known from the MicroStrain MIP SDK only.
     ///
     /// - A write combines the automatic calibration with
@@ -1665,6 +1765,7 @@ record! {
     /// - A save does the same as the save of both of these commands.
     ///
     /// Source: mip-sdk-4: Mag Capture Auto Cal (0x0D,0x27).
+    #[derive(Copy, Eq, Hash)]
     pub struct MagCaptureAutoCalibration {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -1697,19 +1798,24 @@ record! {
     ///
     /// Standard deviation of the gravity noise that the filter assumes (process noise).
     ///
-    /// Functions: write, read, save, load and default. Answered by [`GravityNoiseResponse`].
-    /// Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`GravityNoiseResponse`]. Supported
+    /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15)
+    /// and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - The factory values suit most laboratory conditions.
     ///
     /// Source: 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28); 3dm-gx5-15: 4.3.11
     /// Gravity Noise Standard Deviation (0x0D, 0x28).
+    #[derive(Copy)]
     pub struct GravityNoise {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Standard deviation per axis.
         ///
-        /// Elements: x, y, z. Unit: g. Range: greater than 0. Required for write.
+        /// Elements: x, y, z. Unit: g. Range: greater than 0. Required for
+        /// [write](types::FunctionSelector::WRITE).
         pub noise: Option<types::Vector3f>,
     }
     wire 13 {
@@ -1751,20 +1857,22 @@ record! {
     ///
     /// Standard deviation of the noise of the pressure altitude model that the filter assumes.
     ///
-    /// Functions: write, read, save, load and default. Answered by
-    /// [`PressureAltitudeNoiseResponse`]. Supported by 3DM-GX5-45. Known from the MicroStrain MIP
-    /// SDK only.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`PressureAltitudeNoiseResponse`].
+    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only.
     ///
     /// - A small value follows the pressure faster, and takes weather and draughts for changes of
     ///   height.
     ///
     /// Source: mip-sdk-4: Pressure Altitude Noise (0x0D,0x29).
+    #[derive(Copy)]
     pub struct PressureAltitudeNoise {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Standard deviation.
         ///
-        /// Unit: m. Range: greater than 0. Required for write.
+        /// Unit: m. Range: greater than 0. Required for [write](types::FunctionSelector::WRITE).
         pub noise: Option<f32>,
     }
     wire 5 {
@@ -1806,16 +1914,20 @@ record! {
     ///
     /// Standard deviation of the noise of the estimated hard iron offset (process noise).
     ///
-    /// Functions: write, read, save, load and default. Answered by [`HardIronOffsetNoiseResponse`].
-    /// Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`HardIronOffsetNoiseResponse`].
+    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B).
+    #[derive(Copy)]
     pub struct HardIronOffsetNoise {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Standard deviation per axis.
         ///
-        /// Elements: x, y, z. Unit: gauss. Range: greater than 0. Required for write.
+        /// Elements: x, y, z. Unit: gauss. Range: greater than 0. Required for
+        /// [write](types::FunctionSelector::WRITE).
         pub noise: Option<types::Vector3f>,
     }
     wire 13 {
@@ -1857,17 +1969,20 @@ record! {
     ///
     /// Standard deviation of the noise of the estimated soft iron matrix (process noise).
     ///
-    /// Functions: write, read, save, load and default. Answered by [`SoftIronMatrixNoiseResponse`].
-    /// Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`SoftIronMatrixNoiseResponse`].
+    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C).
+    #[derive(Copy)]
     pub struct SoftIronMatrixNoise {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Standard deviation per element.
         ///
         /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. Range: greater than 0.
-        /// Required for write.
+        /// Required for [write](types::FunctionSelector::WRITE).
         pub noise: Option<types::Matrix3f>,
     }
     wire 37 {
@@ -1909,16 +2024,19 @@ record! {
     ///
     /// Which inertial measurements the filter uses.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`EnableMeasurementsResponse`].
-    /// Supported by 3DM-GX5-15.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`EnableMeasurementsResponse`].
+    /// Supported by [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// Source: 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41).
+    #[derive(Copy, Eq, Hash)]
     pub struct EnableMeasurements {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Measurements to use.
         ///
-        /// Required for write.
+        /// Required for [write](types::FunctionSelector::WRITE).
         pub control: Option<MeasurementFlags>,
     }
     wire 3 {
@@ -1960,17 +2078,21 @@ record! {
     ///
     /// Standard deviation of the magnetometer noise that the filter assumes.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`MagNoiseResponse`]. Supported
-    /// by 3DM-GX5-45. Known from the MicroStrain MIP SDK only. Uncertain: The SDK calls it process
-    /// noise, although the noise is that of a measurement.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`MagNoiseResponse`]. Supported by
+    /// [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only. Uncertain:
+    /// The SDK calls it process noise, although the noise is that of a measurement.
     ///
     /// Source: mip-sdk-4: Mag Noise (0x0D,0x42).
+    #[derive(Copy)]
     pub struct MagNoise {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Standard deviation per axis.
         ///
-        /// Elements: x, y, z. Unit: gauss. Range: greater than 0. Required for write.
+        /// Elements: x, y, z. Unit: gauss. Range: greater than 0. Required for
+        /// [write](types::FunctionSelector::WRITE).
         pub noise: Option<types::Vector3f>,
     }
     wire 13 {
@@ -2012,24 +2134,30 @@ record! {
     ///
     /// Source of the local declination of the magnetic field.
     ///
-    /// Functions: write, read, save, load and default. Answered by
-    /// [`MagneticDeclinationSourceResponse`]. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
-    /// 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by
+    /// [`MagneticDeclinationSourceResponse`]. Supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7)
+    /// and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - Without a good declination source, keep automatic magnetometer calibration off.
     ///
     /// Source: 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43).
+    #[derive(Copy)]
     pub struct MagneticDeclinationSource {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Source of the declination.
         ///
-        /// Required for write. On the 3DM-GQ7-GNSS/INS: only [`MagParameterSource::WMM`] and
+        /// Required for [write](types::FunctionSelector::WRITE). On the
+        /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7): only [`MagParameterSource::WMM`] and
         /// [`MagParameterSource::MANUAL`].
         pub source: Option<MagParameterSource>,
         /// Declination; used only if `source` is manual.
         ///
-        /// Unit: rad. Required for write.
+        /// Unit: rad. Required for [write](types::FunctionSelector::WRITE).
         pub declination: Option<f32>,
     }
     wire 6 {
@@ -2072,10 +2200,15 @@ record! {
     ///
     /// How far the filter trusts gravity measurements whose magnitude is not that of gravity.
     ///
-    /// Functions: write, read, save, load and default. Answered by
-    /// [`AccelMagnitudeErrorAdaptiveMeasurementResponse`]. Supported by 3DM-GX5-15 and 3DM-GX5-45.
-    /// May be supported by 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
-    /// 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by
+    /// [`AccelMagnitudeErrorAdaptiveMeasurementResponse`]. Supported by
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). May be
+    /// supported by [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// - Also called accelerometer magnitude error adaptive measurement.
     /// - All parameters after the selector keep their values if they are left out.
@@ -2084,14 +2217,18 @@ record! {
     ///   pitch and roll accuracy under linear acceleration, low limits cost heading accuracy.
     ///
     /// Source: 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44).
+    #[derive(Copy)]
     pub struct AccelMagnitudeErrorAdaptiveMeasurement {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Kind of adaptation.
         ///
-        /// Required for write. On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
-        /// 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only [`AdaptiveMeasurementSelector::DISABLED`] and
-        /// [`AdaptiveMeasurementSelector::FIXED`].
+        /// Required for [write](types::FunctionSelector::WRITE). On the
+        /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45),
+        /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+        /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+        /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): only
+        /// [`AdaptiveMeasurementSelector::DISABLED`] and [`AdaptiveMeasurementSelector::FIXED`].
         pub adaptive_measurement: Option<AdaptiveMeasurementSelector>,
         /// Cut-off frequency of the low-pass filter.
         ///
@@ -2173,11 +2310,16 @@ record! {
     ///
     /// How far the filter trusts a magnetic field whose magnitude is not as expected.
     ///
-    /// Functions: write, read, save, load and default. Answered by
-    /// [`MagMagnitudeErrorAdaptiveMeasurementResponse`]. Supported by 3DM-GX5-45. May be supported
-    /// by 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and
-    /// 3DM-RQ1-45-ST. Known from the MicroStrain MIP SDK only. Uncertain: Whether the parameters
-    /// behind the selector may be left out on write, as those of
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by
+    /// [`MagMagnitudeErrorAdaptiveMeasurementResponse`]. Supported by
+    /// [3DM-GX5-45](crate::devices::GX5_45). May be supported by
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Known from the MicroStrain MIP SDK only.
+    /// Uncertain: Whether the parameters behind the selector may be left out on write, as those of
     /// [`AccelMagnitudeErrorAdaptiveMeasurement`] may.
     ///
     /// - The limits and the low-pass filter take effect only with `fixed`; with `auto` the device
@@ -2186,43 +2328,52 @@ record! {
     ///   spoil the heading.
     ///
     /// Source: mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45).
+    #[derive(Copy)]
     pub struct MagMagnitudeErrorAdaptiveMeasurement {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Kind of adaptation.
         ///
-        /// Required for write. On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
-        /// 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only [`AdaptiveMeasurementSelector::DISABLED`] and
-        /// [`AdaptiveMeasurementSelector::FIXED`].
+        /// Required for [write](types::FunctionSelector::WRITE). On the
+        /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45),
+        /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+        /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+        /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): only
+        /// [`AdaptiveMeasurementSelector::DISABLED`] and [`AdaptiveMeasurementSelector::FIXED`].
         pub adaptive_measurement: Option<AdaptiveMeasurementSelector>,
         /// Cut-off frequency of the low-pass filter.
         ///
-        /// Unit: Hz. Required for write.
+        /// Unit: Hz. Required for [write](types::FunctionSelector::WRITE).
         pub frequency: Option<f32>,
         /// Lower limit of the error.
         ///
-        /// Unit: gauss. Required for write. Uncertain: The unit. The SDK prints m/s^2; a manual of
-        /// the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+        /// Unit: gauss. Required for [write](types::FunctionSelector::WRITE). Uncertain: The unit.
+        /// The SDK prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss
+        /// in the response.
         pub low_limit: Option<f32>,
         /// Upper limit of the error.
         ///
-        /// Unit: gauss. Required for write. Uncertain: The unit. The SDK prints m/s^2; a manual of
-        /// the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+        /// Unit: gauss. Required for [write](types::FunctionSelector::WRITE). Uncertain: The unit.
+        /// The SDK prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss
+        /// in the response.
         pub high_limit: Option<f32>,
         /// Standard deviation at the lower limit.
         ///
-        /// Unit: gauss. Required for write. Uncertain: The unit. The SDK prints m/s^2; a manual of
-        /// the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+        /// Unit: gauss. Required for [write](types::FunctionSelector::WRITE). Uncertain: The unit.
+        /// The SDK prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss
+        /// in the response.
         pub low_limit_uncertainty: Option<f32>,
         /// Standard deviation at the upper limit.
         ///
-        /// Unit: gauss. Required for write. Uncertain: The unit. The SDK prints m/s^2; a manual of
-        /// the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+        /// Unit: gauss. Required for [write](types::FunctionSelector::WRITE). Uncertain: The unit.
+        /// The SDK prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss
+        /// in the response.
         pub high_limit_uncertainty: Option<f32>,
         /// Smallest standard deviation.
         ///
-        /// Unit: gauss. Required for write. Uncertain: The unit. The SDK prints m/s^2; a manual of
-        /// the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+        /// Unit: gauss. Required for [write](types::FunctionSelector::WRITE). Uncertain: The unit.
+        /// The SDK prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss
+        /// in the response.
         pub minimum_uncertainty: Option<f32>,
     }
     wire 26 {
@@ -2278,9 +2429,11 @@ record! {
     ///
     /// How far the filter trusts a magnetic field whose dip angle is not as expected.
     ///
-    /// Functions: write, read, save, load and default. Answered by
-    /// [`MagDipAngleErrorAdaptiveMeasurementResponse`]. Supported by 3DM-GX5-45. Known from the
-    /// MicroStrain MIP SDK only.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by
+    /// [`MagDipAngleErrorAdaptiveMeasurementResponse`]. Supported by
+    /// [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only.
     ///
     /// - It has no effect while [`AccelMagnitudeErrorAdaptiveMeasurement`] or
     ///   [`MagMagnitudeErrorAdaptiveMeasurement`] is set to `auto`.
@@ -2288,31 +2441,32 @@ record! {
     ///   spoil the heading.
     ///
     /// Source: mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46).
+    #[derive(Copy)]
     pub struct MagDipAngleErrorAdaptiveMeasurement {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Whether the adaptation is on.
         ///
-        /// Required for write.
+        /// Required for [write](types::FunctionSelector::WRITE).
         pub enable: Option<crate::Bool>,
         /// Cut-off frequency of the low-pass filter.
         ///
-        /// Unit: Hz. Required for write.
+        /// Unit: Hz. Required for [write](types::FunctionSelector::WRITE).
         pub frequency: Option<f32>,
         /// Upper limit of the error.
         ///
-        /// Unit: rad. Required for write. Uncertain: The unit. The SDK prints m/s^2; rad is
-        /// inferred from the quantity.
+        /// Unit: rad. Required for [write](types::FunctionSelector::WRITE). Uncertain: The unit.
+        /// The SDK prints m/s^2; rad is inferred from the quantity.
         pub high_limit: Option<f32>,
         /// Standard deviation at the upper limit.
         ///
-        /// Unit: rad. Required for write. Uncertain: The unit. The SDK prints m/s^2; rad is
-        /// inferred from the quantity.
+        /// Unit: rad. Required for [write](types::FunctionSelector::WRITE). Uncertain: The unit.
+        /// The SDK prints m/s^2; rad is inferred from the quantity.
         pub high_limit_uncertainty: Option<f32>,
         /// Smallest standard deviation.
         ///
-        /// Unit: rad. Required for write. Uncertain: The unit. The SDK prints m/s^2; rad is
-        /// inferred from the quantity.
+        /// Unit: rad. Required for [write](types::FunctionSelector::WRITE). Uncertain: The unit.
+        /// The SDK prints m/s^2; rad is inferred from the quantity.
         pub minimum_uncertainty: Option<f32>,
     }
     wire 18 {
@@ -2364,19 +2518,22 @@ record! {
     ///
     /// What aids the altitude beside GNSS.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`AltitudeAidingResponse`].
-    /// Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`AltitudeAidingResponse`].
+    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only.
     ///
     /// - GNSS stays the main source of altitude; the aid improves it and bridges outages.
     /// - Weather and place shift the pressure altitude, at times by more than 40 m.
     ///
     /// Source: mip-sdk-4: Altitude Aiding (0x0D,0x47).
+    #[derive(Copy, Eq, Hash)]
     pub struct AltitudeAiding {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Source of the aiding.
         ///
-        /// Required for write.
+        /// Required for [write](types::FunctionSelector::WRITE).
         pub selector: Option<AltitudeAidingSource>,
     }
     wire 2 {
@@ -2418,16 +2575,19 @@ record! {
     ///
     /// What aids pitch and roll while the motion is gentle.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`PitchRollAidingResponse`].
-    /// Supported by 3DM-GX5-15 and 3DM-GX5-45.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`PitchRollAidingResponse`].
+    /// Supported by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B).
+    #[derive(Copy, Eq, Hash)]
     pub struct PitchRollAiding {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Source of the aiding.
         ///
-        /// Required for write.
+        /// Required for [write](types::FunctionSelector::WRITE).
         pub aiding: Option<PitchRollAidingSource>,
     }
     wire 2 {
@@ -2469,24 +2629,27 @@ record! {
     ///
     /// Source of the local inclination (dip angle) of the magnetic field.
     ///
-    /// Also called `inclination_source`. Functions: write, read, save, load and default. Answered
-    /// by [`MagneticInclinationSourceResponse`]. No device profile lists it. Known from the
-    /// MicroStrain MIP SDK only.
+    /// Also called `inclination_source`. Functions: [write](types::FunctionSelector::WRITE),
+    /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
+    /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
+    /// Answered by [`MagneticInclinationSourceResponse`]. No device profile lists it. Known from
+    /// the MicroStrain MIP SDK only.
     ///
     /// - Without a good inclination source, keep automatic magnetometer calibration off.
     ///
     /// Source: mip-sdk-4: Inclination Source (0x0D,0x4C).
+    #[derive(Copy)]
     pub struct MagneticInclinationSource {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Source of the inclination.
         ///
-        /// Required for write.
+        /// Required for [write](types::FunctionSelector::WRITE).
         pub source: Option<MagParameterSource>,
         /// Inclination; used only if `source` is manual.
         ///
-        /// Unit: rad. Required for write. Uncertain: Whether it may be left out if `source` is not
-        /// manual. The SDK sends it always.
+        /// Unit: rad. Required for [write](types::FunctionSelector::WRITE). Uncertain: Whether it
+        /// may be left out if `source` is not manual. The SDK sends it always.
         pub inclination: Option<f32>,
     }
     wire 6 {
@@ -2529,25 +2692,29 @@ record! {
     ///
     /// Source of the local magnitude of the magnetic field.
     ///
-    /// Also called `mag_field_magnitude_source`. Functions: write, read, save, load and default.
-    /// Answered by [`MagneticMagnitudeSourceResponse`]. No device profile lists it. Known from the
-    /// MicroStrain MIP SDK only.
+    /// Also called `mag_field_magnitude_source`. Functions:
+    /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by
+    /// [`MagneticMagnitudeSourceResponse`]. No device profile lists it. Known from the MicroStrain
+    /// MIP SDK only.
     ///
     /// - Without a good magnitude source, keep automatic magnetometer calibration off.
     /// - [`MagMagnitudeErrorAdaptiveMeasurement`] relies on it too.
     ///
     /// Source: mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D).
+    #[derive(Copy)]
     pub struct MagneticMagnitudeSource {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Source of the magnitude.
         ///
-        /// Required for write.
+        /// Required for [write](types::FunctionSelector::WRITE).
         pub source: Option<MagParameterSource>,
         /// Magnitude; used only if `source` is manual.
         ///
-        /// Unit: gauss. Required for write. Uncertain: Whether it may be left out if `source` is
-        /// not manual. The SDK sends it always.
+        /// Unit: gauss. Required for [write](types::FunctionSelector::WRITE). Uncertain: Whether it
+        /// may be left out if `source` is not manual. The SDK sends it always.
         pub magnitude: Option<f32>,
     }
     wire 6 {
@@ -2590,7 +2757,9 @@ record! {
     ///
     /// Rotation from the sensor frame to the vehicle frame as a direction cosine matrix.
     ///
-    /// Functions: write, read, save, load and default. Answered by
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by
     /// [`SensorToVehicleRotationDcmResponse`]. No device profile lists it. Known from the
     /// MicroStrain MIP SDK only.
     ///
@@ -2605,12 +2774,14 @@ record! {
     ///   written.
     ///
     /// Source: mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E).
+    #[derive(Copy)]
     pub struct SensorToVehicleRotationDcm {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Rotation matrix in row-major order.
         ///
-        /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. Required for write.
+        /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. Required for
+        /// [write](types::FunctionSelector::WRITE).
         pub dcm: Option<types::Matrix3f>,
     }
     wire 37 {
@@ -2652,7 +2823,9 @@ record! {
     ///
     /// Rotation from the sensor frame to the vehicle frame as a quaternion.
     ///
-    /// Functions: write, read, save, load and default. Answered by
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by
     /// [`SensorToVehicleRotationQuaternionResponse`]. No device profile lists it. Known from the
     /// MicroStrain MIP SDK only.
     ///
@@ -2666,12 +2839,14 @@ record! {
     ///   written.
     ///
     /// Source: mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F).
+    #[derive(Copy)]
     pub struct SensorToVehicleRotationQuaternion {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Unit quaternion, scalar part first.
         ///
-        /// Elements: w, x, y, z. Unit: 1. Range: magnitude 0.999 to 1.001. Required for write.
+        /// Elements: w, x, y, z. Unit: 1. Range: magnitude 0.999 to 1.001. Required for
+        /// [write](types::FunctionSelector::WRITE).
         pub q: Option<types::Quatf>,
     }
     wire 17 {
@@ -2713,23 +2888,28 @@ record! {
     ///
     /// Enables or disables one source of aiding measurements.
     ///
-    /// Functions: write, read, save, load and default. Answered by
-    /// [`AidingMeasurementEnableResponse`]. Supported by 3DM-CV7-GNSS/INS. May be supported by
-    /// 3DM-CV7-AHRS and 3DM-CV7-AR.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by
+    /// [`AidingMeasurementEnableResponse`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). May be supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS) and [3DM-CV7-AR](crate::devices::CV7_AR).
     ///
     /// Source: 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50).
+    #[derive(Copy, Eq, Hash)]
     pub struct AidingMeasurementEnable {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// The source; `all` is for save, load and default.
         ///
-        /// On the 3DM-CV7-AHRS: only [`AidingSource::MAG`], [`AidingSource::EXTERNAL_HEADING`] and
-        /// [`AidingSource::ALL`]. On the 3DM-CV7-AR: only [`AidingSource::EXTERNAL_HEADING`] and
+        /// On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS): only [`AidingSource::MAG`],
+        /// [`AidingSource::EXTERNAL_HEADING`] and [`AidingSource::ALL`]. On the
+        /// [3DM-CV7-AR](crate::devices::CV7_AR): only [`AidingSource::EXTERNAL_HEADING`] and
         /// [`AidingSource::ALL`].
         pub aiding_source: Option<AidingSource>,
         /// Whether the filter uses the source.
         ///
-        /// Required for write.
+        /// Required for [write](types::FunctionSelector::WRITE).
         pub enable: Option<crate::Bool>,
     }
     wire 4 {
@@ -2772,25 +2952,31 @@ record! {
     ///
     /// Assumptions about the motion that the filter uses as measurements.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`KinematicConstraintResponse`].
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: Whether
-    /// there are further values. The SDK has plain numbers and gives the values in remarks.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`KinematicConstraintResponse`]. No
+    /// device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: Whether there
+    /// are further values. The SDK has plain numbers and gives the values in remarks.
     ///
     /// Source: mip-sdk-4: Kinematic Constraint (0x0D,0x51).
+    #[derive(Copy, Eq, Hash)]
     pub struct KinematicConstraint {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Assumption about the acceleration.
         ///
-        /// Default: [`AccelConstraint::NONE`]. Required for write.
+        /// Default: [`AccelConstraint::NONE`]. Required for
+        /// [write](types::FunctionSelector::WRITE).
         pub accel_constraint: Option<AccelConstraint>,
         /// Assumption about the velocity.
         ///
-        /// Default: [`VelocityConstraint::NONE`]. Required for write.
+        /// Default: [`VelocityConstraint::NONE`]. Required for
+        /// [write](types::FunctionSelector::WRITE).
         pub velocity_constraint: Option<VelocityConstraint>,
         /// Assumption about the angular rate.
         ///
-        /// Default: [`AngularConstraint::NONE`]. Required for write.
+        /// Default: [`AngularConstraint::NONE`]. Required for
+        /// [write](types::FunctionSelector::WRITE).
         pub angular_constraint: Option<AngularConstraint>,
     }
     wire 4 {
@@ -2838,9 +3024,12 @@ record! {
     ///
     /// Sources and values of the initial attitude, position and velocity of the filter.
     ///
-    /// Also called `initialization_configuration`. Functions: write, read, save, load and default.
-    /// Answered by [`InitializationConfigResponse`]. Supported by 3DM-CV7-GNSS/INS and
-    /// 3DM-GQ7-GNSS/INS.
+    /// Also called `initialization_configuration`. Functions:
+    /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`InitializationConfigResponse`].
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// - Single precision resolves the latitude and longitude of the initial position to about a
     ///   metre only.
@@ -2848,48 +3037,53 @@ record! {
     /// - External alignment needs a heading at least every 5 seconds.
     ///
     /// Source: 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52).
+    #[derive(Copy)]
     pub struct InitializationConfig {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// 1: the filter starts only after [`Run`]; 0: as soon as it can.
         ///
-        /// Range: 0 to 1. Required for write.
+        /// Range: 0 to 1. Required for [write](types::FunctionSelector::WRITE).
         pub wait_for_run_command: Option<u8>,
         /// Which initial conditions are found and which are given.
         ///
-        /// Required for write.
+        /// Required for [write](types::FunctionSelector::WRITE).
         pub initial_condition_source: Option<InitialConditionSource>,
         /// Ways in which the initial heading may be found.
         ///
-        /// Required for write.
+        /// Required for [write](types::FunctionSelector::WRITE).
         pub auto_heading_alignment_selector: Option<HeadingAlignment>,
         /// Given heading.
         ///
-        /// Unit: deg. Required for write.
+        /// Unit: deg. Required for [write](types::FunctionSelector::WRITE).
         pub initial_heading: Option<f32>,
         /// Given pitch.
         ///
-        /// Unit: deg. Required for write.
+        /// Unit: deg. Required for [write](types::FunctionSelector::WRITE).
         pub initial_pitch: Option<f32>,
         /// Given roll.
         ///
-        /// Unit: deg. Required for write.
+        /// Unit: deg. Required for [write](types::FunctionSelector::WRITE).
         pub initial_roll: Option<f32>,
         /// Given position.
         ///
-        /// Elements: x, y, z. Required for write. If `reference_frame_selector` is
-        /// [`ReferenceFrame::ECEF`]: unit m; frame ecef. If `reference_frame_selector` is
+        /// Elements: x, y, z. Required for [write](types::FunctionSelector::WRITE). If
+        /// [`reference_frame_selector`](InitializationConfig::reference_frame_selector) is
+        /// [`ReferenceFrame::ECEF`]: unit m; frame ecef. If
+        /// [`reference_frame_selector`](InitializationConfig::reference_frame_selector) is
         /// [`ReferenceFrame::LLH`]: unit deg, deg, m; frame llh.
         pub initial_position: Option<types::Vector3f>,
         /// Given velocity.
         ///
-        /// Elements: x, y, z. Unit: m/s. Required for write. If `reference_frame_selector` is
-        /// [`ReferenceFrame::ECEF`]: frame ecef. If `reference_frame_selector` is
+        /// Elements: x, y, z. Unit: m/s. Required for [write](types::FunctionSelector::WRITE). If
+        /// [`reference_frame_selector`](InitializationConfig::reference_frame_selector) is
+        /// [`ReferenceFrame::ECEF`]: frame ecef. If
+        /// [`reference_frame_selector`](InitializationConfig::reference_frame_selector) is
         /// [`ReferenceFrame::LLH`]: frame ned.
         pub initial_velocity: Option<types::Vector3f>,
         /// Frame of the given position and velocity.
         ///
-        /// Required for write.
+        /// Required for [write](types::FunctionSelector::WRITE).
         pub reference_frame_selector: Option<ReferenceFrame>,
     }
     wire 41 {
@@ -2949,22 +3143,26 @@ record! {
     ///
     /// How the filter adapts to measurements that do not fit its model.
     ///
-    /// Functions: write, read, save, load and default. Answered by
-    /// [`AdaptiveFilterOptionsResponse`]. Supported by 3DM-CV7-GNSS/INS. May be supported by
-    /// 3DM-GX5-45.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`AdaptiveFilterOptionsResponse`].
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). May be supported by
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53).
+    #[derive(Copy, Eq, Hash)]
     pub struct AdaptiveFilterOptions {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Strength of the adaptation.
         ///
-        /// Default: 2. Required for write. On the 3DM-GX5-45: only [`AdaptiveLevel::OFF`] and
+        /// Default: 2. Required for [write](types::FunctionSelector::WRITE). On the
+        /// [3DM-GX5-45](crate::devices::GX5_45): only [`AdaptiveLevel::OFF`] and
         /// [`AdaptiveLevel::MODERATE`].
         pub level: Option<AdaptiveLevel>,
         /// Longest time for which measurements are rejected before the filter recovers.
         ///
-        /// Unit: ms. Required for write.
+        /// Unit: ms. Required for [write](types::FunctionSelector::WRITE).
         pub time_limit: Option<u16>,
     }
     wire 4 {
@@ -3007,10 +3205,13 @@ record! {
     ///
     /// Position of the antenna of one receiver on devices with several antennas.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`MultiAntennaOffsetResponse`].
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`MultiAntennaOffsetResponse`].
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54).
+    #[derive(Copy)]
     pub struct MultiAntennaOffset {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -3021,7 +3222,7 @@ record! {
         /// From the sensor to the antenna.
         ///
         /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at most 10. Required for
-        /// write.
+        /// [write](types::FunctionSelector::WRITE).
         pub antenna_offset: Option<types::Vector3f>,
     }
     wire 14 {
@@ -3064,25 +3265,31 @@ record! {
     ///
     /// Reference point of the relative position that the filter reports.
     ///
-    /// Also called `rel_pos_configuration`. Functions: write, read, save, load and default.
-    /// Answered by [`RelativePositionConfigResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `rel_pos_configuration`. Functions: [write](types::FunctionSelector::WRITE),
+    /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
+    /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
+    /// Answered by [`RelativePositionConfigResponse`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55).
+    #[derive(Copy)]
     pub struct RelativePositionConfig {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Source of the reference point.
         ///
-        /// Required for write.
+        /// Required for [write](types::FunctionSelector::WRITE).
         pub source: Option<RelativePositionSource>,
         /// Frame of the coordinates.
         ///
-        /// Required for write.
+        /// Required for [write](types::FunctionSelector::WRITE).
         pub reference_frame_selector: Option<ReferenceFrame>,
         /// Reference point.
         ///
-        /// Elements: x, y, z. Required for write. If `reference_frame_selector` is
-        /// [`ReferenceFrame::ECEF`]: unit m; frame ecef. If `reference_frame_selector` is
+        /// Elements: x, y, z. Required for [write](types::FunctionSelector::WRITE). If
+        /// [`reference_frame_selector`](RelativePositionConfig::reference_frame_selector) is
+        /// [`ReferenceFrame::ECEF`]: unit m; frame ecef. If
+        /// [`reference_frame_selector`](RelativePositionConfig::reference_frame_selector) is
         /// [`ReferenceFrame::LLH`]: unit deg, deg, m; frame llh.
         pub reference_coordinates: Option<types::Vector3d>,
     }
@@ -3131,8 +3338,11 @@ record! {
     ///
     /// Moves the point to which the position and the velocity of the filter refer.
     ///
-    /// Also called `ref_point_lever_arm`. Functions: write, read, save, load and default. Answered
-    /// by [`ReferencePointLeverArmResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `ref_point_lever_arm`. Functions: [write](types::FunctionSelector::WRITE),
+    /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
+    /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
+    /// Answered by [`ReferencePointLeverArmResponse`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - It shifts [`filter_data::LlhPosition`](crate::filter_data::LlhPosition),
     ///   [`filter_data::NedVelocity`](crate::filter_data::NedVelocity),
@@ -3142,17 +3352,18 @@ record! {
     ///   on the attitude and, for velocities, on the angular rate.
     ///
     /// Source: 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56).
+    #[derive(Copy)]
     pub struct ReferencePointLeverArm {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Point to move; it must be 1.
         ///
-        /// Required for write.
+        /// Required for [write](types::FunctionSelector::WRITE).
         pub reference_point: Option<ReferencePoint>,
         /// From the sensor to the point.
         ///
         /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at most 10. Required for
-        /// write.
+        /// [write](types::FunctionSelector::WRITE).
         pub lever_arm_offset: Option<types::Vector3f>,
     }
     wire 14 {
@@ -3202,6 +3413,7 @@ record! {
     /// - Single precision resolves the time of week to 0.0625 s at the end of the week.
     ///
     /// Source: mip-sdk-4: Speed Measurement (0x0D,0x60).
+    #[derive(Copy)]
     pub struct SpeedMeasurement {
         /// Send 1.
         ///
@@ -3258,12 +3470,15 @@ record! {
     ///
     /// Position of the point whose speed is measured, such as the wheel that an odometer is on.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`SpeedLeverArmResponse`].
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`SpeedLeverArmResponse`].
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - It corrects for the speed that such a point has only because the vehicle turns.
     ///
     /// Source: 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61).
+    #[derive(Copy)]
     pub struct SpeedLeverArm {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -3271,7 +3486,8 @@ record! {
         pub source: Option<u8>,
         /// From the sensor to the point of measurement.
         ///
-        /// Elements: x, y, z. Unit: m. Frame: vehicle. Required for write.
+        /// Elements: x, y, z. Unit: m. Frame: vehicle. Required for
+        /// [write](types::FunctionSelector::WRITE).
         pub lever_arm_offset: Option<types::Vector3f>,
     }
     wire 14 {
@@ -3314,19 +3530,22 @@ record! {
     ///
     /// Lets the filter hold pitch and roll by the accelerometers while there is no GNSS.
     ///
-    /// Functions: write, read, save, load and default. Answered by
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by
     /// [`VerticalGyroConstraintControlResponse`]. No device profile lists it. Known from the
     /// MicroStrain MIP SDK only.
     ///
     /// - It takes the linear acceleration as zero.
     ///
     /// Source: mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62).
+    #[derive(Copy, Eq, Hash)]
     pub struct VerticalGyroConstraintControl {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// 0 disables, 1 enables.
         ///
-        /// Range: 0 to 1. Required for write.
+        /// Range: 0 to 1. Required for [write](types::FunctionSelector::WRITE).
         pub enable: Option<u8>,
     }
     wire 2 {
@@ -3368,19 +3587,23 @@ record! {
     ///
     /// Lets the filter assume that the vehicle moves only along its x axis.
     ///
-    /// Functions: write, read, save, load and default. Answered by
-    /// [`WheeledVehicleConstraintControlResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by
+    /// [`WheeledVehicleConstraintControlResponse`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - It improves the heading of cars and the like, above all when GNSS comes and goes. It is
     ///   wrong for vehicles that move sideways, such as aircraft.
     ///
     /// Source: 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63).
+    #[derive(Copy, Eq, Hash)]
     pub struct WheeledVehicleConstraintControl {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// 0 disables, 1 enables.
         ///
-        /// Range: 0 to 1. Required for write.
+        /// Range: 0 to 1. Required for [write](types::FunctionSelector::WRITE).
         pub enable: Option<u8>,
     }
     wire 2 {
@@ -3422,22 +3645,27 @@ record! {
     ///
     /// Lets the filter track the error of the antenna offset.
     ///
-    /// Also called `gnss_antenna_cal_control`. Functions: write, read, save, load and default.
-    /// Answered by [`GnssAntennaCalibrationControlResponse`]. Supported by 3DM-CV7-GNSS/INS and
-    /// 3DM-GQ7-GNSS/INS.
+    /// Also called `gnss_antenna_cal_control`. Functions: [write](types::FunctionSelector::WRITE),
+    /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
+    /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
+    /// Answered by [`GnssAntennaCalibrationControlResponse`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64);
     /// 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration.
+    #[derive(Copy)]
     pub struct GnssAntennaCalibrationControl {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// 0 disables, 1 enables.
         ///
-        /// Range: 0 to 1. Required for write.
+        /// Range: 0 to 1. Required for [write](types::FunctionSelector::WRITE).
         pub enable: Option<u8>,
         /// Largest absolute error that is tracked; the limits are those of the 3DM-CV7.
         ///
-        /// Unit: m. Frame: vehicle. Range: 0 to 0.5. Default: 0.1. Required for write.
+        /// Unit: m. Frame: vehicle. Range: 0 to 0.5. Default: 0.1. Required for
+        /// [write](types::FunctionSelector::WRITE).
         pub max_offset: Option<f32>,
     }
     wire 6 {
@@ -3478,11 +3706,11 @@ command! {
 record! {
     /// Vehicle dynamics mode response (0x0D,0x80).
     ///
-    /// Answers [`VehicleDynamicsMode`]. Supported by 3DM-GX5-45. May be supported by 3DM-GX3-45.
-    /// Known from the MicroStrain MIP SDK only.
+    /// Answers [`VehicleDynamicsMode`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). May be
+    /// supported by [3DM-GX3-45](crate::devices::GX3_45). Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct VehicleDynamicsModeResponse {
         /// Kind of vehicle.
         pub mode: DynamicsMode,
@@ -3497,10 +3725,11 @@ field! {
 record! {
     /// Sensor to vehicle frame transformation response (0x0D,0x81).
     ///
-    /// Answers [`SensorToVehicleRotationEuler`]. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+    /// Answers [`SensorToVehicleRotationEuler`]. Supported by [3DM-GX5-15](crate::devices::GX5_15)
+    /// and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct SensorToVehicleRotationEulerResponse {
         /// Roll angle.
         ///
@@ -3525,11 +3754,11 @@ field! {
 record! {
     /// Sensor to vehicle offset response (0x0D,0x82).
     ///
-    /// Answers [`SensorToVehicleOffset`]. Supported by 3DM-GX5-45. Known from the MicroStrain MIP
-    /// SDK only.
+    /// Answers [`SensorToVehicleOffset`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Known
+    /// from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct SensorToVehicleOffsetResponse {
         /// From the sensor to the origin of the vehicle frame.
         ///
@@ -3546,10 +3775,11 @@ field! {
 record! {
     /// GNSS antenna offset response (0x0D,0x83).
     ///
-    /// Answers [`AntennaOffset`]. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS and 3DM-GX5-45.
+    /// Answers [`AntennaOffset`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct AntennaOffsetResponse {
         /// From the sensor origin to the centre of the antenna.
         ///
@@ -3566,12 +3796,17 @@ field! {
 record! {
     /// Estimation control flags response (0x0D,0x84).
     ///
-    /// Answers [`EstimationControl`]. Supported by 3DM-GX5-15 and 3DM-GX5-45. May be supported by
-    /// 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15,
-    /// 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    /// Answers [`EstimationControl`]. Supported by [3DM-GX5-15](crate::devices::GX5_15) and
+    /// [3DM-GX5-45](crate::devices::GX5_45). May be supported by
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-25](crate::devices::GX5_25),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// Source: 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct EstimationControlResponse {
         /// States to estimate.
         pub flags: EstimatedStates,
@@ -3586,10 +3821,11 @@ field! {
 record! {
     /// GNSS aiding source response (0x0D,0x86).
     ///
-    /// Answers [`GnssSource`]. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
+    /// Answers [`GnssSource`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GnssSourceResponse {
         /// Source of the GNSS data.
         pub source: GnssAidingSource,
@@ -3604,12 +3840,17 @@ field! {
 record! {
     /// Heading update control response (0x0D,0x87).
     ///
-    /// Answers [`HeadingSource`]. Supported by 3DM-GX5-15 and 3DM-GX5-45. May be supported by
-    /// 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-15, 3DM-CV5-25, 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-25,
-    /// 3DM-GX4-45, 3DM-GX5-25, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    /// Answers [`HeadingSource`]. Supported by [3DM-GX5-15](crate::devices::GX5_15) and
+    /// [3DM-GX5-45](crate::devices::GX5_45). May be supported by
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45),
+    /// [3DM-GX4-25](crate::devices::GX4_25), [3DM-GX4-45](crate::devices::GX4_45),
+    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// Source: 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct HeadingSourceResponse {
         /// Source of the heading.
         pub source: HeadingUpdateSource,
@@ -3625,10 +3866,10 @@ record! {
     /// Automatic initialization response (0x0D,0x88).
     ///
     /// Also called `auto_init_control_response`. Answers [`AutoInitializationControl`]. Supported
-    /// by 3DM-GX5-15 and 3DM-GX5-45.
+    /// by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct AutoInitializationControlResponse {
         /// 0 disables, 1 enables.
         ///
@@ -3645,11 +3886,12 @@ field! {
 record! {
     /// Accelerometer noise response (0x0D,0x89).
     ///
-    /// Answers [`AccelNoise`]. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    /// Answers [`AccelNoise`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A); 3dm-gx5-15:
     /// 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct AccelNoiseResponse {
         /// Standard deviation per axis.
         ///
@@ -3666,11 +3908,12 @@ field! {
 record! {
     /// Gyroscope noise response (0x0D,0x8A).
     ///
-    /// Answers [`GyroNoise`]. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    /// Answers [`GyroNoise`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B); 3dm-gx5-15: 4.3.13
     /// Gyroscope Noise Standard Deviation (0x0D, 0x1B).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct GyroNoiseResponse {
         /// Standard deviation per axis.
         ///
@@ -3687,10 +3930,11 @@ field! {
 record! {
     /// Accelerometer bias model response (0x0D,0x8B).
     ///
-    /// Answers [`AccelBiasModel`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-45.
+    /// Answers [`AccelBiasModel`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS)
+    /// and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct AccelBiasModelResponse {
         /// Reciprocal of the correlation time per axis.
         ///
@@ -3711,11 +3955,12 @@ field! {
 record! {
     /// Gyroscope bias model response (0x0D,0x8C).
     ///
-    /// Answers [`GyroBiasModel`]. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    /// Answers [`GyroBiasModel`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D); 3dm-gx5-15: 4.3.14
     /// Gyroscope Bias Model Parameters (0x0D, 0x1D).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct GyroBiasModelResponse {
         /// Reciprocal of the correlation time per axis.
         ///
@@ -3736,11 +3981,11 @@ field! {
 record! {
     /// Automatic zero velocity update response (0x0D,0x8D).
     ///
-    /// Answers [`AutoZupt`]. Supported by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Known from the
-    /// MicroStrain MIP SDK only.
+    /// Answers [`AutoZupt`]. Supported by [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and
+    /// [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Auto Zupt (0x0D,0x1E).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct AutoZuptResponse {
         /// 0 disables, 1 enables.
         ///
@@ -3761,12 +4006,13 @@ field! {
 record! {
     /// Zero angular rate update response (0x0D,0x8E).
     ///
-    /// Answers [`AutoAngularZupt`]. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS, 3DM-GQ7-GNSS/INS,
-    /// 3DM-GX5-15 and 3DM-GX5-45.
+    /// Answers [`AutoAngularZupt`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-CV7-INS](crate::devices::CV7_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20); 3dm-gx5-15: 4.3.15
     /// Zero Angular Rate Update Control (0x0D, 0x20).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct AutoAngularZuptResponse {
         /// 0 disables, 1 enables.
         ///
@@ -3787,10 +4033,10 @@ field! {
 record! {
     /// Set reference position response (0x0D,0x90).
     ///
-    /// Answers [`ReferencePosition`]. Supported by 3DM-GX5-15.
+    /// Answers [`ReferencePosition`]. Supported by [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// Source: 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct ReferencePositionResponse {
         /// 0 disables, 1 enables.
         ///
@@ -3819,11 +4065,12 @@ field! {
 record! {
     /// Gravity noise response (0x0D,0x93).
     ///
-    /// Answers [`GravityNoise`]. Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    /// Answers [`GravityNoise`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28); 3dm-gx5-15: 4.3.11
     /// Gravity Noise Standard Deviation (0x0D, 0x28).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct GravityNoiseResponse {
         /// Standard deviation per axis.
         ///
@@ -3840,11 +4087,11 @@ field! {
 record! {
     /// Pressure altitude noise response (0x0D,0x94).
     ///
-    /// Answers [`PressureAltitudeNoise`]. Supported by 3DM-GX5-45. Known from the MicroStrain MIP
-    /// SDK only.
+    /// Answers [`PressureAltitudeNoise`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Known
+    /// from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Pressure Altitude Noise (0x0D,0x29).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct PressureAltitudeNoiseResponse {
         /// Standard deviation.
         ///
@@ -3861,11 +4108,11 @@ field! {
 record! {
     /// Hard iron offset noise response (0x0D,0x96).
     ///
-    /// Answers [`HardIronOffsetNoise`]. Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK
-    /// only.
+    /// Answers [`HardIronOffsetNoise`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Known
+    /// from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct HardIronOffsetNoiseResponse {
         /// Standard deviation per axis.
         ///
@@ -3882,11 +4129,11 @@ field! {
 record! {
     /// Soft iron matrix noise response (0x0D,0x97).
     ///
-    /// Answers [`SoftIronMatrixNoise`]. Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK
-    /// only.
+    /// Answers [`SoftIronMatrixNoise`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Known
+    /// from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct SoftIronMatrixNoiseResponse {
         /// Standard deviation per element.
         ///
@@ -3909,7 +4156,7 @@ record! {
     ///
     /// Source: 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21); mip-sdk-4: Tare Orientation
     /// (0x0D,0x21).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct TareOrientationResponse {
         /// Axes to tare; 0 resets all axes.
         pub axes: TareAxes,
@@ -3924,10 +4171,10 @@ field! {
 record! {
     /// Enable or disable measurements response (0x0D,0xB0).
     ///
-    /// Answers [`EnableMeasurements`]. Supported by 3DM-GX5-15.
+    /// Answers [`EnableMeasurements`]. Supported by [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// Source: 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct EnableMeasurementsResponse {
         /// Measurements to use.
         pub control: MeasurementFlags,
@@ -3942,10 +4189,11 @@ field! {
 record! {
     /// Magnetometer noise response (0x0D,0xB1).
     ///
-    /// Answers [`MagNoise`]. Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
+    /// Answers [`MagNoise`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Known from the
+    /// MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Mag Noise (0x0D,0x42).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct MagNoiseResponse {
         /// Standard deviation per axis.
         ///
@@ -3962,11 +4210,13 @@ field! {
 record! {
     /// Magnetic declination source response (0x0D,0xB2).
     ///
-    /// Answers [`MagneticDeclinationSource`]. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR,
-    /// 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
+    /// Answers [`MagneticDeclinationSource`]. Supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ7-GNSS/INS](crate::devices::GQ7)
+    /// and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct MagneticDeclinationSourceResponse {
         /// Source of the declination.
         pub source: MagParameterSource,
@@ -3985,12 +4235,15 @@ field! {
 record! {
     /// Gravity magnitude error adaptive measurement response (0x0D,0xB3).
     ///
-    /// Answers [`AccelMagnitudeErrorAdaptiveMeasurement`]. Supported by 3DM-GX5-15 and 3DM-GX5-45.
-    /// May be supported by 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
-    /// 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    /// Answers [`AccelMagnitudeErrorAdaptiveMeasurement`]. Supported by
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45). May be
+    /// supported by [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// Source: 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct AccelMagnitudeErrorAdaptiveMeasurementResponse {
         /// Kind of adaptation.
         pub adaptive_measurement: AdaptiveMeasurementSelector,
@@ -4029,12 +4282,15 @@ field! {
 record! {
     /// Magnetometer magnitude error adaptive measurement response (0x0D,0xB4).
     ///
-    /// Answers [`MagMagnitudeErrorAdaptiveMeasurement`]. Supported by 3DM-GX5-45. May be supported
-    /// by 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and
-    /// 3DM-RQ1-45-ST. Known from the MicroStrain MIP SDK only.
+    /// Answers [`MagMagnitudeErrorAdaptiveMeasurement`]. Supported by
+    /// [3DM-GX5-45](crate::devices::GX5_45). May be supported by
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct MagMagnitudeErrorAdaptiveMeasurementResponse {
         /// Kind of adaptation.
         pub adaptive_measurement: AdaptiveMeasurementSelector,
@@ -4078,11 +4334,11 @@ field! {
 record! {
     /// Magnetometer dip angle error adaptive measurement response (0x0D,0xB5).
     ///
-    /// Answers [`MagDipAngleErrorAdaptiveMeasurement`]. Supported by 3DM-GX5-45. Known from the
-    /// MicroStrain MIP SDK only.
+    /// Answers [`MagDipAngleErrorAdaptiveMeasurement`]. Supported by
+    /// [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct MagDipAngleErrorAdaptiveMeasurementResponse {
         /// Whether the adaptation is on.
         pub enable: crate::Bool,
@@ -4113,11 +4369,11 @@ field! {
 record! {
     /// Altitude aiding response (0x0D,0xB7).
     ///
-    /// Answers [`AltitudeAiding`]. Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK
-    /// only.
+    /// Answers [`AltitudeAiding`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Known from
+    /// the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Altitude Aiding (0x0D,0x47).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct AltitudeAidingResponse {
         /// Source of the aiding.
         pub selector: AltitudeAidingSource,
@@ -4132,10 +4388,11 @@ field! {
 record! {
     /// Pitch and roll aiding response (0x0D,0xBB).
     ///
-    /// Answers [`PitchRollAiding`]. Supported by 3DM-GX5-15 and 3DM-GX5-45.
+    /// Answers [`PitchRollAiding`]. Supported by [3DM-GX5-15](crate::devices::GX5_15) and
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct PitchRollAidingResponse {
         /// Source of the aiding.
         pub aiding: PitchRollAidingSource,
@@ -4154,7 +4411,7 @@ record! {
     /// the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Inclination Source (0x0D,0x4C).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct MagneticInclinationSourceResponse {
         /// Source of the inclination.
         pub source: MagParameterSource,
@@ -4178,7 +4435,7 @@ record! {
     /// Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct MagneticMagnitudeSourceResponse {
         /// Source of the magnitude.
         pub source: MagParameterSource,
@@ -4201,7 +4458,7 @@ record! {
     /// Answers [`SensorToVehicleRotationDcm`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct SensorToVehicleRotationDcmResponse {
         /// Rotation matrix in row-major order.
         ///
@@ -4221,7 +4478,7 @@ record! {
     /// Answers [`SensorToVehicleRotationQuaternion`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct SensorToVehicleRotationQuaternionResponse {
         /// Unit quaternion, scalar part first.
         ///
@@ -4238,11 +4495,12 @@ field! {
 record! {
     /// Aiding measurement control response (0x0D,0xD0).
     ///
-    /// Answers [`AidingMeasurementEnable`]. Supported by 3DM-CV7-GNSS/INS. May be supported by
-    /// 3DM-CV7-AHRS and 3DM-CV7-AR.
+    /// Answers [`AidingMeasurementEnable`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). May be supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS) and [3DM-CV7-AR](crate::devices::CV7_AR).
     ///
     /// Source: 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct AidingMeasurementEnableResponse {
         /// The source; `all` is for save, load and default.
         pub aiding_source: AidingSource,
@@ -4262,7 +4520,7 @@ record! {
     /// Answers [`KinematicConstraint`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Kinematic Constraint (0x0D,0x51).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct KinematicConstraintResponse {
         /// Assumption about the acceleration.
         ///
@@ -4288,10 +4546,11 @@ record! {
     /// Navigation filter initialization response (0x0D,0xD2).
     ///
     /// Also called `initialization_configuration_response`. Answers [`InitializationConfig`].
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// Source: 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct InitializationConfigResponse {
         /// 1: the filter starts only after [`Run`]; 0: as soon as it can.
         ///
@@ -4315,14 +4574,19 @@ record! {
         pub initial_roll: f32,
         /// Given position.
         ///
-        /// Elements: x, y, z. If `reference_frame_selector` is [`ReferenceFrame::ECEF`]: unit m;
-        /// frame ecef. If `reference_frame_selector` is [`ReferenceFrame::LLH`]: unit deg, deg, m;
-        /// frame llh.
+        /// Elements: x, y, z. If
+        /// [`reference_frame_selector`](InitializationConfigResponse::reference_frame_selector) is
+        /// [`ReferenceFrame::ECEF`]: unit m; frame ecef. If
+        /// [`reference_frame_selector`](InitializationConfigResponse::reference_frame_selector) is
+        /// [`ReferenceFrame::LLH`]: unit deg, deg, m; frame llh.
         pub initial_position: types::Vector3f,
         /// Given velocity.
         ///
-        /// Elements: x, y, z. Unit: m/s. If `reference_frame_selector` is [`ReferenceFrame::ECEF`]:
-        /// frame ecef. If `reference_frame_selector` is [`ReferenceFrame::LLH`]: frame ned.
+        /// Elements: x, y, z. Unit: m/s. If
+        /// [`reference_frame_selector`](InitializationConfigResponse::reference_frame_selector) is
+        /// [`ReferenceFrame::ECEF`]: frame ecef. If
+        /// [`reference_frame_selector`](InitializationConfigResponse::reference_frame_selector) is
+        /// [`ReferenceFrame::LLH`]: frame ned.
         pub initial_velocity: types::Vector3f,
         /// Frame of the given position and velocity.
         pub reference_frame_selector: ReferenceFrame,
@@ -4337,11 +4601,12 @@ field! {
 record! {
     /// Adaptive filter control response (0x0D,0xD3).
     ///
-    /// Answers [`AdaptiveFilterOptions`]. Supported by 3DM-CV7-GNSS/INS. May be supported by
-    /// 3DM-GX5-45.
+    /// Answers [`AdaptiveFilterOptions`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). May be supported by
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct AdaptiveFilterOptionsResponse {
         /// Strength of the adaptation.
         ///
@@ -4362,10 +4627,11 @@ field! {
 record! {
     /// GNSS multi-antenna offset response (0x0D,0xD4).
     ///
-    /// Answers [`MultiAntennaOffset`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Answers [`MultiAntennaOffset`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct MultiAntennaOffsetResponse {
         /// Number of the receiver, from 1.
         ///
@@ -4387,10 +4653,10 @@ record! {
     /// Relative position configuration response (0x0D,0xD5).
     ///
     /// Also called `rel_pos_configuration_response`. Answers [`RelativePositionConfig`]. Supported
-    /// by 3DM-CV7-GNSS/INS.
+    /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct RelativePositionConfigResponse {
         /// Source of the reference point.
         pub source: RelativePositionSource,
@@ -4398,9 +4664,11 @@ record! {
         pub reference_frame_selector: ReferenceFrame,
         /// Reference point.
         ///
-        /// Elements: x, y, z. If `reference_frame_selector` is [`ReferenceFrame::ECEF`]: unit m;
-        /// frame ecef. If `reference_frame_selector` is [`ReferenceFrame::LLH`]: unit deg, deg, m;
-        /// frame llh.
+        /// Elements: x, y, z. If
+        /// [`reference_frame_selector`](RelativePositionConfigResponse::reference_frame_selector)
+        /// is [`ReferenceFrame::ECEF`]: unit m; frame ecef. If
+        /// [`reference_frame_selector`](RelativePositionConfigResponse::reference_frame_selector)
+        /// is [`ReferenceFrame::LLH`]: unit deg, deg, m; frame llh.
         pub reference_coordinates: types::Vector3d,
     }
 }
@@ -4414,10 +4682,10 @@ record! {
     /// Reference point lever arm response (0x0D,0xD6).
     ///
     /// Also called `ref_point_lever_arm_response`. Answers [`ReferencePointLeverArm`]. Supported by
-    /// 3DM-CV7-GNSS/INS.
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct ReferencePointLeverArmResponse {
         /// Point to move; it must be 1.
         pub reference_point: ReferencePoint,
@@ -4436,9 +4704,10 @@ field! {
 record! {
     /// Speed measurement lever arm response (0x0D,0xE1).
     ///
-    /// Answers [`SpeedLeverArm`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Answers [`SpeedLeverArm`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61).
+    #[derive(Copy)]
     pub struct SpeedLeverArmResponse {
         /// Reserved.
         pub source: u8,
@@ -4470,7 +4739,7 @@ record! {
     /// Answers [`VerticalGyroConstraintControl`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct VerticalGyroConstraintControlResponse {
         /// 0 disables, 1 enables.
         ///
@@ -4487,10 +4756,11 @@ field! {
 record! {
     /// Wheeled vehicle constraint response (0x0D,0xE3).
     ///
-    /// Answers [`WheeledVehicleConstraintControl`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Answers [`WheeledVehicleConstraintControl`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct WheeledVehicleConstraintControlResponse {
         /// 0 disables, 1 enables.
         ///
@@ -4508,11 +4778,12 @@ record! {
     /// GNSS antenna offset calibration response (0x0D,0xE4).
     ///
     /// Also called `gnss_antenna_cal_control_response`. Answers [`GnssAntennaCalibrationControl`].
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64);
     /// 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration.
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct GnssAntennaCalibrationControlResponse {
         /// 0 disables, 1 enables.
         ///

@@ -364,10 +364,10 @@ record! {
     ///
     /// Estimated position.
     ///
-    /// Also called `position_llh`. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `position_llh`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: LLH Position (0x82,0x01).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct LlhPosition {
         /// Latitude.
         ///
@@ -395,10 +395,10 @@ record! {
     ///
     /// Estimated velocity.
     ///
-    /// Also called `velocity_ned`. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `velocity_ned`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Velocity NED (0x82,0x02).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct NedVelocity {
         /// Velocity north.
         ///
@@ -426,13 +426,14 @@ record! {
     ///
     /// Estimated orientation of the vehicle frame in the NED frame as a quaternion.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// - `v_vehicle = q^-1 * v_ned * q`. The 3DM-GX5-15 manual prints the inverse rotation.
     ///
     /// Source: 3dm-cv7-gnss-ins: Attitude Quaternion (0x82,0x03); 3dm-gx5-15: 5.2.3 Orientation,
     /// Quaternion (0x82, 0x03).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct AttitudeQuaternion {
         /// Quaternion, scalar part first.
         ///
@@ -453,13 +454,14 @@ record! {
     ///
     /// Estimated orientation of the vehicle frame in the NED frame as a rotation matrix.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - The matrix turns NED vectors into vehicle vectors: `v_vehicle = dcm * v_ned`.
     ///
     /// Source: 3dm-cv7-gnss-ins: Attitude DCM (0x82,0x04); 3dm-gx5-15: 5.2.7 Orientation, Matrix
     /// (0x82, 0x04).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct AttitudeDcm {
         /// Rotation matrix in row-major order.
         ///
@@ -480,13 +482,14 @@ record! {
     ///
     /// Estimated orientation of the vehicle frame in the NED frame as Euler angles.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - The rotations apply in the order yaw, pitch, roll (3-2-1).
     ///
     /// Source: 3dm-cv7-gnss-ins: Euler Angles (0x82,0x05); 3dm-gx5-15: 5.2.5 Orientation, Euler
     /// Angles (0x82, 0x05).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct EulerAngles {
         /// Roll.
         ///
@@ -514,10 +517,11 @@ record! {
     ///
     /// Estimated bias of the gyroscope.
     ///
-    /// Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// Source: 3dm-cv7-gnss-ins: Gyro Bias (0x82,0x06); 3dm-gx5-15: 5.2.9 Gyro Bias (0x82, 0x06).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct GyroBias {
         /// Bias.
         ///
@@ -538,10 +542,10 @@ record! {
     ///
     /// Estimated bias of the accelerometer.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Accel Bias (0x82,0x07).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct AccelBias {
         /// Bias.
         ///
@@ -562,10 +566,11 @@ record! {
     ///
     /// Standard deviation of the estimated position, in the NED frame.
     ///
-    /// Also called `position_llh_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `position_llh_uncertainty`. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: LLH Position Uncertainty (0x82,0x08).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct LlhPositionUncertainty {
         /// Standard deviation north.
         ///
@@ -593,10 +598,11 @@ record! {
     ///
     /// Standard deviation of the estimated velocity.
     ///
-    /// Also called `velocity_ned_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `velocity_ned_uncertainty`. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: NED Velocity Uncertainty (0x82,0x09).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct NedVelocityUncertainty {
         /// Standard deviation north.
         ///
@@ -624,14 +630,15 @@ record! {
     ///
     /// Standard deviation of the estimated Euler angles.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// - 3DM-GX5: derived from the quaternion, worse the steeper the pitch, and not valid beyond 70
     ///   degrees of pitch up or down.
     ///
     /// Source: 3dm-cv7-gnss-ins: Euler Angles Uncertainty (0x82,0x0A); 3dm-gx5-15: 5.2.6 Attitude
     /// Uncertainty, Euler Angles (0x82, 0x0A).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct EulerAnglesUncertainty {
         /// Standard deviation of roll.
         ///
@@ -659,11 +666,12 @@ record! {
     ///
     /// Standard deviation of the estimated gyroscope bias.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// Source: 3dm-cv7-gnss-ins: Gyro Bias Uncertainty (0x82,0x0B); 3dm-gx5-15: 5.2.10 Gyro Bias
     /// Uncertainty (0x82, 0x0B).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct GyroBiasUncertainty {
         /// Standard deviation per axis.
         ///
@@ -684,10 +692,10 @@ record! {
     ///
     /// Standard deviation of the estimated accelerometer bias.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Accel Bias Uncertainty (0x82,0x0C).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct AccelBiasUncertainty {
         /// Standard deviation per axis.
         ///
@@ -708,11 +716,12 @@ record! {
     ///
     /// Compensated acceleration less the estimated gravity.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// Source: 3dm-cv7-gnss-ins: Linear Accel (0x82,0x0D); 3dm-gx5-15: 5.2.12 Linear Acceleration
     /// (0x82, 0x0D).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct LinearAccel {
         /// Linear acceleration.
         ///
@@ -733,11 +742,12 @@ record! {
     ///
     /// Angular rate without the estimated bias.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: Comp Angular Rate (0x82,0x0E); 3dm-gx5-15: 5.2.8 Compensated
     /// Angular Rate (0x82, 0x0E).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct CompAngularRate {
         /// Angular rate.
         ///
@@ -758,12 +768,12 @@ record! {
     ///
     /// Magnitude of gravity at the position of the device by the WGS84 model.
     ///
-    /// Also called `wgs84_gravity_mag`. Supported by 3DM-GX5-15.
+    /// Also called `wgs84_gravity_mag`. Supported by [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// - The model holds up to an altitude of 20 km.
     ///
     /// Source: 3dm-gx5-15: 5.2.15 WGS84 Local Gravity Magnitude (0x82, 0x0F).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct Wgs84GravityMagnitude {
         /// Magnitude of gravity.
         ///
@@ -783,7 +793,8 @@ record! {
     ///
     /// State, dynamics mode, condition and warnings of the filter.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// - The meaning of all three values depends on the device.
     /// - 3DM-CV7: 4, 1, 1 is normal operation (full navigation, default mode, stable).
@@ -791,22 +802,22 @@ record! {
     ///   filter runs.
     ///
     /// Source: 3dm-cv7-gnss-ins: Status (0x82,0x10); 3dm-gx5-15: 5.2.1 Filter Status (0x82, 0x10).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct Status {
         /// State of the filter.
         ///
-        /// On the 3DM-CV7-GNSS/INS: values of [`Cv7FilterState`]. On the 3DM-GX5-15: values of
-        /// [`Gx5FilterState`].
+        /// On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of [`Cv7FilterState`].
+        /// On the [3DM-GX5-15](crate::devices::GX5_15): values of [`Gx5FilterState`].
         pub filter_state: u16,
         /// Motion for which the filter is set up.
         ///
-        /// On the 3DM-CV7-GNSS/INS: values of [`Cv7DynamicsMode`]. On the 3DM-GX5-15: values of
-        /// [`Gx5DynamicsMode`].
+        /// On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of [`Cv7DynamicsMode`].
+        /// On the [3DM-GX5-15](crate::devices::GX5_15): values of [`Gx5DynamicsMode`].
         pub dynamics_mode: u16,
         /// Condition and warnings.
         ///
-        /// On the 3DM-CV7-GNSS/INS: values of [`Cv7StatusFlags`]. On the 3DM-GX5-15: values of
-        /// [`Gx5StatusFlags`].
+        /// On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of [`Cv7StatusFlags`].
+        /// On the [3DM-GX5-15](crate::devices::GX5_15): values of [`Gx5StatusFlags`].
         pub status_flags: u16,
     }
 }
@@ -815,7 +826,8 @@ record! {
 impl Status {
     /// Reads `filter_state` as [`Cv7FilterState`].
     ///
-    /// On the 3DM-CV7-GNSS/INS: values of [`Cv7FilterState`].
+    /// On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of [`Cv7FilterState`].
+    #[inline]
     #[must_use]
     pub fn filter_state_as_cv7_filter_state(&self) -> Cv7FilterState {
         self.filter_state.into()
@@ -823,7 +835,8 @@ impl Status {
 
     /// Reads `filter_state` as [`Gx5FilterState`].
     ///
-    /// On the 3DM-GX5-15: values of [`Gx5FilterState`].
+    /// On the [3DM-GX5-15](crate::devices::GX5_15): values of [`Gx5FilterState`].
+    #[inline]
     #[must_use]
     pub fn filter_state_as_gx5_filter_state(&self) -> Gx5FilterState {
         self.filter_state.into()
@@ -831,7 +844,8 @@ impl Status {
 
     /// Reads `dynamics_mode` as [`Cv7DynamicsMode`].
     ///
-    /// On the 3DM-CV7-GNSS/INS: values of [`Cv7DynamicsMode`].
+    /// On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of [`Cv7DynamicsMode`].
+    #[inline]
     #[must_use]
     pub fn dynamics_mode_as_cv7_dynamics_mode(&self) -> Cv7DynamicsMode {
         self.dynamics_mode.into()
@@ -839,7 +853,8 @@ impl Status {
 
     /// Reads `dynamics_mode` as [`Gx5DynamicsMode`].
     ///
-    /// On the 3DM-GX5-15: values of [`Gx5DynamicsMode`].
+    /// On the [3DM-GX5-15](crate::devices::GX5_15): values of [`Gx5DynamicsMode`].
+    #[inline]
     #[must_use]
     pub fn dynamics_mode_as_gx5_dynamics_mode(&self) -> Gx5DynamicsMode {
         self.dynamics_mode.into()
@@ -847,7 +862,8 @@ impl Status {
 
     /// Reads `status_flags` as [`Cv7StatusFlags`].
     ///
-    /// On the 3DM-CV7-GNSS/INS: values of [`Cv7StatusFlags`].
+    /// On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of [`Cv7StatusFlags`].
+    #[inline]
     #[must_use]
     pub fn status_flags_as_cv7_status_flags(&self) -> Cv7StatusFlags {
         self.status_flags.into()
@@ -855,7 +871,8 @@ impl Status {
 
     /// Reads `status_flags` as [`Gx5StatusFlags`].
     ///
-    /// On the 3DM-GX5-15: values of [`Gx5StatusFlags`].
+    /// On the [3DM-GX5-15](crate::devices::GX5_15): values of [`Gx5StatusFlags`].
+    #[inline]
     #[must_use]
     pub fn status_flags_as_gx5_status_flags(&self) -> Gx5StatusFlags {
         self.status_flags.into()
@@ -871,7 +888,8 @@ record! {
     ///
     /// GPS time of the filter data.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// - Without PPS the internal clock drives the time, and the time jumps when the PPS comes
     ///   back.
@@ -881,7 +899,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: Timestamp (0x82,0x11); 3dm-gx5-15: 5.2.2 GPS Timestamp (0x82,
     /// 0x11).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct Timestamp {
         /// GPS time of week.
         ///
@@ -905,11 +923,12 @@ record! {
     ///
     /// Standard deviation of the elements of the estimated attitude quaternion.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// Source: 3dm-cv7-gnss-ins: Quaternion Attitude Uncertainty (0x82,0x12); 3dm-gx5-15: 5.2.4
     /// Attitude Uncertainty, Quaternion Elements (0x82, 0x12).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct QuaternionAttitudeUncertainty {
         /// Standard deviation per element.
         ///
@@ -929,11 +948,12 @@ record! {
     ///
     /// Estimated gravity.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// Source: 3dm-cv7-gnss-ins: Gravity Vector (0x82,0x13); 3dm-gx5-15: 5.2.14 Gravity Vector
     /// (0x82, 0x13).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct GravityVector {
         /// Gravity.
         ///
@@ -954,12 +974,12 @@ record! {
     ///
     /// The last heading that updated the filter and where it came from.
     ///
-    /// Supported by 3DM-GX5-15 and 3DM-GX5-45.
+    /// Supported by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - The valid bit means that the source gave data within the last 2 seconds.
     ///
     /// Source: 3dm-gx5-15: 5.2.16 Heading Update Source State (0x82, 0x14).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct HeadingUpdateState {
         /// Heading of the sensor frame relative to true north.
         ///
@@ -971,7 +991,8 @@ record! {
         pub heading_uncertainty: f32,
         /// Sources of the heading.
         ///
-        /// On the 3DM-GX5-15: only [`external`](HeadingSourceFlags::external).
+        /// On the [3DM-GX5-15](crate::devices::GX5_15): only
+        /// [`external`](HeadingSourceFlags::external).
         pub source: HeadingSourceFlags,
         /// Validity of the values.
         pub valid_flags: ValidFlags,
@@ -987,12 +1008,12 @@ record! {
     ///
     /// Magnetic field at the position of the device by the World Magnetic Model.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - It is valid only with a valid GNSS position.
     ///
     /// Source: 3dm-cv7-gnss-ins: Magnetic Model (0x82,0x15).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct MagneticModel {
         /// Intensity north.
         ///
@@ -1031,7 +1052,7 @@ record! {
     /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Gyro Scale Factor (0x82,0x16).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct GyroScaleFactor {
         /// Scale factor per axis.
         ///
@@ -1055,7 +1076,7 @@ record! {
     /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Accel Scale Factor (0x82,0x17).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct AccelScaleFactor {
         /// Scale factor per axis.
         ///
@@ -1079,7 +1100,7 @@ record! {
     /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Gyro Scale Factor Uncertainty (0x82,0x18).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct GyroScaleFactorUncertainty {
         /// Standard deviation per axis.
         ///
@@ -1103,7 +1124,7 @@ record! {
     /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Accel Scale Factor Uncertainty (0x82,0x19).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct AccelScaleFactorUncertainty {
         /// Standard deviation per axis.
         ///
@@ -1127,7 +1148,7 @@ record! {
     /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Mag Bias (0x82,0x1A).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct MagBias {
         /// Bias.
         ///
@@ -1151,7 +1172,7 @@ record! {
     /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Mag Bias Uncertainty (0x82,0x1B).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct MagBiasUncertainty {
         /// Standard deviation per axis.
         ///
@@ -1172,11 +1193,12 @@ record! {
     ///
     /// Acceleration without the estimated bias; gravity is still in it.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// Source: 3dm-cv7-gnss-ins: Compensated Acceleration (0x82,0x1C); 3dm-gx5-15: 5.2.11
     /// Compensated Acceleration (0x82, 0x1C).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct CompAccel {
         /// Acceleration.
         ///
@@ -1202,7 +1224,7 @@ record! {
     /// - It is valid only with a valid GNSS position.
     ///
     /// Source: mip-sdk-4: Standard Atmosphere (0x82,0x20).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct StandardAtmosphere {
         /// Altitude that goes into the model.
         ///
@@ -1238,14 +1260,15 @@ record! {
     ///
     /// Altitude that the US Standard Atmosphere of 1976 gives for the measured pressure.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GX5-15](crate::devices::GX5_15).
     ///
     /// - It needs a valid pressure. The model ends at a pressure of 0.0037 mbar, an altitude of
     ///   84852 m.
     ///
     /// Source: 3dm-cv7-gnss-ins: Pressure Altitude (0x82,0x21); 3dm-gx5-15: 5.2.13 Pressure
     /// Altitude (0x82, 0x21).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct PressureAltitude {
         /// Altitude.
         ///
@@ -1269,7 +1292,7 @@ record! {
     /// gives the name only; the description is the usual meaning of the term.
     ///
     /// Source: mip-sdk-4: Density Altitude (0x82,0x22).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct DensityAltitude {
         /// Altitude.
         ///
@@ -1296,7 +1319,7 @@ record! {
     ///   [`mip_3dm::MagHardIronOffset`](crate::mip_3dm::MagHardIronOffset).
     ///
     /// Source: mip-sdk-4: Magnetometer Offset (0x82,0x25).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct MagOffset {
         /// Hard iron offset.
         ///
@@ -1324,7 +1347,7 @@ record! {
     ///   [`mip_3dm::MagSoftIronMatrix`](crate::mip_3dm::MagSoftIronMatrix) by it, from the right.
     ///
     /// Source: mip-sdk-4: Magnetometer Matrix (0x82,0x26).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct MagMatrix {
         /// Soft iron matrix in row-major order.
         ///
@@ -1349,7 +1372,7 @@ record! {
     /// MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Magnetometer Offset Uncertainty (0x82,0x28).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct MagOffsetUncertainty {
         /// Standard deviation per axis.
         ///
@@ -1374,7 +1397,7 @@ record! {
     /// MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Magnetometer Matrix Uncertainty (0x82,0x29).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct MagMatrixUncertainty {
         /// Standard deviation per element.
         ///
@@ -1399,7 +1422,7 @@ record! {
     /// MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Magnetometer Covariance Matrix (0x82,0x2A).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct MagCovarianceMatrix {
         /// Covariance matrix in row-major order.
         ///
@@ -1425,7 +1448,7 @@ record! {
     /// MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Magnetometer Residual Vector (0x82,0x2C).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct MagResidualVector {
         /// Residual.
         ///
@@ -1452,7 +1475,7 @@ record! {
     ///   [`filter::AntennaOffset`](crate::filter::AntennaOffset).
     ///
     /// Source: mip-sdk-4: Antenna Offset Correction (0x82,0x30).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct AntennaOffsetCorrection {
         /// Correction of the offset.
         ///
@@ -1476,7 +1499,7 @@ record! {
     /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Antenna Offset Correction Uncertainty (0x82,0x31).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct AntennaOffsetCorrectionUncertainty {
         /// Standard deviation per axis.
         ///
@@ -1500,7 +1523,7 @@ record! {
     /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Clock Correction (0x82,0x32).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct ClockCorrection {
         /// Receiver, counted from 1.
         ///
@@ -1531,7 +1554,7 @@ record! {
     /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Clock Correction Uncertainty (0x82,0x33).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct ClockCorrectionUncertainty {
         /// Receiver, counted from 1.
         ///
@@ -1559,12 +1582,12 @@ record! {
     ///
     /// Estimated error of the offset of one GNSS antenna.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - The filter adds it to the stored offset.
     ///
     /// Source: 3dm-cv7-gnss-ins: Multi Antenna Offset Correction (0x82,0x34).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct MultiAntennaOffsetCorrection {
         /// Receiver that the antenna belongs to.
         pub receiver_id: u8,
@@ -1587,10 +1610,10 @@ record! {
     ///
     /// Standard deviation of the estimated error of the offset of one GNSS antenna.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Multi Antenna Offset Correction Uncertainty (0x82,0x35).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct MultiAntennaOffsetCorrectionUncertainty {
         /// Receiver that the antenna belongs to.
         pub receiver_id: u8,
@@ -1613,10 +1636,11 @@ record! {
     ///
     /// Standard deviation of the estimated position.
     ///
-    /// Also called `ecef_pos_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `ecef_pos_uncertainty`. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: ECEF Position Uncertainty (0x82,0x36).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct EcefPositionUncertainty {
         /// Standard deviation per axis.
         ///
@@ -1637,10 +1661,11 @@ record! {
     ///
     /// Standard deviation of the estimated velocity.
     ///
-    /// Also called `ecef_vel_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `ecef_vel_uncertainty`. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: ECEF Velocity Uncertainty (0x82,0x37).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct EcefVelocityUncertainty {
         /// Standard deviation per axis.
         ///
@@ -1661,10 +1686,10 @@ record! {
     ///
     /// Estimated position.
     ///
-    /// Also called `ecef_pos`. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `ecef_pos`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: ECEF Position (0x82,0x40).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct EcefPosition {
         /// Position.
         ///
@@ -1685,10 +1710,10 @@ record! {
     ///
     /// Estimated velocity.
     ///
-    /// Also called `ecef_vel`. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `ecef_vel`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: ECEF Velocity (0x82,0x41).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct EcefVelocity {
         /// Velocity.
         ///
@@ -1710,10 +1735,10 @@ record! {
     /// Estimated position relative to the point that
     /// [`filter::RelativePositionConfig`](crate::filter::RelativePositionConfig) sets.
     ///
-    /// Also called `rel_pos_ned`. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `rel_pos_ned`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: NED Relative Position (0x82,0x42).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct NedRelativePosition {
         /// Relative position.
         ///
@@ -1734,12 +1759,13 @@ record! {
     ///
     /// How the filter uses the position measurements of one GNSS receiver.
     ///
-    /// Also called `gnss_pos_aid_status`. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `gnss_pos_aid_status`. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - Single precision resolves the time of week to 0.0625 s at the end of the week.
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Position Aiding Status (0x82,0x43).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct GnssPositionAidingStatus {
         /// Number of the receiver.
         pub receiver_id: u8,
@@ -1769,7 +1795,7 @@ record! {
     /// - Single precision resolves the time of week to 0.0625 s at the end of the week.
     ///
     /// Source: mip-sdk-4: Gnss Att Aid Status (0x82,0x44).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct GnssAttitudeAidingStatus {
         /// GPS time of week of the last valid measurement.
         ///
@@ -1799,13 +1825,14 @@ record! {
     /// - Single precision resolves the time of week to 0.0625 s at the end of the week.
     ///
     /// Source: mip-sdk-4: Head Aid Status (0x82,0x45).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct HeadingAidingStatus {
         /// GPS time of week of the last valid measurement.
         ///
         /// Unit: s. Uncertain: Whether it is the time of the measurement or that of its processing.
         pub tow: f32,
         /// Source of the heading.
+        #[cfg_attr(feature = "serde", serde(rename = "type"))]
         pub type_: HeadingAidingType,
         /// Reserved.
         ///
@@ -1828,12 +1855,12 @@ record! {
     ///
     /// What the filter did with one kind of aiding measurement in the last measurement interval.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - Single precision resolves the time of week to 0.0625 s at the end of the week.
     ///
     /// Source: 3dm-cv7-gnss-ins: Aiding Measurement Summary (0x82,0x46).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct AidingMeasurementSummary {
         /// GPS time of week at the end of the interval.
         ///
@@ -1842,6 +1869,7 @@ record! {
         /// Number of the source of the measurement.
         pub source: u8,
         /// Kind of measurement.
+        #[cfg_attr(feature = "serde", serde(rename = "type"))]
         pub type_: AidingMeasurementType,
         /// What the filter did with it.
         pub indicator: AidingMeasurementIndicator,
@@ -1863,12 +1891,12 @@ record! {
     ///
     /// Estimated relative error of the odometer scale factor.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - Estimated scale factor = configured scale factor \* (1 + error).
     ///
     /// Source: 3dm-cv7-gnss-ins: Odometer Scale Factor Error (0x82,0x47).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct OdometerScaleFactorError {
         /// Relative error.
         ///
@@ -1888,10 +1916,10 @@ record! {
     ///
     /// Uncertainty of the estimated error of the odometer scale factor.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Odometer Scale Factor Error Uncertainty (0x82,0x48).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct OdometerScaleFactorErrorUncertainty {
         /// Uncertainty of the relative error.
         ///
@@ -1911,12 +1939,12 @@ record! {
     ///
     /// Heading that two GNSS antennas give.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - Single precision resolves the time of week to 0.0625 s at the end of the week.
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Dual Antenna Status (0x82,0x49).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct GnssDualAntennaStatus {
         /// GPS time of week of the last measurement.
         ///
@@ -1949,10 +1977,10 @@ record! {
     /// Estimated error of a frame that [`aiding::FrameConfig`](crate::aiding::FrameConfig) defines;
     /// it is corrected for.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Aiding Frame Configuration Error (0x82,0x50).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct AidingFrameConfigError {
         /// Number of the frame.
         pub frame_id: u8,
@@ -1977,10 +2005,10 @@ record! {
     /// Uncertainty of the estimated error of a frame that
     /// [`aiding::FrameConfig`](crate::aiding::FrameConfig) defines.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Aiding Frame Configuration Error Uncertainty (0x82,0x51).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct AidingFrameConfigErrorUncertainty {
         /// Number of the frame.
         pub frame_id: u8,

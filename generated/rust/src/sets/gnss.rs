@@ -12,7 +12,7 @@ record! {
     /// One GNSS receiver.
     ///
     /// Source: 3dm-cv7-gnss-ins: Info.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct ReceiverInfoEntry {
         /// Receiver, counted from 1.
         ///
@@ -27,6 +27,7 @@ record! {
     }
 }
 
+item! { ReceiverInfoEntry { receiver_id mip_data_descriptor_set description } }
 constructors! {
     ReceiverInfoEntry
 
@@ -112,10 +113,11 @@ record! {
     ///
     /// Asks which GNSS receivers the device has.
     ///
-    /// Answered by [`ReceiverInfoResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Answered by [`ReceiverInfoResponse`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Receiver Info (0x0E,0x01).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct ReceiverInfo;
 }
 
@@ -140,8 +142,11 @@ record! {
     ///
     /// GNSS signals that the device uses.
     ///
-    /// Also called `signal_configuration`. Functions: write, read, save, load and default. Answered
-    /// by [`SignalConfigResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `signal_configuration`. Functions: [write](types::FunctionSelector::WRITE),
+    /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
+    /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
+    /// Answered by [`SignalConfigResponse`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - A device takes certain combinations only.
     /// - The 3DM-CV7-GNSS/INS needs GPS or Galileo, and refuses GPS L1 with BeiDou L1 alone. It
@@ -149,26 +154,27 @@ record! {
     ///   GLONASS none or L1.
     ///
     /// Source: 3dm-cv7-gnss-ins: Signal Configuration (0x0E,0x02); 3dm-cv7-gnss-ins: GNSS.
+    #[derive(Copy, Eq, Hash)]
     pub struct SignalConfig {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// GPS signals.
         ///
-        /// Required for write.
+        /// Required for [write](types::FunctionSelector::WRITE).
         pub gps_enable: Option<GpsSignals>,
         /// GLONASS signals.
         ///
-        /// Required for write.
+        /// Required for [write](types::FunctionSelector::WRITE).
         pub glonass_enable: Option<GlonassSignals>,
         /// Galileo signals.
         ///
-        /// Required for write.
+        /// Required for [write](types::FunctionSelector::WRITE).
         pub galileo_enable: Option<GalileoSignals>,
         /// BeiDou signals.
         ///
-        /// Required for write.
+        /// Required for [write](types::FunctionSelector::WRITE).
         pub beidou_enable: Option<BeidouSignals>,
-        /// Reserved: send 0. Required for write.
+        /// Reserved: send 0. Required for [write](types::FunctionSelector::WRITE).
         pub reserved: Option<[u8; 4]>,
     }
     wire 9 {
@@ -219,19 +225,23 @@ record! {
     ///
     /// Whether the device talks to the RTK dongle that is connected to it.
     ///
-    /// Also called `rtk_dongle_configuration`. Functions: write, read, save, load and default.
+    /// Also called `rtk_dongle_configuration`. Functions: [write](types::FunctionSelector::WRITE),
+    /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
+    /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
     /// Answered by [`RtkDongleConfigResponse`]. No device profile lists it. Known from the
     /// MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10).
+    #[derive(Copy, Eq, Hash)]
     pub struct RtkDongleConfig {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// 1 enables the dongle, 0 disables it.
         ///
-        /// Range: 0 to 1. Required for write.
+        /// Range: 0 to 1. Required for [write](types::FunctionSelector::WRITE).
         pub enable: Option<u8>,
-        /// Reserved: send 0. Required for write. Uncertain: What to send; 0 is assumed.
+        /// Reserved: send 0. Required for [write](types::FunctionSelector::WRITE). Uncertain: What
+        /// to send; 0 is assumed.
         pub reserved: Option<[u8; 3]>,
     }
     wire 5 {
@@ -274,10 +284,13 @@ record! {
     ///
     /// Source and keys of SPARTN corrections.
     ///
-    /// Also called `spartn_configuration`. Functions: write, read, save, load and default. Answered
-    /// by [`SpartnConfigResponse`]. Supported by 3DM-CV7-GNSS/INS. Uncertain: Whether the device
-    /// takes upper and lower case. The section on UART has the digits 0-9 and A-F, the description
-    /// of the command has "bc" for 0xBC.
+    /// Also called `spartn_configuration`. Functions: [write](types::FunctionSelector::WRITE),
+    /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
+    /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
+    /// Answered by [`SpartnConfigResponse`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). Uncertain: Whether the device takes upper
+    /// and lower case. The section on UART has the digits 0-9 and A-F, the description of the
+    /// command has "bc" for 0xBC.
     ///
     /// - A change of enable or type has an effect after a power cycle only; keys can be changed
     ///   while running.
@@ -287,40 +300,42 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: Spartn Configuration (0x0E,0x20); 3dm-cv7-gnss-ins: SPARTN
     /// Corrections; 3dm-cv7-gnss-ins: SPARTN Corrections via UART.
+    #[derive(Eq, Hash)]
     pub struct SpartnConfig {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// 1 enables SPARTN corrections, 0 disables them.
         ///
-        /// Range: 0 to 1. Required for write.
+        /// Range: 0 to 1. Required for [write](types::FunctionSelector::WRITE).
         pub enable: Option<u8>,
         /// How the corrections come.
         ///
-        /// Required for write.
+        /// Required for [write](types::FunctionSelector::WRITE).
+        #[cfg_attr(feature = "serde", serde(rename = "type"))]
         pub type_: Option<SpartnConnection>,
         /// GPS time of week until which the current key is valid.
         ///
-        /// Unit: s. Required for write.
+        /// Unit: s. Required for [write](types::FunctionSelector::WRITE).
         pub current_key_tow: Option<u32>,
         /// GPS week number until which the current key is valid.
         ///
-        /// Unit: week. Required for write.
+        /// Unit: week. Required for [write](types::FunctionSelector::WRITE).
         pub current_key_week: Option<u16>,
         /// Current key in ASCII digits.
         ///
-        /// Required for write.
+        /// Required for [write](types::FunctionSelector::WRITE).
         pub current_key: Option<[u8; 32]>,
         /// GPS time of week until which the next key is valid.
         ///
-        /// Unit: s. Required for write.
+        /// Unit: s. Required for [write](types::FunctionSelector::WRITE).
         pub next_key_tow: Option<u32>,
         /// GPS week number until which the next key is valid.
         ///
-        /// Unit: week. Required for write.
+        /// Unit: week. Required for [write](types::FunctionSelector::WRITE).
         pub next_key_week: Option<u16>,
         /// Next key in ASCII digits.
         ///
-        /// Required for write.
+        /// Required for [write](types::FunctionSelector::WRITE).
         pub next_key: Option<[u8; 32]>,
     }
     wire 79 {
@@ -376,13 +391,13 @@ command! {
 record! {
     /// Receiver info response (0x0E,0x81).
     ///
-    /// Answers [`ReceiverInfo`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Answers [`ReceiverInfo`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// On the wire there is also `num_receivers`: Number of physical receivers. The number of
-    /// elements of `receiver_info`.
+    /// elements of [`receiver_info`](ReceiverInfoResponse::receiver_info).
     ///
     /// Source: 3dm-cv7-gnss-ins: Receiver Info (0x0E,0x01).
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct ReceiverInfoResponse {
         /// The receivers.
         pub receiver_info: crate::List<ReceiverInfoEntry, 7>,
@@ -402,10 +417,10 @@ record! {
     /// Signal configuration response (0x0E,0x82).
     ///
     /// Also called `signal_configuration_response`. Answers [`SignalConfig`]. Supported by
-    /// 3DM-CV7-GNSS/INS.
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Signal Configuration (0x0E,0x02); 3dm-cv7-gnss-ins: GNSS.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct SignalConfigResponse {
         /// GPS signals.
         pub gps_enable: GpsSignals,
@@ -432,7 +447,7 @@ record! {
     /// MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct RtkDongleConfigResponse {
         /// 1 enables the dongle, 0 disables it.
         ///
@@ -452,17 +467,18 @@ record! {
     /// SPARTN configuration response (0x0E,0xA0).
     ///
     /// Also called `spartn_configuration_response`. Answers [`SpartnConfig`]. Supported by
-    /// 3DM-CV7-GNSS/INS.
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Spartn Configuration (0x0E,0x20); 3dm-cv7-gnss-ins: SPARTN
     /// Corrections; 3dm-cv7-gnss-ins: SPARTN Corrections via UART.
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct SpartnConfigResponse {
         /// 1 enables SPARTN corrections, 0 disables them.
         ///
         /// Range: 0 to 1.
         pub enable: u8,
         /// How the corrections come.
+        #[cfg_attr(feature = "serde", serde(rename = "type"))]
         pub type_: SpartnConnection,
         /// GPS time of week until which the current key is valid.
         ///

@@ -850,10 +850,11 @@ record! {
     ///
     /// GNSS position as latitude, longitude and height.
     ///
-    /// Also called `pos_llh`. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+    /// Also called `pos_llh`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS LLH Position (0x91,0x03).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct LlhPosition {
         /// Latitude.
         ///
@@ -891,7 +892,6 @@ record! {
 
 field! {
     LlhPosition: 0x91, 0x03, "gnss_1.llh_position";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -899,10 +899,10 @@ record! {
     ///
     /// GNSS position in Earth-fixed coordinates.
     ///
-    /// Also called `pos_ecef`. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `pos_ecef`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS ECEF Position (0x91,0x04).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct EcefPosition {
         /// Position.
         ///
@@ -921,7 +921,6 @@ record! {
 
 field! {
     EcefPosition: 0x91, 0x04, "gnss_1.ecef_position";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -929,10 +928,10 @@ record! {
     ///
     /// GNSS velocity in the local level frame.
     ///
-    /// Also called `vel_ned`. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `vel_ned`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: NED Velocity (0x91,0x05).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct NedVelocity {
         /// Velocity.
         ///
@@ -969,7 +968,6 @@ record! {
 
 field! {
     NedVelocity: 0x91, 0x05, "gnss_1.ned_velocity";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -977,10 +975,10 @@ record! {
     ///
     /// GNSS velocity in Earth-fixed coordinates.
     ///
-    /// Also called `vel_ecef`. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `vel_ecef`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS ECEF Velocity (0x91,0x06).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct EcefVelocity {
         /// Velocity.
         ///
@@ -999,7 +997,6 @@ record! {
 
 field! {
     EcefVelocity: 0x91, 0x06, "gnss_1.ecef_velocity";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -1007,10 +1004,10 @@ record! {
     ///
     /// Dilution of precision of the satellite geometry.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: DOP (0x91,0x07).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct Dop {
         /// Geometric dilution.
         ///
@@ -1047,7 +1044,6 @@ record! {
 
 field! {
     Dop: 0x91, 0x07, "gnss_1.dop";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -1055,10 +1051,10 @@ record! {
     ///
     /// Coordinated universal time as the receiver knows it.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: UTC Time (0x91,0x08).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct UtcTime {
         /// Year.
         ///
@@ -1101,7 +1097,6 @@ record! {
 
 field! {
     UtcTime: 0x91, 0x08, "gnss_1.utc_time";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -1109,10 +1104,10 @@ record! {
     ///
     /// GPS time as the receiver knows it.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: GPS Time (0x91,0x09).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct GpsTime {
         /// GPS time of week.
         ///
@@ -1129,7 +1124,6 @@ record! {
 
 field! {
     GpsTime: 0x91, 0x09, "gnss_1.gps_time";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -1142,7 +1136,7 @@ record! {
     /// - Clock info 2 replaces it and tells more.
     ///
     /// Source: mip-sdk-4: Clock Info (0x81,0x0A).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct ClockInfo {
         /// Bias of the clock.
         ///
@@ -1164,7 +1158,6 @@ record! {
 
 field! {
     ClockInfo: 0x91, 0x0A, "gnss_1.clock_info";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -1172,10 +1165,11 @@ record! {
     ///
     /// Type of the position fix and what it is made of.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// Source: 3dm-cv7-gnss-ins: Fix Info (0x91,0x0B).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct FixInfo {
         /// Type of the fix.
         ///
@@ -1196,7 +1190,6 @@ record! {
 
 field! {
     FixInfo: 0x91, 0x0B, "gnss_1.fix_info";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -1210,7 +1203,7 @@ record! {
     /// - The satellites come as one field each, in packets apart from other GNSS data.
     ///
     /// Source: mip-sdk-4: Sv Info (0x81,0x0C).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct SvInfo {
         /// Channel of the receiver that tracks the satellite.
         ///
@@ -1244,7 +1237,6 @@ record! {
 
 field! {
     SvInfo: 0x91, 0x0C, "gnss_1.sv_info";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -1252,10 +1244,10 @@ record! {
     ///
     /// State of the receiver and of its antenna.
     ///
-    /// Also called `hw_status`. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `hw_status`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Hardware Status (0x91,0x0D).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct HardwareStatus {
         /// State of the receiver.
         ///
@@ -1276,7 +1268,6 @@ record! {
 
 field! {
     HardwareStatus: 0x91, 0x0D, "gnss_1.hardware_status";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -1291,7 +1282,7 @@ record! {
     /// channels).
     ///
     /// Source: 3dm-gx5-35: 5.2.12 DGNSS Information (0x81, 0x0E); mip-sdk-4: Dgps Info (0x81,0x0E).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct DgpsInfo {
         /// Age of the corrections.
         ///
@@ -1318,7 +1309,6 @@ record! {
 
 field! {
     DgpsInfo: 0x91, 0x0E, "gnss_1.dgps_info";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -1331,7 +1321,7 @@ record! {
     /// - The active satellites come as one field each, all in one packet.
     ///
     /// Source: mip-sdk-4: Dgps Channel (0x81,0x0F).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct DgpsChannel {
         /// Number of the satellite.
         ///
@@ -1358,7 +1348,6 @@ record! {
 
 field! {
     DgpsChannel: 0x91, 0x0F, "gnss_1.dgps_channel";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -1366,12 +1355,12 @@ record! {
     ///
     /// Bias and drift of the receiver clock.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - It supersedes clock info.
     ///
     /// Source: 3dm-cv7-gnss-ins: Clock Info 2 (0x91,0x10).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct ClockInfo2 {
         /// Bias of the clock.
         ///
@@ -1397,7 +1386,6 @@ record! {
 
 field! {
     ClockInfo2: 0x91, 0x10, "gnss_1.clock_info_2";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -1405,10 +1393,10 @@ record! {
     ///
     /// Difference between GPS time and UTC.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: GPS Leap Seconds (0x91,0x11).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GpsLeapSeconds {
         /// GPS time minus UTC.
         ///
@@ -1422,7 +1410,6 @@ record! {
 
 field! {
     GpsLeapSeconds: 0x91, 0x11, "gnss_1.gps_leap_seconds";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -1430,10 +1417,10 @@ record! {
     ///
     /// Status of the satellite based augmentation.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: SBAS Info (0x91,0x12).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct SbasInfo {
         /// GPS time of week.
         ///
@@ -1466,7 +1453,6 @@ record! {
 
 field! {
     SbasInfo: 0x91, 0x12, "gnss_1.sbas_info";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -1481,7 +1467,7 @@ record! {
     ///   1.2992, 1.8709, 2.5465, 3.3260, 5.1968, 20.7870, 230.9661, 2078.695.
     ///
     /// Source: mip-sdk-4: Sbas Correction (0x81,0x13).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct SbasCorrection {
         /// Number of this field within the epoch.
         pub index: u8,
@@ -1522,7 +1508,6 @@ record! {
 
 field! {
     SbasCorrection: 0x91, 0x13, "gnss_1.sbas_correction";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -1533,7 +1518,7 @@ record! {
     /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Rf Error Detection (0x81,0x14).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct RfErrorDetection {
         /// Band.
         ///
@@ -1556,7 +1541,6 @@ record! {
 
 field! {
     RfErrorDetection: 0x91, 0x14, "gnss_1.rf_error_detection";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -1564,12 +1548,12 @@ record! {
     ///
     /// Where one satellite stands, and its health.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - An epoch is sent as one field for each satellite; index and count number the fields.
     ///
     /// Source: 3dm-cv7-gnss-ins: Satellite Status (0x91,0x20).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct SatelliteStatus {
         /// Number of this field within the epoch.
         pub index: u8,
@@ -1611,7 +1595,6 @@ record! {
 
 field! {
     SatelliteStatus: 0x91, 0x20, "gnss_1.satellite_status";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -1619,13 +1602,13 @@ record! {
     ///
     /// Raw observation of one signal of one satellite.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - An epoch is sent as one field for each signal; index and count number the fields.
     /// - The greatest lock time depends on the receiver.
     ///
     /// Source: 3dm-cv7-gnss-ins: Raw (0x91,0x22).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct Raw {
         /// Number of this field within the epoch.
         pub index: u8,
@@ -1704,7 +1687,6 @@ record! {
 
 field! {
     Raw: 0x91, 0x22, "gnss_1.raw";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -1715,7 +1697,7 @@ record! {
     /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Base Station Info (0x81,0x30).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct BaseStationInfo {
         /// GPS time of week at which the message was received.
         ///
@@ -1751,7 +1733,6 @@ record! {
 
 field! {
     BaseStationInfo: 0x91, 0x30, "gnss_1.base_station_info";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -1762,7 +1743,7 @@ record! {
     /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Rtk Corrections Status (0x81,0x31).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct RtkCorrectionsStatus {
         /// GPS time of week.
         ///
@@ -1813,7 +1794,6 @@ record! {
 
 field! {
     RtkCorrectionsStatus: 0x91, 0x31, "gnss_1.rtk_corrections_status";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -1821,7 +1801,7 @@ record! {
     ///
     /// Broadcast orbit and clock of one GPS satellite.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - `iodc` changes with the clock data; the manual has it roll over at 4.
     ///
@@ -1961,7 +1941,6 @@ record! {
 
 field! {
     GpsEphemeris: 0x91, 0x61, "gnss_1.gps_ephemeris";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -1969,7 +1948,7 @@ record! {
     ///
     /// Broadcast orbit and clock of one GLONASS satellite.
     ///
-    /// Also called `glo_ephemeris`. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `glo_ephemeris`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - The interface control document of GLONASS explains p and ft.
     /// - A period of four years has 1461 days; the manual does not say how nt, a u8, counts them.
@@ -2079,7 +2058,6 @@ record! {
 
 field! {
     GlonassEphemeris: 0x91, 0x62, "gnss_1.glonass_ephemeris";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -2087,7 +2065,7 @@ record! {
     ///
     /// Broadcast orbit and clock of one Galileo satellite.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
     ///   corrections hold here.
@@ -2229,7 +2207,6 @@ record! {
 
 field! {
     GalileoEphemeris: 0x91, 0x63, "gnss_1.galileo_ephemeris";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -2237,7 +2214,7 @@ record! {
     ///
     /// Broadcast orbit and clock of one BeiDou satellite.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
     ///   corrections hold here.
@@ -2379,7 +2356,6 @@ record! {
 
 field! {
     BeidouEphemeris: 0x91, 0x64, "gnss_1.beidou_ephemeris";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -2419,7 +2395,6 @@ record! {
 
 field! {
     GpsIonoCorrection: 0x91, 0x71, "gnss_1.gps_iono_correction";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -2431,7 +2406,7 @@ record! {
     /// SDK only.
     ///
     /// Source: mip-sdk-4: Galileo Iono Corr (0x81,0x73).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct GalileoIonoCorrection {
         /// GPS time of week.
         ///
@@ -2460,7 +2435,6 @@ record! {
 
 field! {
     GalileoIonoCorrection: 0x91, 0x73, "gnss_1.galileo_iono_correction";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }
 
 record! {
@@ -2505,5 +2479,4 @@ record! {
 
 field! {
     BeidouIonoCorrection: 0x91, 0x74, "gnss_1.beidou_iono_correction";
-    in [0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95];
 }

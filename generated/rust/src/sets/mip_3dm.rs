@@ -12,7 +12,7 @@ record! {
     /// A field that a poll asks for.
     ///
     /// Source: 3dm-gx5-15: 4.2.1 Poll IMU Data (0x0C, 0x01).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct PollEntry {
         /// Field descriptor.
         pub descriptor: u8,
@@ -23,6 +23,7 @@ record! {
     }
 }
 
+item! { PollEntry { descriptor reserved } }
 constructors! {
     PollEntry
 
@@ -80,7 +81,7 @@ record! {
     /// How a receiver tracks one constellation.
     ///
     /// Source: mip-sdk-4: Constellation Settings (0x0C,0x21).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct ConstellationSettingsEntry {
         /// Constellation.
         pub constellation_id: ConstellationId,
@@ -101,6 +102,7 @@ record! {
     }
 }
 
+item! { ConstellationSettingsEntry { constellation_id enable reserved_channels max_channels option_flags } }
 constructors! {
     ConstellationSettingsEntry
 
@@ -177,9 +179,10 @@ record! {
     /// How many instances of one trigger or action type a device can have.
     ///
     /// Source: 3dm-cv7-gnss-ins: Info.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct EventSupportInfo {
         /// Type of triggers, or of actions.
+        #[cfg_attr(feature = "serde", serde(rename = "type"))]
         pub type_: u8,
         /// Instances of this type at most.
         ///
@@ -192,6 +195,7 @@ record! {
     }
 }
 
+item! { EventSupportInfo { type_ count } }
 constructors! {
     EventSupportInfo
 
@@ -203,9 +207,10 @@ record! {
     /// Type and state of one trigger.
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct EventTriggerStatusEntry {
         /// Configured type.
+        #[cfg_attr(feature = "serde", serde(rename = "type"))]
         pub type_: types::EventTriggerType,
         /// State.
         pub status: types::EventTriggerStatus,
@@ -216,6 +221,7 @@ record! {
     }
 }
 
+item! { EventTriggerStatusEntry { type_ status } }
 constructors! {
     EventTriggerStatusEntry
 
@@ -227,7 +233,7 @@ record! {
     /// Type and trigger of one action.
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct EventActionStatusEntry {
         /// Configured type.
         pub action_type: types::EventActionType,
@@ -236,6 +242,7 @@ record! {
     }
 }
 
+item! { EventActionStatusEntry { action_type trigger_id } }
 constructors! {
     EventActionStatusEntry
 
@@ -277,7 +284,7 @@ record! {
     /// A range that a sensor supports.
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct SensorRangeEntry {
         /// Value for the sensor range command.
         pub setting: u8,
@@ -286,6 +293,7 @@ record! {
     }
 }
 
+item! { SensorRangeEntry { setting range } }
 constructors! {
     SensorRangeEntry
 
@@ -326,19 +334,22 @@ record! {
     ///
     /// Asks for one sensor data packet (0x80) with the fields listed, in their order.
     ///
-    /// Also called `poll_imu_message`. Not acknowledged if `suppress_ack` is true. Supported by
-    /// 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
-    /// 3DM-GX5-45.
+    /// Also called `poll_imu_message`. Not acknowledged if
+    /// [`suppress_ack`](PollImuData::suppress_ack) is true. Supported by
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
+    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). May be supported by
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
-    /// `descriptors`.
+    /// [`descriptors`](PollImuData::descriptors).
     ///
     /// - An empty list polls the stored message format; without one the device refuses.
     /// - Descriptors that the device does not know are ignored.
     /// - The data comes in a packet of its own behind the reply.
     ///
     /// Source: 3dm-gx5-15: 4.2.1 Poll IMU Data (0x0C, 0x01).
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct PollImuData {
         /// Send no acknowledge.
         pub suppress_ack: crate::Bool,
@@ -373,12 +384,15 @@ record! {
     ///
     /// Asks for one GNSS data packet with the fields listed, in their order.
     ///
-    /// Also called `poll_gnss_message`. Not acknowledged if `suppress_ack` is true. Supported by
-    /// 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35.
-    /// Known from the MicroStrain MIP SDK only.
+    /// Also called `poll_gnss_message`. Not acknowledged if
+    /// [`suppress_ack`](PollGnssData::suppress_ack) is true. Supported by
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-45](crate::devices::GX5_45),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// May be supported by [3DM-GX5-35](crate::devices::GX5_35). Known from the MicroStrain MIP SDK
+    /// only.
     ///
     /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
-    /// `descriptors`. Range: 0 to 83.
+    /// [`descriptors`](PollGnssData::descriptors). Range: 0 to 83.
     ///
     /// - An empty list polls what [`GnssMessageFormat`] has stored; without that the device
     ///   refuses.
@@ -386,7 +400,7 @@ record! {
     /// - The data comes in a packet of its own behind the reply.
     ///
     /// Source: mip-sdk-4: Poll Gnss Message (0x0C,0x02).
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct PollGnssData {
         /// Send no acknowledge.
         pub suppress_ack: crate::Bool,
@@ -424,18 +438,21 @@ record! {
     ///
     /// Asks for one filter data packet (0x82) with the fields listed, in their order.
     ///
-    /// Also called `poll_filter_message`. Not acknowledged if `suppress_ack` is true. Supported by
-    /// 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    /// Also called `poll_filter_message`. Not acknowledged if
+    /// [`suppress_ack`](PollFilterData::suppress_ack) is true. Supported by
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
-    /// `descriptors`.
+    /// [`descriptors`](PollFilterData::descriptors).
     ///
     /// - An empty list polls the stored message format; without one the device refuses.
     /// - Descriptors that the device does not know are ignored.
     /// - The data comes in a packet of its own behind the reply.
     ///
     /// Source: 3dm-gx5-15: 4.2.2 Poll Estimation Filter Data (0x0C, 0x03).
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct PollFilterData {
         /// Send no acknowledge.
         pub suppress_ack: crate::Bool,
@@ -470,11 +487,13 @@ record! {
     ///
     /// Asks for the NMEA sentences listed, once.
     ///
-    /// Also called `nmea_poll_data`. Not acknowledged if `suppress_ack` is true. Supported by
-    /// 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+    /// Also called `nmea_poll_data`. Not acknowledged if
+    /// [`suppress_ack`](PollNmeaData::suppress_ack) is true. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// On the wire there is also `count`: Number of sentences. The number of elements of
-    /// `format_entries`.
+    /// [`format_entries`](PollNmeaData::format_entries).
     ///
     /// - An empty list polls the stored NMEA format; without one the device refuses.
     /// - The sentences follow the reply as ordinary NMEA text, on the port of the command even if
@@ -482,7 +501,7 @@ record! {
     /// - A sentence is sent only if its data is valid.
     ///
     /// Source: 3dm-cv7-gnss-ins: Poll NMEA Data (0x0C,0x04).
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct PollNmeaData {
         /// Send no acknowledge.
         pub suppress_ack: crate::Bool,
@@ -518,11 +537,13 @@ record! {
     /// Asks for the rate that the decimations of the IMU message format divide.
     ///
     /// Also called `imu_get_base_rate`. Answered by [`GetImuBaseRateResponse`]. Supported by
-    /// 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
-    /// 3DM-GX5-35.
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). May be supported by
+    /// [3DM-GX5-35](crate::devices::GX5_35).
     ///
     /// Source: 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GetImuBaseRate;
 }
 
@@ -548,11 +569,12 @@ record! {
     /// Asks for the rate that the decimations of the GNSS message format divide.
     ///
     /// Also called `gnss_get_base_rate`. Answered by [`GetGnssBaseRateResponse`]. Supported by
-    /// 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known from the
-    /// MicroStrain MIP SDK only.
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-35](crate::devices::GX5_35),
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Gnss Get Base Rate (0x0C,0x07).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GetGnssBaseRate;
 }
 
@@ -577,12 +599,16 @@ record! {
     ///
     /// Fields of the sensor data packets (0x80), in order, with their decimations.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`ImuMessageFormatResponse`].
-    /// Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and
-    /// 3DM-RQ1-45-ST.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`ImuMessageFormatResponse`].
+    /// Supported by [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
+    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
-    /// `descriptors`. Required for write.
+    /// [`descriptors`](ImuMessageFormat::descriptors). Required for
+    /// [write](types::FunctionSelector::WRITE).
     ///
     /// - The decimation is the base rate, as the get IMU data base rate command reports it, divided
     ///   by the wanted rate.
@@ -590,12 +616,13 @@ record! {
     ///   changes nothing.
     ///
     /// Source: 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08).
+    #[derive(Eq, Hash)]
     pub struct ImuMessageFormat {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Fields and decimations.
         ///
-        /// Required for write.
+        /// Required for [write](types::FunctionSelector::WRITE).
         pub descriptors: Option<crate::List<types::DescriptorRate, 83>>,
     }
     wire 251 {
@@ -640,23 +667,29 @@ record! {
     ///
     /// Fields of the GNSS data packets, in order, with their decimations.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`GnssMessageFormatResponse`].
-    /// Supported by 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`GnssMessageFormatResponse`].
+    /// Supported by [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-35](crate::devices::GX5_35),
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
-    /// `descriptors`. Range: 0 to 82. Required for write.
+    /// [`descriptors`](GnssMessageFormat::descriptors). Range: 0 to 82. Required for
+    /// [write](types::FunctionSelector::WRITE).
     ///
     /// - The decimation is the base rate, as the get GNSS data base rate command reports it,
     ///   divided by the wanted rate.
     ///
     /// Source: mip-sdk-4: Gnss Message Format (0x0C,0x09); 3dm-gx5-35: 4.2.6 GNSS Message Format
     /// (0x0C, 0x09).
+    #[derive(Eq, Hash)]
     pub struct GnssMessageFormat {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Fields and decimations.
         ///
-        /// Required for write.
+        /// Required for [write](types::FunctionSelector::WRITE).
         pub descriptors: Option<crate::List<types::DescriptorRate, 83>>,
     }
     wire 251 {
@@ -701,11 +734,16 @@ record! {
     ///
     /// Fields of the filter data packets (0x82), in order, with their decimations.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`FilterMessageFormatResponse`].
-    /// Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`FilterMessageFormatResponse`].
+    /// Supported by [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
-    /// `descriptors`. Required for write.
+    /// [`descriptors`](FilterMessageFormat::descriptors). Required for
+    /// [write](types::FunctionSelector::WRITE).
     ///
     /// - The decimation is the base rate, as the get estimation filter data base rate command
     ///   reports it, divided by the wanted rate.
@@ -713,12 +751,13 @@ record! {
     ///   changes nothing.
     ///
     /// Source: 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A).
+    #[derive(Eq, Hash)]
     pub struct FilterMessageFormat {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Fields and decimations.
         ///
-        /// Required for write.
+        /// Required for [write](types::FunctionSelector::WRITE).
         pub descriptors: Option<crate::List<types::DescriptorRate, 83>>,
     }
     wire 251 {
@@ -764,10 +803,12 @@ record! {
     /// Asks for the rate that the decimations of the estimation filter message format divide.
     ///
     /// Also called `filter_get_base_rate`. Answered by [`GetFilterBaseRateResponse`]. Supported by
-    /// 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// Source: 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GetFilterBaseRate;
 }
 
@@ -792,22 +833,26 @@ record! {
     ///
     /// NMEA sentences that the device streams.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`NmeaMessageFormatResponse`].
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`NmeaMessageFormatResponse`].
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// On the wire there is also `count`: Number of sentences. The number of elements of
-    /// `format_entries`. Required for write.
+    /// [`format_entries`](NmeaMessageFormat::format_entries). Required for
+    /// [write](types::FunctionSelector::WRITE).
     ///
     /// - A sentence may be listed several times with different talkers or sources.
     /// - A sentence is sent only while the device is not idle and the data of the source is valid.
     ///
     /// Source: 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C).
+    #[derive(Eq, Hash)]
     pub struct NmeaMessageFormat {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Sentences to stream.
         ///
-        /// Required for write.
+        /// Required for [write](types::FunctionSelector::WRITE).
         pub format_entries: Option<crate::List<types::NmeaMessage, 50>>,
     }
     wire 252 {
@@ -852,10 +897,11 @@ record! {
     ///
     /// Asks for one data packet of the descriptor set with the fields listed, in their order.
     ///
-    /// Not acknowledged if `suppress_ack` is true. Supported by 3DM-CV7-GNSS/INS.
+    /// Not acknowledged if [`suppress_ack`](PollData::suppress_ack) is true. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
-    /// `descriptors`.
+    /// [`descriptors`](PollData::descriptors).
     ///
     /// - An empty list polls the stored message format; without one the device refuses.
     /// - Descriptors that the device does not know are ignored.
@@ -863,7 +909,7 @@ record! {
     /// - Shared descriptors (0xD0 and up) belong in front of the others.
     ///
     /// Source: 3dm-cv7-gnss-ins: Poll Data (0x0C,0x0D).
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct PollData {
         /// Data descriptor set.
         ///
@@ -907,10 +953,11 @@ record! {
     ///
     /// Asks for the rate that the decimations of a descriptor set divide.
     ///
-    /// Answered by [`GetBaseRateResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Answered by [`GetBaseRateResponse`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GetBaseRate {
         /// Data descriptor set.
         ///
@@ -940,11 +987,14 @@ record! {
     ///
     /// Fields of the data packets of a descriptor set, in order, with their decimations.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`MessageFormatResponse`].
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`MessageFormatResponse`].
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
-    /// `descriptors`. Required for write.
+    /// [`descriptors`](MessageFormat::descriptors). Required for
+    /// [write](types::FunctionSelector::WRITE).
     ///
     /// - The decimation is the base rate, as the get data base rate command reports it, divided by
     ///   the wanted rate.
@@ -952,6 +1002,7 @@ record! {
     ///   front of the others.
     ///
     /// Source: 3dm-cv7-gnss-ins: Message Format (0x0C,0x0F).
+    #[derive(Eq, Hash)]
     pub struct MessageFormat {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -959,7 +1010,7 @@ record! {
         pub descriptor_set: Option<u8>,
         /// Fields and decimations.
         ///
-        /// Required for write.
+        /// Required for [write](types::FunctionSelector::WRITE).
         pub descriptors: Option<crate::List<types::DescriptorRate, 83>>,
     }
     wire 252 {
@@ -1005,10 +1056,10 @@ record! {
     ///
     /// Sets all message formats to those that technical support wants to have recorded.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Factory Streaming (0x0C,0x10).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct FactoryStreaming {
         /// What happens to the present formats.
         pub action: FactoryStreamingAction,
@@ -1037,32 +1088,56 @@ record! {
     ///
     /// Switches a data stream on or off.
     ///
-    /// Also called `datastream_control`. Functions: write, read, save, load and default. Answered
-    /// by [`DataStreamControlResponse`]. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
-    /// 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
-    /// 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15,
-    /// 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45,
-    /// 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45 and 3DM-MV5-AR.
+    /// Also called `datastream_control`. Functions: [write](types::FunctionSelector::WRITE),
+    /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
+    /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
+    /// Answered by [`DataStreamControlResponse`]. Supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// May be supported by [3DM-CL5-15](crate::devices::CL5_15),
+    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-CX5-15](crate::devices::CX5_15),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-DH3](crate::devices::DH3),
+    /// [3DM-GX3-15](crate::devices::GX3_15), [3DM-GX3-25](crate::devices::GX3_25),
+    /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10),
+    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-45](crate::devices::GX5_45) and
+    /// [3DM-MV5-AR](crate::devices::MV5_AR).
     ///
     /// - 5-series devices name the stream by a number of their own ([`LegacyDataStream`]), others
     ///   by its descriptor set.
     ///
     /// Source: 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11);
     /// 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11).
+    #[derive(Copy, Eq, Hash)]
     pub struct DataStreamControl {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Data descriptor set; 0 means all streams (save, load, default).
         ///
-        /// On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10,
-        /// 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15,
-        /// 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10,
-        /// 3DM-GX5-15, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and
-        /// 3DM-RQ1-45-ST: values of [`LegacyDataStream`].
+        /// On the [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+        /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
+        /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
+        /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+        /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
+        /// [3DM-DH3](crate::devices::DH3), [3DM-GQ4-45](crate::devices::GQ4_45),
+        /// [3DM-GX3-15](crate::devices::GX3_15), [3DM-GX3-25](crate::devices::GX3_25),
+        /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
+        /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+        /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10),
+        /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-25](crate::devices::GX5_25),
+        /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
+        /// [3DM-MV5-AR](crate::devices::MV5_AR), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+        /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): values of [`LegacyDataStream`].
         pub descriptor_set: Option<u8>,
         /// Whether the stream is sent.
         ///
-        /// Default: true. Required for write.
+        /// Default: true. Required for [write](types::FunctionSelector::WRITE).
         pub enable: Option<crate::Bool>,
     }
     wire 3 {
@@ -1095,11 +1170,21 @@ constructors! {
 impl DataStreamControl {
     /// Reads `descriptor_set` as [`LegacyDataStream`].
     ///
-    /// On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15,
-    /// 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35,
-    /// 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-15, 3DM-GX5-25,
-    /// 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of
-    /// [`LegacyDataStream`].
+    /// On the [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-DH3](crate::devices::DH3), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX3-15](crate::devices::GX3_15), [3DM-GX3-25](crate::devices::GX3_25),
+    /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10),
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-25](crate::devices::GX5_25),
+    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
+    /// [3DM-MV5-AR](crate::devices::MV5_AR), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): values of [`LegacyDataStream`].
+    #[inline]
     #[must_use]
     pub fn descriptor_set_as_legacy_data_stream(&self) -> Option<LegacyDataStream> {
         self.descriptor_set.map(Into::into)
@@ -1120,13 +1205,17 @@ record! {
     ///
     /// Constellations that the GNSS receiver tracks, and how its tracking channels are shared.
     ///
-    /// Functions: write, read, save, load and default. Answered by
-    /// [`ConstellationSettingsResponse`]. Supported by 3DM-GQ4-45 and 3DM-GX5-35. May be supported
-    /// by 3DM-GX5-45. Uncertain: The factory default, as the SDK gives it, names GPS and GLONASS
-    /// alone as enabled but has channels for SBAS and QZSS too.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`ConstellationSettingsResponse`].
+    /// Supported by [3DM-GQ4-45](crate::devices::GQ4_45) and [3DM-GX5-35](crate::devices::GX5_35).
+    /// May be supported by [3DM-GX5-45](crate::devices::GX5_45). Uncertain: The factory default, as
+    /// the SDK gives it, names GPS and GLONASS alone as enabled but has channels for SBAS and QZSS
+    /// too.
     ///
     /// On the wire there is also `config_count`: Number of entries. The number of elements of
-    /// `settings`. Range: 0 to 41. Required for write.
+    /// [`settings`](ConstellationSettings::settings). Range: 0 to 41. Required for
+    /// [write](types::FunctionSelector::WRITE).
     ///
     /// - The device refuses entries whose reserved channels exceed 32 in all. No entry may have
     ///   fewer channels at most than it reserves.
@@ -1139,16 +1228,17 @@ record! {
     ///
     /// Source: mip-sdk-4: Constellation Settings (0x0C,0x21); 3dm-gx5-35: 4.2.8 GNSS Constellation
     /// Settings (0x0C, 0x21).
+    #[derive(Eq, Hash)]
     pub struct ConstellationSettings {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Tracking channels in use at most; no more than the response reports as available.
         ///
-        /// Unit: 1. Required for write.
+        /// Unit: 1. Required for [write](types::FunctionSelector::WRITE).
         pub max_channels: Option<u16>,
         /// One entry for each constellation.
         ///
-        /// Required for write.
+        /// Required for [write](types::FunctionSelector::WRITE).
         pub settings: Option<crate::List<ConstellationSettingsEntry, 41>>,
     }
     wire 250 {
@@ -1194,29 +1284,37 @@ record! {
     ///
     /// How the GNSS receivers use satellite based augmentation.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`GnssSbasSettingsResponse`].
-    /// Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`GnssSbasSettingsResponse`].
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45) and [3DM-GX5-35](crate::devices::GX5_35). May be
+    /// supported by [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// On the wire there is also `num_included_prns`: Number of satellites listed; 0 searches for
-    /// all. The number of elements of `included_prns`. Required for write.
+    /// all. The number of elements of [`included_prns`](GnssSbasSettings::included_prns). Required
+    /// for [write](types::FunctionSelector::WRITE).
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22).
+    #[derive(Eq, Hash)]
     pub struct GnssSbasSettings {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// 1 switches SBAS on, 0 off.
         ///
-        /// Range: 0 to 1. Required for write. On the 3DM-GX5-35: default 1.
+        /// Range: 0 to 1. Required for [write](types::FunctionSelector::WRITE). On the
+        /// [3DM-GX5-35](crate::devices::GX5_35): default 1.
         pub enable_sbas: Option<u8>,
         /// What SBAS is used for.
         ///
-        /// Required for write. On the 3DM-GX5-35: default
+        /// Required for [write](types::FunctionSelector::WRITE). On the
+        /// [3DM-GX5-35](crate::devices::GX5_35): default
         /// [`enable_ranging`](SbasOptions::enable_ranging) and
         /// [`enable_corrections`](SbasOptions::enable_corrections).
         pub sbas_options: Option<SbasOptions>,
         /// PRN numbers of the SBAS satellites to search for.
         ///
-        /// Required for write.
+        /// Required for [write](types::FunctionSelector::WRITE).
         pub included_prns: Option<crate::List<u16, 124>>,
     }
     wire 253 {
@@ -1267,9 +1365,11 @@ record! {
     ///
     /// Whether the GNSS receiver keeps the data of its last fix to start from at the next power-up.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`GnssAssistedFixResponse`].
-    /// Supported by 3DM-GX5-35. May be supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK
-    /// only.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`GnssAssistedFixResponse`].
+    /// Supported by [3DM-GX5-35](crate::devices::GX5_35). May be supported by
+    /// [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only.
     ///
     /// - The last fix is kept in the flash memory and the FRAM of the receiver.
     /// - With the time of [`GnssTimeAssistance`] right after power-up, the first fix takes 1 s at
@@ -1279,15 +1379,18 @@ record! {
     /// - It takes slightly more power.
     ///
     /// Source: mip-sdk-4: Gnss Assisted Fix (0x0C,0x23).
+    #[derive(Copy, Eq, Hash)]
     pub struct GnssAssistedFix {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Assisted fix.
         ///
-        /// Default: [`AssistedFixOption::NONE`]. Required for write. On the 3DM-GX5-35: default
-        /// [`AssistedFixOption::NONE`].
+        /// Default: [`AssistedFixOption::NONE`]. Required for
+        /// [write](types::FunctionSelector::WRITE). On the [3DM-GX5-35](crate::devices::GX5_35):
+        /// default [`AssistedFixOption::NONE`].
         pub option: Option<AssistedFixOption>,
-        /// Reserved: send 255. Required for write. On the 3DM-GX5-35: default 255.
+        /// Reserved: send 255. Required for [write](types::FunctionSelector::WRITE). On the
+        /// [3DM-GX5-35](crate::devices::GX5_35): default 255.
         pub flags: Option<u8>,
     }
     wire 3 {
@@ -1330,26 +1433,29 @@ record! {
     ///
     /// Tells the GNSS receiver the present GPS time.
     ///
-    /// Functions: write and read. Answered by [`GnssTimeAssistanceResponse`]. Supported by
-    /// 3DM-GX5-35. May be supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
+    /// Functions: [write](types::FunctionSelector::WRITE) and
+    /// [read](types::FunctionSelector::READ). Answered by [`GnssTimeAssistanceResponse`]. Supported
+    /// by [3DM-GX5-35](crate::devices::GX5_35). May be supported by
+    /// [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only.
     ///
     /// - It is needed right after power-up if [`GnssAssistedFix`] was on at power-off.
     ///
     /// Source: mip-sdk-4: Gnss Time Assistance (0x0C,0x24).
+    #[derive(Copy)]
     pub struct GnssTimeAssistance {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// GPS time of week.
         ///
-        /// Unit: s. Required for write.
+        /// Unit: s. Required for [write](types::FunctionSelector::WRITE).
         pub tow: Option<f64>,
         /// GPS week number since 1980.
         ///
-        /// Unit: week. Required for write.
+        /// Unit: week. Required for [write](types::FunctionSelector::WRITE).
         pub week_number: Option<u16>,
         /// Accuracy of the time.
         ///
-        /// Unit: s. Required for write.
+        /// Unit: s. Required for [write](types::FunctionSelector::WRITE).
         pub accuracy: Option<f32>,
     }
     wire 15 {
@@ -1388,22 +1494,27 @@ record! {
     ///
     /// Where the device takes its pulse per second from.
     ///
-    /// Also called `pps_source`. Functions: write, read, save, load and default. Answered by
-    /// [`PpsSourceControlResponse`]. Supported by 3DM-CV7-GNSS/INS. May be supported by
-    /// 3DM-CV7-AHRS and 3DM-CV7-AR.
+    /// Also called `pps_source`. Functions: [write](types::FunctionSelector::WRITE),
+    /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
+    /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
+    /// Answered by [`PpsSourceControlResponse`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). May be supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS) and [3DM-CV7-AR](crate::devices::CV7_AR).
     ///
     /// - The pins are configured apart from this by the GPIO configuration command.
     /// - The filter needs a valid pulse. disabled and generated are seldom what is wanted.
     ///
     /// Source: 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28).
+    #[derive(Copy, Eq, Hash)]
     pub struct PpsSourceControl {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Source of the pulse.
         ///
-        /// Default: [`PpsSource::RECEIVER_1`]. Required for write. On the 3DM-CV7-AHRS and
-        /// 3DM-CV7-AR: only [`PpsSource::DISABLED`], [`PpsSource::GPIO`] and
-        /// [`PpsSource::GENERATED`].
+        /// Default: [`PpsSource::RECEIVER_1`]. Required for
+        /// [write](types::FunctionSelector::WRITE). On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS)
+        /// and [3DM-CV7-AR](crate::devices::CV7_AR): only [`PpsSource::DISABLED`],
+        /// [`PpsSource::GPIO`] and [`PpsSource::GENERATED`].
         pub source: Option<PpsSource>,
     }
     wire 2 {
@@ -1445,10 +1556,11 @@ record! {
     ///
     /// Asks which types of event triggers or actions there are and how many of each.
     ///
-    /// Answered by [`GetEventSupportResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Answered by [`GetEventSupportResponse`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GetEventSupport {
         /// Triggers or actions.
         pub query: EventSupportQuery,
@@ -1476,13 +1588,16 @@ record! {
     ///
     /// Enables, disables or tests an event trigger.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`EventControlResponse`].
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`EventControlResponse`]. Supported
+    /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - Triggers are disabled by default and after configuration.
     /// - A trigger of type none cannot be enabled.
     ///
     /// Source: 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B).
+    #[derive(Copy, Eq, Hash)]
     pub struct EventControl {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -1490,7 +1605,8 @@ record! {
         pub instance: Option<u8>,
         /// New mode.
         ///
-        /// Default: [`types::EventTriggerMode::DISABLED`]. Required for write.
+        /// Default: [`types::EventTriggerMode::DISABLED`]. Required for
+        /// [write](types::FunctionSelector::WRITE).
         pub mode: Option<types::EventTriggerMode>,
     }
     wire 3 {
@@ -1533,13 +1649,15 @@ record! {
     ///
     /// Asks for the type and the state of event triggers.
     ///
-    /// Answered by [`GetEventTriggerStatusResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Answered by [`GetEventTriggerStatusResponse`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// On the wire there is also `requested_count`: Number of triggers asked for; 0 asks for all
-    /// slots. The number of elements of `requested_instances`.
+    /// slots. The number of elements of
+    /// [`requested_instances`](GetEventTriggerStatus::requested_instances).
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C).
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct GetEventTriggerStatus {
         /// Trigger instances.
         pub requested_instances: crate::List<u8, 252>,
@@ -1571,13 +1689,15 @@ record! {
     ///
     /// Asks for the type and the trigger of event actions.
     ///
-    /// Answered by [`GetEventActionStatusResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Answered by [`GetEventActionStatusResponse`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// On the wire there is also `requested_count`: Number of actions asked for; 0 asks for all
-    /// slots. The number of elements of `requested_instances`.
+    /// slots. The number of elements of
+    /// [`requested_instances`](GetEventActionStatus::requested_instances).
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D).
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct GetEventActionStatus {
         /// Action instances.
         pub requested_instances: crate::List<u8, 252>,
@@ -1609,13 +1729,17 @@ record! {
     ///
     /// Kind and condition of an event trigger.
     ///
-    /// Also called `event_trigger`. Functions: write, read, save, load and default. Answered by
-    /// [`EventTriggerConfigResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `event_trigger`. Functions: [write](types::FunctionSelector::WRITE),
+    /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
+    /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
+    /// Answered by [`EventTriggerConfigResponse`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - The trigger is disabled afterwards; the event control command enables it.
     /// - A GPIO trigger needs its pin configured by the GPIO configuration command.
     ///
     /// Source: 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E).
+    #[derive(Copy)]
     pub struct EventTriggerConfig {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -1623,11 +1747,14 @@ record! {
         pub instance: Option<u8>,
         /// Kind of trigger.
         ///
-        /// Default: [`types::EventTriggerType::NONE`]. Required for write.
+        /// Default: [`types::EventTriggerType::NONE`]. Required for
+        /// [write](types::FunctionSelector::WRITE).
+        #[cfg_attr(feature = "serde", serde(rename = "type"))]
         pub type_: Option<types::EventTriggerType>,
         /// The condition.
         ///
-        /// Selected by `type_`. Required for write.
+        /// Selected by [`type_`](EventTriggerConfig::type_). Required for
+        /// [write](types::FunctionSelector::WRITE).
         pub parameters: Option<EventTriggerConfigParameters>,
     }
     wire 23 {
@@ -1640,22 +1767,27 @@ record! {
 
 union! {
     /// The alternatives of `parameters` in [`EventTriggerConfig`].
+    #[derive(Copy)]
     pub enum EventTriggerConfigParameters: types::EventTriggerType {
         /// The slot is free. It is never active and cannot be enabled.
         ///
-        /// Empty if `type_` is [`types::EventTriggerType::NONE`].
+        /// Empty if [`type_`](EventTriggerConfig::type_) is [`types::EventTriggerType::NONE`].
+        #[cfg_attr(feature = "serde", serde(rename = "none"))]
         NONE => None,
         /// Watches a GPIO pin.
         ///
-        /// If `type_` is [`types::EventTriggerType::GPIO`].
+        /// If [`type_`](EventTriggerConfig::type_) is [`types::EventTriggerType::GPIO`].
+        #[cfg_attr(feature = "serde", serde(rename = "gpio"))]
         GPIO => Gpio(types::EventTriggerGpio) "gpio",
         /// Compares one value of a data field with thresholds.
         ///
-        /// If `type_` is [`types::EventTriggerType::THRESHOLD`].
+        /// If [`type_`](EventTriggerConfig::type_) is [`types::EventTriggerType::THRESHOLD`].
+        #[cfg_attr(feature = "serde", serde(rename = "threshold"))]
         THRESHOLD => Threshold(types::EventTriggerThreshold) "threshold",
         /// Combines up to four other triggers by a truth table.
         ///
-        /// If `type_` is [`types::EventTriggerType::COMBINATION`].
+        /// If [`type_`](EventTriggerConfig::type_) is [`types::EventTriggerType::COMBINATION`].
+        #[cfg_attr(feature = "serde", serde(rename = "combination"))]
         COMBINATION => Combination(types::EventTriggerCombination) "combination",
     }
     default EventTriggerConfigParameters::None
@@ -1694,14 +1826,18 @@ record! {
     ///
     /// Trigger and effect of an event action.
     ///
-    /// Also called `event_action`. Functions: write, read, save, load and default. Answered by
-    /// [`EventActionConfigResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `event_action`. Functions: [write](types::FunctionSelector::WRITE),
+    /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
+    /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
+    /// Answered by [`EventActionConfigResponse`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - A packet holds one descriptor set; for several sets use several actions with the same
     ///   trigger.
     /// - A GPIO action needs its pin configured as an output with the gpio feature.
     ///
     /// Source: 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F).
+    #[derive(Eq, Hash)]
     pub struct EventActionConfig {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -1709,15 +1845,18 @@ record! {
         pub instance: Option<u8>,
         /// Trigger instance that the action follows.
         ///
-        /// Required for write.
+        /// Required for [write](types::FunctionSelector::WRITE).
         pub trigger: Option<u8>,
         /// Kind of action.
         ///
-        /// Default: [`types::EventActionType::NONE`]. Required for write.
+        /// Default: [`types::EventActionType::NONE`]. Required for
+        /// [write](types::FunctionSelector::WRITE).
+        #[cfg_attr(feature = "serde", serde(rename = "type"))]
         pub type_: Option<types::EventActionType>,
         /// The effect.
         ///
-        /// Selected by `type_`. Required for write.
+        /// Selected by [`type_`](EventActionConfig::type_). Required for
+        /// [write](types::FunctionSelector::WRITE).
         pub parameters: Option<EventActionConfigParameters>,
     }
     wire 253 {
@@ -1731,18 +1870,22 @@ record! {
 
 union! {
     /// The alternatives of `parameters` in [`EventActionConfig`].
+    #[derive(Eq, Hash)]
     pub enum EventActionConfigParameters: types::EventActionType {
         /// The slot is free.
         ///
-        /// Empty if `type_` is [`types::EventActionType::NONE`].
+        /// Empty if [`type_`](EventActionConfig::type_) is [`types::EventActionType::NONE`].
+        #[cfg_attr(feature = "serde", serde(rename = "none"))]
         NONE => None,
         /// Controls a GPIO pin.
         ///
-        /// If `type_` is [`types::EventActionType::GPIO`].
+        /// If [`type_`](EventActionConfig::type_) is [`types::EventActionType::GPIO`].
+        #[cfg_attr(feature = "serde", serde(rename = "gpio"))]
         GPIO => Gpio(types::EventActionGpio) "gpio",
         /// Sends a data packet.
         ///
-        /// If `type_` is [`types::EventActionType::MESSAGE`].
+        /// If [`type_`](EventActionConfig::type_) is [`types::EventActionType::MESSAGE`].
+        #[cfg_attr(feature = "serde", serde(rename = "message"))]
         MESSAGE => Message(types::EventActionMessage) "message",
     }
     default EventActionConfigParameters::None
@@ -1785,14 +1928,18 @@ record! {
     ///
     /// Saves, loads or resets all settings of the device at once.
     ///
-    /// Functions: save, load and default. The device may take 1 s to answer. Supported by
-    /// 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and
-    /// 3DM-RQ1-45-ST.
+    /// Functions: [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). The device may take 1 s to answer. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// - A save may disturb the data output for a short time.
     ///
     /// Source: 3dm-gx5-15: 4.2.8 Device Startup Settings (0x0C, 0x30); 3dm-cv7-gnss-ins: Device
     /// Start Up Settings (0x0C,0x30).
+    #[derive(Copy, Eq, Hash)]
     pub struct DeviceSettings {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -1829,9 +1976,13 @@ record! {
     ///
     /// Mounting of the sensor in the vehicle as Euler angles.
     ///
-    /// Also called `sensor_2_vehicle_transform_euler`. Functions: write, read, save, load and
-    /// default. Answered by [`SensorToVehicleTransformEulerResponse`]. Supported by
-    /// 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+    /// Also called `sensor_2_vehicle_transform_euler`. Functions:
+    /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by
+    /// [`SensorToVehicleTransformEulerResponse`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// - The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read
     ///   back may be another form of it.
@@ -1844,20 +1995,21 @@ record! {
     /// - On some older products the setting means the inverse rotation.
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31).
+    #[derive(Copy)]
     pub struct SensorToVehicleTransformEuler {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Rotation about the x axis.
         ///
-        /// Unit: rad. Required for write.
+        /// Unit: rad. Required for [write](types::FunctionSelector::WRITE).
         pub roll: Option<f32>,
         /// Rotation about the y axis.
         ///
-        /// Unit: rad. Required for write.
+        /// Unit: rad. Required for [write](types::FunctionSelector::WRITE).
         pub pitch: Option<f32>,
         /// Rotation about the z axis.
         ///
-        /// Unit: rad. Required for write.
+        /// Unit: rad. Required for [write](types::FunctionSelector::WRITE).
         pub yaw: Option<f32>,
     }
     wire 13 {
@@ -1905,9 +2057,12 @@ record! {
     ///
     /// Mounting of the sensor in the vehicle as a quaternion.
     ///
-    /// Also called `sensor_2_vehicle_transform_quaternion`. Functions: write, read, save, load and
-    /// default. Answered by [`SensorToVehicleTransformQuaternionResponse`]. Supported by
-    /// 3DM-CV7-GNSS/INS.
+    /// Also called `sensor_2_vehicle_transform_quaternion`. Functions:
+    /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by
+    /// [`SensorToVehicleTransformQuaternionResponse`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read
     ///   back may be another form of it.
@@ -1918,12 +2073,13 @@ record! {
     /// - A change resets the low-pass filters, the complementary filter and the estimation filter.
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32).
+    #[derive(Copy)]
     pub struct SensorToVehicleTransformQuaternion {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Unit quaternion that transforms vectors from the sensor frame to the vehicle frame.
         ///
-        /// Elements: w, x, y, z. Unit: 1. Required for write.
+        /// Elements: w, x, y, z. Unit: 1. Required for [write](types::FunctionSelector::WRITE).
         pub q: Option<types::Quatf>,
     }
     wire 17 {
@@ -1965,8 +2121,12 @@ record! {
     ///
     /// Mounting of the sensor in the vehicle as a direction cosine matrix.
     ///
-    /// Also called `sensor_2_vehicle_transform_dcm`. Functions: write, read, save, load and
-    /// default. Answered by [`SensorToVehicleTransformDcmResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `sensor_2_vehicle_transform_dcm`. Functions:
+    /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by
+    /// [`SensorToVehicleTransformDcmResponse`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read
     ///   back may be another form of it.
@@ -1976,12 +2136,14 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix
     /// (0x0C,0x33).
+    #[derive(Copy)]
     pub struct SensorToVehicleTransformDcm {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// The matrix in row-major order.
         ///
-        /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. Required for write.
+        /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. Required for
+        /// [write](types::FunctionSelector::WRITE).
         pub dcm: Option<types::Matrix3f>,
     }
     wire 37 {
@@ -2023,19 +2185,28 @@ record! {
     ///
     /// Bias that is subtracted from the scaled acceleration.
     ///
-    /// For advanced use. Functions: write, read, save, load, default and apply. Answered by
-    /// [`AccelBiasResponse`]. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
-    /// 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45. On the 3DM-CV7-GNSS/INS:
-    /// write, read, save, load and default only.
+    /// For advanced use. Functions: [write](types::FunctionSelector::WRITE),
+    /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
+    /// [load](types::FunctionSelector::LOAD), [default](types::FunctionSelector::DEFAULT) and
+    /// [apply](types::FunctionSelector::APPLY). Answered by [`AccelBiasResponse`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// May be supported by [3DM-GX5-45](crate::devices::GX5_45). On the
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): [write](types::FunctionSelector::WRITE),
+    /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
+    /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT) only.
     ///
     /// Source: 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37); 3dm-cv7-gnss-ins: Accelerometer Bias
     /// Configuration (0x0C,0x37).
+    #[derive(Copy)]
     pub struct AccelBias {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Accelerometer bias.
         ///
-        /// Elements: x, y, z. Unit: g. Frame: sensor. Required for write and apply.
+        /// Elements: x, y, z. Unit: g. Frame: sensor. Required for
+        /// [write](types::FunctionSelector::WRITE) and [apply](types::FunctionSelector::APPLY).
         pub bias: Option<types::Vector3f>,
     }
     wire 13 {
@@ -2081,21 +2252,36 @@ record! {
     ///
     /// Bias that is subtracted from the scaled angular rate.
     ///
-    /// For advanced use. Functions: write, read, save, load, default and apply. Answered by
-    /// [`GyroBiasResponse`]. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45,
-    /// 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
-    /// On the 3DM-CV7-AHRS: write, read, save, load and default only. On the 3DM-CV7-AR: write,
-    /// read, save, load and default only. On the 3DM-CV7-GNSS/INS: write, read, save, load and
-    /// default only.
+    /// For advanced use. Functions: [write](types::FunctionSelector::WRITE),
+    /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
+    /// [load](types::FunctionSelector::LOAD), [default](types::FunctionSelector::DEFAULT) and
+    /// [apply](types::FunctionSelector::APPLY). Answered by [`GyroBiasResponse`]. Supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). May be supported by
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). On the
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS): [write](types::FunctionSelector::WRITE),
+    /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
+    /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT) only.
+    /// On the [3DM-CV7-AR](crate::devices::CV7_AR): [write](types::FunctionSelector::WRITE),
+    /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
+    /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT) only.
+    /// On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS):
+    /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT) only.
     ///
     /// Source: 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38); 3dm-cv7-gnss-ins: Gyroscope Bias
     /// Configuration (0x0C,0x38).
+    #[derive(Copy)]
     pub struct GyroBias {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Gyroscope bias.
         ///
-        /// Elements: x, y, z. Unit: rad/s. Frame: sensor. Required for write and apply.
+        /// Elements: x, y, z. Unit: rad/s. Frame: sensor. Required for
+        /// [write](types::FunctionSelector::WRITE) and [apply](types::FunctionSelector::APPLY).
         pub bias: Option<types::Vector3f>,
     }
     wire 13 {
@@ -2142,8 +2328,12 @@ record! {
     /// Averages the angular rate of the device at rest and takes the result as the gyroscope bias.
     ///
     /// Answered by [`GyroBiasResponse`]. The device may take 31 s to answer. Supported by
-    /// 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS, 3DM-GX5-15,
-    /// 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15),
+    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). May be supported by
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - The device must stand still, with as little vibration as possible, for the whole time.
     /// - The reply comes after the averaging time.
@@ -2152,7 +2342,7 @@ record! {
     ///
     /// Source: 3dm-gx5-15: 4.2.11 Capture Gyro Bias (0x0C, 0x39); 3dm-cv7-gnss-ins: Capture
     /// Gyroscope Bias (0x0C,0x39).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct CaptureGyroBias {
         /// Time to average over.
         ///
@@ -2183,24 +2373,39 @@ record! {
     ///
     /// Offset that corrects the scaled magnetic field for hard iron.
     ///
-    /// Functions: write, read, save, load, default and apply. Answered by
-    /// [`MagHardIronOffsetResponse`]. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
-    /// 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35. On
-    /// the 3DM-CV7-AHRS: write, read, save, load and default only. On the 3DM-CV7-AR: write, read,
-    /// save, load and default only. On the 3DM-CV7-GNSS/INS: write, read, save, load and default
-    /// only.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD),
+    /// [default](types::FunctionSelector::DEFAULT) and [apply](types::FunctionSelector::APPLY).
+    /// Answered by [`MagHardIronOffsetResponse`]. Supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). May be supported by
+    /// [3DM-GX5-35](crate::devices::GX5_35). On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS):
+    /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT) only. On the
+    /// [3DM-CV7-AR](crate::devices::CV7_AR): [write](types::FunctionSelector::WRITE),
+    /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
+    /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT) only.
+    /// On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS):
+    /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT) only.
     ///
     /// - The values come from a calibration of the device as it is installed.
     ///
     /// Source: 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A); 3dm-gx5-45: (0x0C,
     /// 0x3A).
+    #[derive(Copy)]
     pub struct MagHardIronOffset {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Hard iron offset.
         ///
-        /// Elements: x, y, z. Unit: gauss. Frame: sensor. Required for write and apply. On the
-        /// 3DM-GX5-45: default 0, 0, 0.
+        /// Elements: x, y, z. Unit: gauss. Frame: sensor. Required for
+        /// [write](types::FunctionSelector::WRITE) and [apply](types::FunctionSelector::APPLY). On
+        /// the [3DM-GX5-45](crate::devices::GX5_45): default 0, 0, 0.
         pub offset: Option<types::Vector3f>,
     }
     wire 13 {
@@ -2246,24 +2451,38 @@ record! {
     ///
     /// Matrix that corrects the scaled magnetic field for soft iron.
     ///
-    /// Functions: write, read, save, load, default and apply. Answered by
-    /// [`MagSoftIronMatrixResponse`]. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
-    /// 3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45. On
-    /// the 3DM-CV7-AHRS: write, read, save, load and default only. On the 3DM-CV7-AR: write, read,
-    /// save, load and default only. On the 3DM-CV7-GNSS/INS: write, read, save, load and default
-    /// only.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD),
+    /// [default](types::FunctionSelector::DEFAULT) and [apply](types::FunctionSelector::APPLY).
+    /// Answered by [`MagSoftIronMatrixResponse`]. Supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). May be supported by
+    /// [3DM-GX5-45](crate::devices::GX5_45). On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS):
+    /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT) only. On the
+    /// [3DM-CV7-AR](crate::devices::CV7_AR): [write](types::FunctionSelector::WRITE),
+    /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
+    /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT) only.
+    /// On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS):
+    /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT) only.
     ///
     /// - The values come from a calibration of the device as it is installed.
     ///
     /// Source: 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B); 3dm-gx5-35: (0x0C,
     /// 0x3B).
+    #[derive(Copy)]
     pub struct MagSoftIronMatrix {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Soft iron matrix in row-major order.
         ///
         /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. Frame: sensor. Required
-        /// for write and apply.
+        /// for [write](types::FunctionSelector::WRITE) and [apply](types::FunctionSelector::APPLY).
         pub matrix: Option<types::Matrix3f>,
     }
     wire 37 {
@@ -2309,17 +2528,22 @@ record! {
     ///
     /// Switches the compensation of coning and sculling on or off.
     ///
-    /// Functions: write, read, save, load and default. Answered by
-    /// [`ConingScullingEnableResponse`]. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and
-    /// 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`ConingScullingEnableResponse`].
+    /// Supported by [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// May be supported by [3DM-GX5-35](crate::devices::GX5_35) and
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E).
+    #[derive(Copy, Eq, Hash)]
     pub struct ConingScullingEnable {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Whether the compensation is on.
         ///
-        /// Default: true. Required for write.
+        /// Default: true. Required for [write](types::FunctionSelector::WRITE).
         pub enable: Option<crate::Bool>,
     }
     wire 2 {
@@ -2361,9 +2585,14 @@ record! {
     ///
     /// Baud rate of the main port.
     ///
-    /// Also called `uart_baudrate`. Functions: write, read, save, load and default. Answered by
-    /// [`UartBaudRateResponse`]. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45,
-    /// 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35.
+    /// Also called `uart_baudrate`. Functions: [write](types::FunctionSelector::WRITE),
+    /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
+    /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
+    /// Answered by [`UartBaudRateResponse`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-45](crate::devices::GX5_45),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// May be supported by [3DM-GX5-35](crate::devices::GX5_35).
     ///
     /// - The 3DM-GX5-15 replies at the old rate and takes commands at the new one 250 ms later.
     /// - The 3DM-CV7 applies the rate when the port is empty, after 250 ms at most; until then
@@ -2373,12 +2602,15 @@ record! {
     ///
     /// Source: 3dm-gx5-15: 4.2.13 UART Baud Rate (0x0C, 0x40); 3dm-cv7-gnss-ins: UART Baudrate
     /// (0x0C,0x40).
+    #[derive(Copy, Eq, Hash)]
     pub struct UartBaudRate {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Baud rate.
         ///
-        /// Unit: Bd. Required for write. On the 3DM-GX5-15 and 3DM-GX5-45: default 115200.
+        /// Unit: Bd. Required for [write](types::FunctionSelector::WRITE). On the
+        /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-45](crate::devices::GX5_45): default
+        /// 115200.
         pub baud: Option<u32>,
     }
     wire 5 {
@@ -2420,9 +2652,12 @@ record! {
     ///
     /// What a GPIO pin is used for.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`GpioConfigResponse`].
-    /// Supported by 3DM-CV7-GNSS/INS. May be supported by 3DM-CV7-AHRS, 3DM-CV7-AR and
-    /// 3DM-GQ7-GNSS/INS.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`GpioConfigResponse`]. Supported
+    /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). May be supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// - Not every pin has every feature.
     /// - Configure the function behind an output before its pin, and the pin of an input before its
@@ -2433,6 +2668,7 @@ record! {
     ///   takes over.
     ///
     /// Source: 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41).
+    #[derive(Copy, Eq, Hash)]
     pub struct GpioConfig {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -2440,21 +2676,25 @@ record! {
         pub pin: Option<u8>,
         /// Use of the pin.
         ///
-        /// Default: [`types::GpioFeature::UNUSED`]. Required for write.
+        /// Default: [`types::GpioFeature::UNUSED`]. Required for
+        /// [write](types::FunctionSelector::WRITE).
         pub feature: Option<types::GpioFeature>,
         /// Role of the pin within the feature; 0 where the feature names none.
         ///
-        /// Required for write. If `feature` is [`types::GpioFeature::UNUSED`]: values of
-        /// [`types::GpioUnusedBehavior`]. If `feature` is [`types::GpioFeature::GPIO`]: values of
-        /// [`types::GpioBehavior`]. If `feature` is [`types::GpioFeature::PPS`]: values of
-        /// [`types::GpioPpsBehavior`]. If `feature` is [`types::GpioFeature::ENCODER`]: values of
-        /// [`types::GpioEncoderBehavior`]. If `feature` is [`types::GpioFeature::TIMESTAMP`]:
-        /// values of [`types::GpioTimestampBehavior`]. If `feature` is
+        /// Required for [write](types::FunctionSelector::WRITE). If
+        /// [`feature`](GpioConfig::feature) is [`types::GpioFeature::UNUSED`]: values of
+        /// [`types::GpioUnusedBehavior`]. If [`feature`](GpioConfig::feature) is
+        /// [`types::GpioFeature::GPIO`]: values of [`types::GpioBehavior`]. If
+        /// [`feature`](GpioConfig::feature) is [`types::GpioFeature::PPS`]: values of
+        /// [`types::GpioPpsBehavior`]. If [`feature`](GpioConfig::feature) is
+        /// [`types::GpioFeature::ENCODER`]: values of [`types::GpioEncoderBehavior`]. If
+        /// [`feature`](GpioConfig::feature) is [`types::GpioFeature::TIMESTAMP`]: values of
+        /// [`types::GpioTimestampBehavior`]. If [`feature`](GpioConfig::feature) is
         /// [`types::GpioFeature::UART`]: values of [`types::GpioUartBehavior`].
         pub behavior: Option<u8>,
         /// Electrical options.
         ///
-        /// Required for write.
+        /// Required for [write](types::FunctionSelector::WRITE).
         pub pin_mode: Option<types::GpioPinMode>,
     }
     wire 5 {
@@ -2494,7 +2734,9 @@ constructors! {
 impl GpioConfig {
     /// Reads `behavior` as [`types::GpioUnusedBehavior`].
     ///
-    /// If `feature` is [`types::GpioFeature::UNUSED`]: values of [`types::GpioUnusedBehavior`].
+    /// If [`feature`](GpioConfig::feature) is [`types::GpioFeature::UNUSED`]: values of
+    /// [`types::GpioUnusedBehavior`].
+    #[inline]
     #[must_use]
     pub fn behavior_as_gpio_unused_behavior(&self) -> Option<types::GpioUnusedBehavior> {
         let named = matches!(self.feature, Some(types::GpioFeature::UNUSED));
@@ -2503,7 +2745,9 @@ impl GpioConfig {
 
     /// Reads `behavior` as [`types::GpioBehavior`].
     ///
-    /// If `feature` is [`types::GpioFeature::GPIO`]: values of [`types::GpioBehavior`].
+    /// If [`feature`](GpioConfig::feature) is [`types::GpioFeature::GPIO`]: values of
+    /// [`types::GpioBehavior`].
+    #[inline]
     #[must_use]
     pub fn behavior_as_gpio_behavior(&self) -> Option<types::GpioBehavior> {
         let named = matches!(self.feature, Some(types::GpioFeature::GPIO));
@@ -2512,7 +2756,9 @@ impl GpioConfig {
 
     /// Reads `behavior` as [`types::GpioPpsBehavior`].
     ///
-    /// If `feature` is [`types::GpioFeature::PPS`]: values of [`types::GpioPpsBehavior`].
+    /// If [`feature`](GpioConfig::feature) is [`types::GpioFeature::PPS`]: values of
+    /// [`types::GpioPpsBehavior`].
+    #[inline]
     #[must_use]
     pub fn behavior_as_gpio_pps_behavior(&self) -> Option<types::GpioPpsBehavior> {
         let named = matches!(self.feature, Some(types::GpioFeature::PPS));
@@ -2521,7 +2767,9 @@ impl GpioConfig {
 
     /// Reads `behavior` as [`types::GpioEncoderBehavior`].
     ///
-    /// If `feature` is [`types::GpioFeature::ENCODER`]: values of [`types::GpioEncoderBehavior`].
+    /// If [`feature`](GpioConfig::feature) is [`types::GpioFeature::ENCODER`]: values of
+    /// [`types::GpioEncoderBehavior`].
+    #[inline]
     #[must_use]
     pub fn behavior_as_gpio_encoder_behavior(&self) -> Option<types::GpioEncoderBehavior> {
         let named = matches!(self.feature, Some(types::GpioFeature::ENCODER));
@@ -2530,8 +2778,9 @@ impl GpioConfig {
 
     /// Reads `behavior` as [`types::GpioTimestampBehavior`].
     ///
-    /// If `feature` is [`types::GpioFeature::TIMESTAMP`]: values of
+    /// If [`feature`](GpioConfig::feature) is [`types::GpioFeature::TIMESTAMP`]: values of
     /// [`types::GpioTimestampBehavior`].
+    #[inline]
     #[must_use]
     pub fn behavior_as_gpio_timestamp_behavior(&self) -> Option<types::GpioTimestampBehavior> {
         let named = matches!(self.feature, Some(types::GpioFeature::TIMESTAMP));
@@ -2540,7 +2789,9 @@ impl GpioConfig {
 
     /// Reads `behavior` as [`types::GpioUartBehavior`].
     ///
-    /// If `feature` is [`types::GpioFeature::UART`]: values of [`types::GpioUartBehavior`].
+    /// If [`feature`](GpioConfig::feature) is [`types::GpioFeature::UART`]: values of
+    /// [`types::GpioUartBehavior`].
+    #[inline]
     #[must_use]
     pub fn behavior_as_gpio_uart_behavior(&self) -> Option<types::GpioUartBehavior> {
         let named = matches!(self.feature, Some(types::GpioFeature::UART));
@@ -2562,7 +2813,9 @@ record! {
     ///
     /// Sets or reads the state of a GPIO pin.
     ///
-    /// Functions: write and read. Answered by [`GpioStateResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Functions: [write](types::FunctionSelector::WRITE) and
+    /// [read](types::FunctionSelector::READ). Answered by [`GpioStateResponse`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - What is read is the level of the pin itself.
     /// - Writing shows only on a pin that is configured as an output.
@@ -2572,6 +2825,7 @@ record! {
     /// - The state at power-up is a matter of the GPIO configuration command.
     ///
     /// Source: 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42).
+    #[derive(Copy, Eq, Hash)]
     pub struct GpioState {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -2581,7 +2835,7 @@ record! {
         pub pin: Option<u8>,
         /// True is high.
         ///
-        /// Required for write.
+        /// Required for [write](types::FunctionSelector::WRITE).
         pub state: Option<crate::Bool>,
     }
     wire 3 {
@@ -2615,26 +2869,30 @@ record! {
     ///
     /// Input from a wheel encoder.
     ///
-    /// Also called `odometer`. Functions: write, read, save, load and default. Answered by
-    /// [`OdometerConfigResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `odometer`. Functions: [write](types::FunctionSelector::WRITE),
+    /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
+    /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
+    /// Answered by [`OdometerConfigResponse`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43).
+    #[derive(Copy)]
     pub struct OdometerConfig {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// How the input works.
         ///
-        /// Required for write.
+        /// Required for [write](types::FunctionSelector::WRITE).
         pub mode: Option<OdometerMode>,
         /// Pulses over the distance travelled; negative if the encoder turns backwards.
         ///
-        /// Unit: pulse/m. Required for write.
+        /// Unit: pulse/m. Required for [write](types::FunctionSelector::WRITE).
         ///
         /// - Pulses on line A per turn of the wheel, divided by the circumference of the wheel.
         pub scaling: Option<f32>,
         /// Relative uncertainty of the scaling, 1 sigma.
         ///
-        /// Unit: 1. Required for write.
+        /// Unit: 1. Required for [write](types::FunctionSelector::WRITE).
         pub uncertainty: Option<f32>,
     }
     wire 10 {
@@ -2682,42 +2940,51 @@ record! {
     ///
     /// Low-pass filter of one quantity of the sensor data.
     ///
-    /// For advanced use. Also called `imu_lowpass_filter`. Functions: write, read, save, load and
-    /// default. Answered by [`ImuLowPassFilterResponse`]. Supported by 3DM-CV7-GNSS/INS,
-    /// 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-CV7-AHRS,
-    /// 3DM-CV7-AR, 3DM-GQ7-GNSS/INS, 3DM-GX5-35 and 3DM-GX5-45. Deprecated on the 3DM-CV7-AHRS: use
-    /// [`LowPassFilter`] instead. Deprecated on the 3DM-CV7-AR: use [`LowPassFilter`] instead.
-    /// Deprecated on the 3DM-CV7-GNSS/INS: use [`LowPassFilter`] instead. Deprecated on the
-    /// 3DM-GQ7-GNSS/INS: use [`LowPassFilter`] instead.
+    /// For advanced use. Also called `imu_lowpass_filter`. Functions:
+    /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`ImuLowPassFilterResponse`].
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// May be supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-GQ7-GNSS/INS](crate::devices::GQ7),
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). Deprecated on
+    /// the [3DM-CV7-AHRS](crate::devices::CV7_AHRS): use [`LowPassFilter`] instead. Deprecated on
+    /// the [3DM-CV7-AR](crate::devices::CV7_AR): use [`LowPassFilter`] instead. Deprecated on the
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): use [`LowPassFilter`] instead. Deprecated
+    /// on the [3DM-GQ7-GNSS/INS](crate::devices::GQ7): use [`LowPassFilter`] instead.
     ///
     /// - The filter has one pole. By default it is on and its cutoff is half the rate of the
     ///   message format.
     ///
     /// Source: 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50); 3dm-cv7-gnss-ins:
     /// Advanced Low-Pass Filter Settings (0x0C,0x50).
+    #[derive(Copy, Eq, Hash)]
     pub struct ImuLowPassFilter {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05,
         /// magnetic field 0x06 or pressure 0x17.
         ///
-        /// On the 3DM-CV7-GNSS/INS: Field descriptor in the sensor data set: scaled acceleration
-        /// 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them,
-        /// except for read.
+        /// On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): Field descriptor in the sensor
+        /// data set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure
+        /// 0x17; 0 means all of them, except for read.
         pub target_descriptor: Option<u8>,
         /// Whether the quantity is filtered.
         ///
-        /// Default: true. Required for write.
+        /// Default: true. Required for [write](types::FunctionSelector::WRITE).
         pub enable: Option<crate::Bool>,
         /// True uses the frequency; false follows half the rate of the message format.
         ///
-        /// Default: false. Required for write.
+        /// Default: false. Required for [write](types::FunctionSelector::WRITE).
         pub manual: Option<crate::Bool>,
         /// Cutoff (-3 dB). It has no meaning if manual is false.
         ///
-        /// Unit: Hz. Required for write. On the 3DM-GX5-15: range at most 250.
+        /// Unit: Hz. Required for [write](types::FunctionSelector::WRITE). On the
+        /// [3DM-GX5-15](crate::devices::GX5_15): range at most 250.
         pub frequency: Option<u16>,
-        /// Reserved: send 0. Required for write.
+        /// Reserved: send 0. Required for [write](types::FunctionSelector::WRITE).
         pub reserved: Option<u8>,
     }
     wire 7 {
@@ -2769,9 +3036,16 @@ record! {
     /// Corrections of the complementary filter, which makes attitudes apart from the estimation
     /// filter.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`ComplementaryFilterResponse`].
-    /// Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and 3DM-GX5-35. May be supported by
-    /// 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15, 3DM-GX5-10 and 3DM-GX5-45.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`ComplementaryFilterResponse`].
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15) and
+    /// [3DM-GX5-35](crate::devices::GX5_35). May be supported by
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CV5-10](crate::devices::CV5_10),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CX5-10](crate::devices::CX5_10),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-GX5-10](crate::devices::GX5_10) and
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - Pitch and roll follow the accelerometers, which takes the mean acceleration to be zero.
     /// - The heading follows the magnetometer, if the device has one.
@@ -2781,25 +3055,32 @@ record! {
     ///
     /// Source: 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51); 3dm-cv7-gnss-ins:
     /// Complementary Filter Configuration (0x0C,0x51).
+    #[derive(Copy)]
     pub struct ComplementaryFilter {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Corrects pitch and roll (up, in terms of the 5-series).
         ///
-        /// Required for write. On the 3DM-GX5-15: default true.
+        /// Required for [write](types::FunctionSelector::WRITE). On the
+        /// [3DM-GX5-15](crate::devices::GX5_15): default true.
         pub pitch_roll_enable: Option<crate::Bool>,
         /// Corrects the heading (north, in terms of the 5-series).
         ///
-        /// Required for write. On the 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15
-        /// and 3DM-GX5-10: MSCL does not offer it. On the 3DM-GX5-15: default true.
+        /// Required for [write](types::FunctionSelector::WRITE). On the
+        /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CV5-10](crate::devices::CV5_10),
+        /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CX5-10](crate::devices::CX5_10),
+        /// [3DM-CX5-15](crate::devices::CX5_15) and [3DM-GX5-10](crate::devices::GX5_10): MSCL does
+        /// not offer it. On the [3DM-GX5-15](crate::devices::GX5_15): default true.
         pub heading_enable: Option<crate::Bool>,
         /// Time constant of the correction of pitch and roll.
         ///
-        /// Unit: s. Range: 1 to 1000. Default: 10. Required for write.
+        /// Unit: s. Range: 1 to 1000. Default: 10. Required for
+        /// [write](types::FunctionSelector::WRITE).
         pub pitch_roll_time_constant: Option<f32>,
         /// Time constant of the correction of the heading.
         ///
-        /// Unit: s. Range: 1 to 1000. Default: 10. Required for write.
+        /// Unit: s. Range: 1 to 1000. Default: 10. Required for
+        /// [write](types::FunctionSelector::WRITE).
         pub heading_time_constant: Option<f32>,
     }
     wire 11 {
@@ -2849,13 +3130,16 @@ record! {
     ///
     /// Measuring range of a sensor.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`SensorRangeResponse`].
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`SensorRangeResponse`]. Supported
+    /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - The get calibrated sensor ranges command lists the settings. The device may refuse others
     ///   or measure wrongly.
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52).
+    #[derive(Copy, Eq, Hash)]
     pub struct SensorRange {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -2863,7 +3147,7 @@ record! {
         pub sensor: Option<SensorRangeType>,
         /// Number of the range.
         ///
-        /// Required for write.
+        /// Required for [write](types::FunctionSelector::WRITE).
         pub setting: Option<u8>,
     }
     wire 3 {
@@ -2907,10 +3191,10 @@ record! {
     /// Asks for the ranges that a sensor supports.
     ///
     /// Also called `calibrated_sensor_ranges`. Answered by [`GetCalibratedSensorRangesResponse`].
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GetCalibratedSensorRanges {
         /// The sensor; not all.
         pub sensor: SensorRangeType,
@@ -2938,14 +3222,19 @@ record! {
     ///
     /// Low-pass filter of a data field.
     ///
-    /// Also called `lowpass_filter`. Functions: write, read, save, load and default. Answered by
-    /// [`LowPassFilterResponse`]. Supported by 3DM-CV7-GNSS/INS. May be supported by 3DM-CV7-AHRS,
-    /// 3DM-CV7-AR and 3DM-GQ7-GNSS/INS.
+    /// Also called `lowpass_filter`. Functions: [write](types::FunctionSelector::WRITE),
+    /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
+    /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
+    /// Answered by [`LowPassFilterResponse`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). May be supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// - Except for read, a field descriptor of 0 means all fields of the set, and both 0 mean all
     ///   sets.
     ///
     /// Source: 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54).
+    #[derive(Copy)]
     pub struct LowPassFilter {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -2955,15 +3244,15 @@ record! {
         pub field_descriptor: Option<u8>,
         /// Whether the field is filtered.
         ///
-        /// Required for write.
+        /// Required for [write](types::FunctionSelector::WRITE).
         pub enable: Option<crate::Bool>,
         /// True uses the frequency; false follows half the rate of the field in the message format.
         ///
-        /// Required for write.
+        /// Required for [write](types::FunctionSelector::WRITE).
         pub manual: Option<crate::Bool>,
         /// Cutoff; a write ignores it if manual is false, a read gives the cutoff in use.
         ///
-        /// Unit: Hz. Required for write.
+        /// Unit: Hz. Required for [write](types::FunctionSelector::WRITE).
         pub frequency: Option<f32>,
     }
     wire 9 {
@@ -3019,10 +3308,18 @@ record! {
     /// [`DeviceStatusBasicWithoutStateResponse`], [`DeviceStatusDiagnosticResponse`],
     /// [`DeviceStatusDiagnosticGnssResponse`], [`DeviceStatusDiagnosticGq4_45Response`],
     /// [`DeviceStatusDiagnosticRq1_45Response`], [`DeviceStatusDiagnosticGx4Response`] or
-    /// [`DeviceStatusDiagnosticImuResponse`]. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
-    /// 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-CL5-15, 3DM-CL5-25,
-    /// 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
-    /// 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and 3DM-GX5-25.
+    /// [`DeviceStatusDiagnosticImuResponse`]. Supported by [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). May be supported by
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10) and
+    /// [3DM-GX5-25](crate::devices::GX5_25).
     ///
     /// - The device expects its own model number, which
     ///   [`base::GetDeviceInfo`](crate::base::GetDeviceInfo) tells.
@@ -3032,12 +3329,13 @@ record! {
     /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
     /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
     /// (0x0C,0x64).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct DeviceStatus {
         /// Model number of the device that is asked.
         ///
-        /// On the 3DM-GX5-15: always 6254. On the 3DM-GX5-35: always 6252. On the 3DM-GX5-45:
-        /// always 6251.
+        /// On the [3DM-GX5-15](crate::devices::GX5_15): always 6254. On the
+        /// [3DM-GX5-35](crate::devices::GX5_35): always 6252. On the
+        /// [3DM-GX5-45](crate::devices::GX5_45): always 6251.
         pub model_number: u16,
         /// How much the answer tells.
         pub status_selector: DeviceStatusSelector,
@@ -3065,20 +3363,28 @@ responses! {
     /// What [`DeviceStatus`] is answered with.
     pub enum DeviceStatusResponses {
         /// The response [`DeviceStatusBasicResponse`].
+        #[cfg_attr(feature = "serde", serde(rename = "device_status_basic_response"))]
         Basic(DeviceStatusBasicResponse),
         /// The response [`DeviceStatusBasicWithoutStateResponse`].
+        #[cfg_attr(feature = "serde", serde(rename = "device_status_basic_without_state_response"))]
         BasicWithoutState(DeviceStatusBasicWithoutStateResponse),
         /// The response [`DeviceStatusDiagnosticResponse`].
+        #[cfg_attr(feature = "serde", serde(rename = "device_status_diagnostic_response"))]
         Diagnostic(DeviceStatusDiagnosticResponse),
         /// The response [`DeviceStatusDiagnosticGnssResponse`].
+        #[cfg_attr(feature = "serde", serde(rename = "device_status_diagnostic_gnss_response"))]
         DiagnosticGnss(DeviceStatusDiagnosticGnssResponse),
         /// The response [`DeviceStatusDiagnosticGq4_45Response`].
+        #[cfg_attr(feature = "serde", serde(rename = "device_status_diagnostic_gq4_45_response"))]
         DiagnosticGq4_45(DeviceStatusDiagnosticGq4_45Response),
         /// The response [`DeviceStatusDiagnosticRq1_45Response`].
+        #[cfg_attr(feature = "serde", serde(rename = "device_status_diagnostic_rq1_45_response"))]
         DiagnosticRq1_45(DeviceStatusDiagnosticRq1_45Response),
         /// The response [`DeviceStatusDiagnosticGx4Response`].
+        #[cfg_attr(feature = "serde", serde(rename = "device_status_diagnostic_gx4_response"))]
         DiagnosticGx4(DeviceStatusDiagnosticGx4Response),
         /// The response [`DeviceStatusDiagnosticImuResponse`].
+        #[cfg_attr(feature = "serde", serde(rename = "device_status_diagnostic_imu_response"))]
         DiagnosticImu(DeviceStatusDiagnosticImuResponse),
     }
 }
@@ -3086,14 +3392,16 @@ responses! {
 record! {
     /// IMU Message Format response (0x0C,0x80).
     ///
-    /// Answers [`ImuMessageFormat`]. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45,
-    /// 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    /// Answers [`ImuMessageFormat`]. Supported by [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
-    /// `descriptors`.
+    /// [`descriptors`](ImuMessageFormatResponse::descriptors).
     ///
     /// Source: 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08).
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct ImuMessageFormatResponse {
         /// Fields and decimations.
         pub descriptors: crate::List<types::DescriptorRate, 84>,
@@ -3112,15 +3420,16 @@ field! {
 record! {
     /// GNSS Message Format response (0x0C,0x81).
     ///
-    /// Answers [`GnssMessageFormat`]. Supported by 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45,
-    /// 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    /// Answers [`GnssMessageFormat`]. Supported by [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
-    /// `descriptors`. Range: 0 to 82.
+    /// [`descriptors`](GnssMessageFormatResponse::descriptors). Range: 0 to 82.
     ///
     /// Source: mip-sdk-4: Gnss Message Format (0x0C,0x09); 3dm-gx5-35: 4.2.6 GNSS Message Format
     /// (0x0C, 0x09).
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct GnssMessageFormatResponse {
         /// Fields and decimations.
         pub descriptors: crate::List<types::DescriptorRate, 84>,
@@ -3139,14 +3448,15 @@ field! {
 record! {
     /// Estimation Filter Message Format response (0x0C,0x82).
     ///
-    /// Answers [`FilterMessageFormat`]. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45,
-    /// 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    /// Answers [`FilterMessageFormat`]. Supported by [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-45](crate::devices::GX5_45),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
-    /// `descriptors`.
+    /// [`descriptors`](FilterMessageFormatResponse::descriptors).
     ///
     /// Source: 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A).
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct FilterMessageFormatResponse {
         /// Fields and decimations.
         pub descriptors: crate::List<types::DescriptorRate, 84>,
@@ -3166,11 +3476,13 @@ record! {
     /// Get IMU Data Base Rate response (0x0C,0x83).
     ///
     /// Also called `imu_get_base_rate_response`. Answers [`GetImuBaseRate`]. Supported by
-    /// 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
-    /// 3DM-GX5-35.
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). May be supported by
+    /// [3DM-GX5-35](crate::devices::GX5_35).
     ///
     /// Source: 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GetImuBaseRateResponse {
         /// Base rate of the sensor data.
         ///
@@ -3188,11 +3500,12 @@ record! {
     /// Get GNSS Data Base Rate response (0x0C,0x84).
     ///
     /// Also called `gnss_get_base_rate_response`. Answers [`GetGnssBaseRate`]. Supported by
-    /// 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known from the
-    /// MicroStrain MIP SDK only.
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-35](crate::devices::GX5_35),
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Gnss Get Base Rate (0x0C,0x07).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GetGnssBaseRateResponse {
         /// Base rate of the GNSS data.
         ///
@@ -3210,23 +3523,43 @@ record! {
     /// Data Stream Control response (0x0C,0x85).
     ///
     /// Also called `datastream_control_response`. Answers [`DataStreamControl`]. Supported by
-    /// 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
-    /// 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10,
-    /// 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3,
-    /// 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
-    /// 3DM-GX5-10, 3DM-GX5-25, 3DM-GX5-45 and 3DM-MV5-AR.
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// May be supported by [3DM-CL5-15](crate::devices::CL5_15),
+    /// [3DM-CL5-25](crate::devices::CL5_25), [3DM-CV5-10](crate::devices::CV5_10),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CV5-25](crate::devices::CV5_25),
+    /// [3DM-CX5-10](crate::devices::CX5_10), [3DM-CX5-15](crate::devices::CX5_15),
+    /// [3DM-CX5-25](crate::devices::CX5_25), [3DM-CX5-35](crate::devices::CX5_35),
+    /// [3DM-CX5-45](crate::devices::CX5_45), [3DM-DH3](crate::devices::DH3),
+    /// [3DM-GX3-15](crate::devices::GX3_15), [3DM-GX3-25](crate::devices::GX3_25),
+    /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10),
+    /// [3DM-GX5-25](crate::devices::GX5_25), [3DM-GX5-45](crate::devices::GX5_45) and
+    /// [3DM-MV5-AR](crate::devices::MV5_AR).
     ///
     /// Source: 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11);
     /// 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct DataStreamControlResponse {
         /// Stream of the command.
         ///
-        /// On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10,
-        /// 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15,
-        /// 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10,
-        /// 3DM-GX5-15, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and
-        /// 3DM-RQ1-45-ST: values of [`LegacyDataStream`].
+        /// On the [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+        /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
+        /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
+        /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+        /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
+        /// [3DM-DH3](crate::devices::DH3), [3DM-GQ4-45](crate::devices::GQ4_45),
+        /// [3DM-GX3-15](crate::devices::GX3_15), [3DM-GX3-25](crate::devices::GX3_25),
+        /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
+        /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+        /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10),
+        /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-25](crate::devices::GX5_25),
+        /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
+        /// [3DM-MV5-AR](crate::devices::MV5_AR), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+        /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): values of [`LegacyDataStream`].
         pub descriptor_set: u8,
         /// Whether the stream is sent.
         pub enabled: crate::Bool,
@@ -3237,11 +3570,21 @@ record! {
 impl DataStreamControlResponse {
     /// Reads `descriptor_set` as [`LegacyDataStream`].
     ///
-    /// On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15,
-    /// 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35,
-    /// 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-15, 3DM-GX5-25,
-    /// 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of
-    /// [`LegacyDataStream`].
+    /// On the [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-DH3](crate::devices::DH3), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX3-15](crate::devices::GX3_15), [3DM-GX3-25](crate::devices::GX3_25),
+    /// [3DM-GX3-35](crate::devices::GX3_35), [3DM-GX3-45](crate::devices::GX3_45),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10),
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-25](crate::devices::GX5_25),
+    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
+    /// [3DM-MV5-AR](crate::devices::MV5_AR), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): values of [`LegacyDataStream`].
+    #[inline]
     #[must_use]
     pub fn descriptor_set_as_legacy_data_stream(&self) -> LegacyDataStream {
         self.descriptor_set.into()
@@ -3257,12 +3600,14 @@ record! {
     /// UART Baud Rate response (0x0C,0x87).
     ///
     /// Also called `uart_baudrate_response`. Answers [`UartBaudRate`]. Supported by
-    /// 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May
-    /// be supported by 3DM-GX5-35.
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-45](crate::devices::GX5_45),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// May be supported by [3DM-GX5-35](crate::devices::GX5_35).
     ///
     /// Source: 3dm-gx5-15: 4.2.13 UART Baud Rate (0x0C, 0x40); 3dm-cv7-gnss-ins: UART Baudrate
     /// (0x0C,0x40).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct UartBaudRateResponse {
         /// Baud rate.
         ///
@@ -3280,10 +3625,12 @@ record! {
     /// Get Estimation Filter Data Base Rate response (0x0C,0x8A).
     ///
     /// Also called `filter_get_base_rate_response`. Answers [`GetFilterBaseRate`]. Supported by
-    /// 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
     /// Source: 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GetFilterBaseRateResponse {
         /// Base rate of the filter data.
         ///
@@ -3301,12 +3648,16 @@ record! {
     /// Advanced Low-Pass Filter Settings response (0x0C,0x8B).
     ///
     /// Also called `imu_lowpass_filter_response`. Answers [`ImuLowPassFilter`]. Supported by
-    /// 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported
-    /// by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-GQ7-GNSS/INS, 3DM-GX5-35 and 3DM-GX5-45.
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). May be supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-35](crate::devices::GX5_35) and
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50); 3dm-cv7-gnss-ins:
     /// Advanced Low-Pass Filter Settings (0x0C,0x50).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct ImuLowPassFilterResponse {
         /// Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05,
         /// magnetic field 0x06 or pressure 0x17.
@@ -3336,13 +3687,14 @@ field! {
 record! {
     /// NMEA Message Format response (0x0C,0x8C).
     ///
-    /// Answers [`NmeaMessageFormat`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Answers [`NmeaMessageFormat`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// On the wire there is also `count`: Number of sentences. The number of elements of
-    /// `format_entries`.
+    /// [`format_entries`](NmeaMessageFormatResponse::format_entries).
     ///
     /// Source: 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C).
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct NmeaMessageFormatResponse {
         /// Sentences to stream.
         pub format_entries: crate::List<types::NmeaMessage, 50>,
@@ -3361,10 +3713,10 @@ field! {
 record! {
     /// Get Data Base Rate response (0x0C,0x8E).
     ///
-    /// Answers [`GetBaseRate`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Answers [`GetBaseRate`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GetBaseRateResponse {
         /// Data descriptor set of the command.
         pub descriptor_set: u8,
@@ -3383,13 +3735,13 @@ field! {
 record! {
     /// Message Format response (0x0C,0x8F).
     ///
-    /// Answers [`MessageFormat`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Answers [`MessageFormat`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
-    /// `descriptors`.
+    /// [`descriptors`](MessageFormatResponse::descriptors).
     ///
     /// Source: 3dm-cv7-gnss-ins: Message Format (0x0C,0x0F).
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct MessageFormatResponse {
         /// Data descriptor set; 0 means all of them (save, load, default).
         pub descriptor_set: u8,
@@ -3414,18 +3766,26 @@ record! {
     /// State and timer.
     ///
     /// Answers [`DeviceStatus`]. Told from [`DeviceStatusBasicWithoutStateResponse`] by the size of
-    /// its data. Sent if `status_selector` is [`DeviceStatusSelector::BASIC`]. Supported by
-    /// 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be
-    /// supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10,
-    /// 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
-    /// 3DM-GX5-10 and 3DM-GX5-25.
+    /// its data. Sent if [`status_selector`](DeviceStatus::status_selector) is
+    /// [`DeviceStatusSelector::BASIC`]. Supported by [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). May be supported by
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10) and
+    /// [3DM-GX5-25](crate::devices::GX5_25).
     ///
     /// On the wire there is also `status_selector`: Basic status. Always 1.
     ///
     /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
     /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
     /// (0x0C,0x64).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct DeviceStatusBasicResponse {
         /// Model number of the device.
         pub model_number: u16,
@@ -3460,20 +3820,29 @@ record! {
     /// Timer alone.
     ///
     /// Answers [`DeviceStatus`]. Told from [`DeviceStatusBasicResponse`] by the size of its data.
-    /// Sent if `status_selector` is [`DeviceStatusSelector::BASIC`]. Supported by 3DM-GQ4-45,
-    /// 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
-    /// 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15,
-    /// 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and
-    /// 3DM-GX5-25. Uncertain: MSCL has it for the 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-10, 3DM-CX5-10
-    /// and 3DM-CV5-10. Uncertain: The manual of the 3DM-GX5-45 prints it too, but for the model
-    /// number of another device; MSCL has the layout with a state for that device.
+    /// Sent if [`status_selector`](DeviceStatus::status_selector) is
+    /// [`DeviceStatusSelector::BASIC`]. Supported by [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). May be supported by
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10) and
+    /// [3DM-GX5-25](crate::devices::GX5_25). Uncertain: MSCL has it for the 3DM-GX4-15, 3DM-GX4-25,
+    /// 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10. Uncertain: The manual of the 3DM-GX5-45 prints it
+    /// too, but for the model number of another device; MSCL has the layout with a state for that
+    /// device.
     ///
     /// On the wire there is also `status_selector`: Basic status. Always 1.
     ///
     /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
     /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
     /// (0x0C,0x64).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct DeviceStatusBasicWithoutStateResponse {
         /// Model number of the device.
         pub model_number: u16,
@@ -3507,18 +3876,26 @@ record! {
     /// Answers [`DeviceStatus`]. Told from [`DeviceStatusDiagnosticGnssResponse`],
     /// [`DeviceStatusDiagnosticGq4_45Response`], [`DeviceStatusDiagnosticRq1_45Response`],
     /// [`DeviceStatusDiagnosticGx4Response`] and [`DeviceStatusDiagnosticImuResponse`] by the size
-    /// of its data. Sent if `status_selector` is [`DeviceStatusSelector::DIAGNOSTIC`]. Supported by
-    /// 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be
-    /// supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10,
-    /// 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
-    /// 3DM-GX5-10 and 3DM-GX5-25.
+    /// of its data. Sent if [`status_selector`](DeviceStatus::status_selector) is
+    /// [`DeviceStatusSelector::DIAGNOSTIC`]. Supported by [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). May be supported by
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10) and
+    /// [3DM-GX5-25](crate::devices::GX5_25).
     ///
     /// On the wire there is also `status_selector`: Diagnostic status. Always 2.
     ///
     /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
     /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
     /// (0x0C,0x64).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct DeviceStatusDiagnosticResponse {
         /// Model number of the device.
         pub model_number: u16,
@@ -3606,20 +3983,28 @@ record! {
     /// Answers [`DeviceStatus`]. Told from [`DeviceStatusDiagnosticResponse`],
     /// [`DeviceStatusDiagnosticGq4_45Response`], [`DeviceStatusDiagnosticRq1_45Response`],
     /// [`DeviceStatusDiagnosticGx4Response`] and [`DeviceStatusDiagnosticImuResponse`] by the size
-    /// of its data. Sent if `status_selector` is [`DeviceStatusSelector::DIAGNOSTIC`]. Supported by
-    /// 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be
-    /// supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10,
-    /// 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
-    /// 3DM-GX5-10 and 3DM-GX5-25. Uncertain: MSCL has it for the 3DM-GX4-45 and the -35 and -45 of
-    /// GX5 and CX5; its length is that of a manual. Uncertain: MSCL names the values only; the
-    /// descriptions follow from the names, and times in ms from the system timer.
+    /// of its data. Sent if [`status_selector`](DeviceStatus::status_selector) is
+    /// [`DeviceStatusSelector::DIAGNOSTIC`]. Supported by [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). May be supported by
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10) and
+    /// [3DM-GX5-25](crate::devices::GX5_25). Uncertain: MSCL has it for the 3DM-GX4-45 and the -35
+    /// and -45 of GX5 and CX5; its length is that of a manual. Uncertain: MSCL names the values
+    /// only; the descriptions follow from the names, and times in ms from the system timer.
     ///
     /// On the wire there is also `status_selector`: Diagnostic status. Always 2.
     ///
     /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
     /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
     /// (0x0C,0x64).
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct DeviceStatusDiagnosticGnssResponse {
         /// Model number of the device.
         pub model_number: u16,
@@ -3743,20 +4128,28 @@ record! {
     /// Answers [`DeviceStatus`]. Told from [`DeviceStatusDiagnosticResponse`],
     /// [`DeviceStatusDiagnosticGnssResponse`], [`DeviceStatusDiagnosticRq1_45Response`],
     /// [`DeviceStatusDiagnosticGx4Response`] and [`DeviceStatusDiagnosticImuResponse`] by the size
-    /// of its data. Sent if `status_selector` is [`DeviceStatusSelector::DIAGNOSTIC`]. Supported by
-    /// 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be
-    /// supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10,
-    /// 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
-    /// 3DM-GX5-10 and 3DM-GX5-25. Uncertain: No manual is known that prints it. Uncertain: MSCL
-    /// names the values only; the descriptions follow from the names, and times in ms from the
-    /// system timer.
+    /// of its data. Sent if [`status_selector`](DeviceStatus::status_selector) is
+    /// [`DeviceStatusSelector::DIAGNOSTIC`]. Supported by [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). May be supported by
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10) and
+    /// [3DM-GX5-25](crate::devices::GX5_25). Uncertain: No manual is known that prints it.
+    /// Uncertain: MSCL names the values only; the descriptions follow from the names, and times in
+    /// ms from the system timer.
     ///
     /// On the wire there is also `status_selector`: Diagnostic status. Always 2.
     ///
     /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
     /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
     /// (0x0C,0x64).
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct DeviceStatusDiagnosticGq4_45Response {
         /// Model number of the device.
         pub model_number: u16,
@@ -3889,13 +4282,21 @@ record! {
     /// Answers [`DeviceStatus`]. Told from [`DeviceStatusDiagnosticResponse`],
     /// [`DeviceStatusDiagnosticGnssResponse`], [`DeviceStatusDiagnosticGq4_45Response`],
     /// [`DeviceStatusDiagnosticGx4Response`] and [`DeviceStatusDiagnosticImuResponse`] by the size
-    /// of its data. Sent if `status_selector` is [`DeviceStatusSelector::DIAGNOSTIC`]. Supported by
-    /// 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be
-    /// supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10,
-    /// 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45,
-    /// 3DM-GX5-10 and 3DM-GX5-25. Uncertain: No manual is known that prints it. Uncertain: MSCL
-    /// names the values only; the descriptions follow from the names, and times in ms from the
-    /// system timer.
+    /// of its data. Sent if [`status_selector`](DeviceStatus::status_selector) is
+    /// [`DeviceStatusSelector::DIAGNOSTIC`]. Supported by [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). May be supported by
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10) and
+    /// [3DM-GX5-25](crate::devices::GX5_25). Uncertain: No manual is known that prints it.
+    /// Uncertain: MSCL names the values only; the descriptions follow from the names, and times in
+    /// ms from the system timer.
     ///
     /// On the wire there is also `status_selector`: Diagnostic status. Always 2.
     ///
@@ -4039,21 +4440,28 @@ record! {
     /// Answers [`DeviceStatus`]. Told from [`DeviceStatusDiagnosticResponse`],
     /// [`DeviceStatusDiagnosticGnssResponse`], [`DeviceStatusDiagnosticGq4_45Response`],
     /// [`DeviceStatusDiagnosticRq1_45Response`] and [`DeviceStatusDiagnosticImuResponse`] by the
-    /// size of its data. Sent if `status_selector` is [`DeviceStatusSelector::DIAGNOSTIC`].
-    /// Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and
-    /// 3DM-RQ1-45-ST. May be supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15,
-    /// 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15,
-    /// 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and 3DM-GX5-25. Uncertain: No manual is known that prints
-    /// it for these devices; the offsets 49 to 69 of that of the 3DM-GX5-45 agree. Uncertain: MSCL
-    /// names the values only; the descriptions follow from the names, and times in ms from the
-    /// system timer.
+    /// size of its data. Sent if [`status_selector`](DeviceStatus::status_selector) is
+    /// [`DeviceStatusSelector::DIAGNOSTIC`]. Supported by [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). May be supported by
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10) and
+    /// [3DM-GX5-25](crate::devices::GX5_25). Uncertain: No manual is known that prints it for these
+    /// devices; the offsets 49 to 69 of that of the 3DM-GX5-45 agree. Uncertain: MSCL names the
+    /// values only; the descriptions follow from the names, and times in ms from the system timer.
     ///
     /// On the wire there is also `status_selector`: Diagnostic status. Always 2.
     ///
     /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
     /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
     /// (0x0C,0x64).
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct DeviceStatusDiagnosticGx4Response {
         /// Model number of the device.
         pub model_number: u16,
@@ -4169,21 +4577,29 @@ record! {
     /// Answers [`DeviceStatus`]. Told from [`DeviceStatusDiagnosticResponse`],
     /// [`DeviceStatusDiagnosticGnssResponse`], [`DeviceStatusDiagnosticGq4_45Response`],
     /// [`DeviceStatusDiagnosticRq1_45Response`] and [`DeviceStatusDiagnosticGx4Response`] by the
-    /// size of its data. Sent if `status_selector` is [`DeviceStatusSelector::DIAGNOSTIC`].
-    /// Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and
-    /// 3DM-RQ1-45-ST. May be supported by 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15,
-    /// 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15,
-    /// 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and 3DM-GX5-25. Uncertain: MSCL has it for the
-    /// 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10; no manual is known that prints it. Uncertain: MSCL
-    /// names the values only; the descriptions follow from the names, and times in ms from the
-    /// system timer. Uncertain: The units of the ranges are open.
+    /// size of its data. Sent if [`status_selector`](DeviceStatus::status_selector) is
+    /// [`DeviceStatusSelector::DIAGNOSTIC`]. Supported by [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
+    /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). May be supported by
+    /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CL5-25](crate::devices::CL5_25),
+    /// [3DM-CV5-10](crate::devices::CV5_10), [3DM-CV5-15](crate::devices::CV5_15),
+    /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-CX5-10](crate::devices::CX5_10),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-CX5-25](crate::devices::CX5_25),
+    /// [3DM-CX5-35](crate::devices::CX5_35), [3DM-CX5-45](crate::devices::CX5_45),
+    /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
+    /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10) and
+    /// [3DM-GX5-25](crate::devices::GX5_25). Uncertain: MSCL has it for the 3DM-GX5-10, 3DM-CX5-10
+    /// and 3DM-CV5-10; no manual is known that prints it. Uncertain: MSCL names the values only;
+    /// the descriptions follow from the names, and times in ms from the system timer. Uncertain:
+    /// The units of the ranges are open.
     ///
     /// On the wire there is also `status_selector`: Diagnostic status. Always 2.
     ///
     /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
     /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
     /// (0x0C,0x64).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct DeviceStatusDiagnosticImuResponse {
         /// Model number of the device.
         pub model_number: u16,
@@ -4281,13 +4697,17 @@ field! {
 record! {
     /// Complementary Filter Configuration response (0x0C,0x97).
     ///
-    /// Answers [`ComplementaryFilter`]. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15 and
-    /// 3DM-GX5-35. May be supported by 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15,
-    /// 3DM-GX5-10 and 3DM-GX5-45.
+    /// Answers [`ComplementaryFilter`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35). May be
+    /// supported by [3DM-CL5-15](crate::devices::CL5_15), [3DM-CV5-10](crate::devices::CV5_10),
+    /// [3DM-CV5-15](crate::devices::CV5_15), [3DM-CX5-10](crate::devices::CX5_10),
+    /// [3DM-CX5-15](crate::devices::CX5_15), [3DM-GX5-10](crate::devices::GX5_10) and
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51); 3dm-cv7-gnss-ins:
     /// Complementary Filter Configuration (0x0C,0x51).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct ComplementaryFilterResponse {
         /// Corrects pitch and roll (up, in terms of the 5-series).
         pub pitch_roll_enable: crate::Bool,
@@ -4312,12 +4732,15 @@ field! {
 record! {
     /// Accelerometer Bias Configuration response (0x0C,0x9A).
     ///
-    /// Answers [`AccelBias`]. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35,
-    /// 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
+    /// Answers [`AccelBias`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-15](crate::devices::GX5_15),
+    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). May be supported by
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37); 3dm-cv7-gnss-ins: Accelerometer Bias
     /// Configuration (0x0C,0x37).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct AccelBiasResponse {
         /// Accelerometer bias.
         ///
@@ -4337,12 +4760,16 @@ record! {
     /// The bias in use.
     ///
     /// Also called `capture_gyro_bias_response`. Answers [`GyroBias`] and [`CaptureGyroBias`].
-    /// Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GQ4-45, 3DM-GQ7-GNSS/INS,
-    /// 3DM-GX5-15, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
+    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7), [3DM-GX5-15](crate::devices::GX5_15),
+    /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). May be supported by
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38); 3dm-cv7-gnss-ins: Gyroscope Bias
     /// Configuration (0x0C,0x38).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct GyroBiasResponse {
         /// Gyroscope bias.
         ///
@@ -4359,12 +4786,15 @@ field! {
 record! {
     /// Magnetometer Hard Iron Offset response (0x0C,0x9C).
     ///
-    /// Answers [`MagHardIronOffset`]. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
-    /// 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35.
+    /// Answers [`MagHardIronOffset`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-45](crate::devices::GX5_45),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// May be supported by [3DM-GX5-35](crate::devices::GX5_35).
     ///
     /// Source: 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A); 3dm-gx5-45: (0x0C,
     /// 0x3A).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct MagHardIronOffsetResponse {
         /// Hard iron offset.
         ///
@@ -4381,12 +4811,15 @@ field! {
 record! {
     /// Magnetometer Soft Iron Matrix response (0x0C,0x9D).
     ///
-    /// Answers [`MagSoftIronMatrix`]. Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS,
-    /// 3DM-GQ4-45, 3DM-GX5-35, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-45.
+    /// Answers [`MagSoftIronMatrix`]. Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR), [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-35](crate::devices::GX5_35),
+    /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
+    /// May be supported by [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B); 3dm-gx5-35: (0x0C,
     /// 0x3B).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct MagSoftIronMatrixResponse {
         /// Soft iron matrix in row-major order.
         ///
@@ -4403,11 +4836,13 @@ field! {
 record! {
     /// Coning and Sculling Enable response (0x0C,0x9E).
     ///
-    /// Answers [`ConingScullingEnable`]. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-RQ1-45-LT and
-    /// 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
+    /// Answers [`ConingScullingEnable`]. Supported by [3DM-GQ4-45](crate::devices::GQ4_45),
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). May be supported by
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct ConingScullingEnableResponse {
         /// Whether the compensation is on.
         ///
@@ -4426,15 +4861,16 @@ record! {
     ///
     /// Tracking channels of the receiver and the setting of each constellation.
     ///
-    /// Answers [`ConstellationSettings`]. Supported by 3DM-GQ4-45 and 3DM-GX5-35. May be supported
-    /// by 3DM-GX5-45.
+    /// Answers [`ConstellationSettings`]. Supported by [3DM-GQ4-45](crate::devices::GQ4_45) and
+    /// [3DM-GX5-35](crate::devices::GX5_35). May be supported by
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// On the wire there is also `config_count`: Number of entries. The number of elements of
-    /// `settings`. Range: 0 to 41.
+    /// [`settings`](ConstellationSettingsResponse::settings). Range: 0 to 41.
     ///
     /// Source: mip-sdk-4: Constellation Settings (0x0C,0x21); 3dm-gx5-35: 4.2.8 GNSS Constellation
     /// Settings (0x0C, 0x21).
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct ConstellationSettingsResponse {
         /// Channels that the receiver has.
         ///
@@ -4463,14 +4899,15 @@ field! {
 record! {
     /// GNSS SBAS Settings response (0x0C,0xA1).
     ///
-    /// Answers [`GnssSbasSettings`]. Supported by 3DM-CV7-GNSS/INS, 3DM-GQ4-45 and 3DM-GX5-35. May
-    /// be supported by 3DM-GX5-45.
+    /// Answers [`GnssSbasSettings`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GQ4-45](crate::devices::GQ4_45) and [3DM-GX5-35](crate::devices::GX5_35). May be
+    /// supported by [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// On the wire there is also `num_included_prns`: Number of satellites listed; 0 searches for
-    /// all. The number of elements of `included_prns`.
+    /// all. The number of elements of [`included_prns`](GnssSbasSettingsResponse::included_prns).
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22).
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct GnssSbasSettingsResponse {
         /// 1 switches SBAS on, 0 off.
         ///
@@ -4497,10 +4934,11 @@ field! {
 record! {
     /// GNSS Assisted Fix response (0x0C,0xA2).
     ///
-    /// Answers [`GnssAssistedFix`]. Supported by 3DM-GX5-35. May be supported by 3DM-GX5-45. Known
-    /// from the MicroStrain MIP SDK only.
+    /// Answers [`GnssAssistedFix`]. Supported by [3DM-GX5-35](crate::devices::GX5_35). May be
+    /// supported by [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Gnss Assisted Fix (0x0C,0x23).
+    #[derive(Copy, Eq, Hash)]
     pub struct GnssAssistedFixResponse {
         /// Assisted fix.
         ///
@@ -4529,11 +4967,11 @@ field! {
 record! {
     /// GNSS Time Assistance response (0x0C,0xA3).
     ///
-    /// Answers [`GnssTimeAssistance`]. Supported by 3DM-GX5-35. May be supported by 3DM-GX5-45.
-    /// Known from the MicroStrain MIP SDK only.
+    /// Answers [`GnssTimeAssistance`]. Supported by [3DM-GX5-35](crate::devices::GX5_35). May be
+    /// supported by [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Gnss Time Assistance (0x0C,0x24).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct GnssTimeAssistanceResponse {
         /// GPS time of week.
         ///
@@ -4559,10 +4997,11 @@ record! {
     /// PPS Source Control response (0x0C,0xA8).
     ///
     /// Also called `pps_source_response`. Answers [`PpsSourceControl`]. Supported by
-    /// 3DM-CV7-GNSS/INS. May be supported by 3DM-CV7-AHRS and 3DM-CV7-AR.
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). May be supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS) and [3DM-CV7-AR](crate::devices::CV7_AR).
     ///
     /// Source: 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct PpsSourceControlResponse {
         /// Source of the pulse.
         ///
@@ -4580,10 +5019,12 @@ record! {
     /// Sensor-to-Vehicle Frame Transformation Euler response (0x0C,0xB1).
     ///
     /// Also called `sensor_2_vehicle_transform_euler_response`. Answers
-    /// [`SensorToVehicleTransformEuler`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
+    /// [`SensorToVehicleTransformEuler`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct SensorToVehicleTransformEulerResponse {
         /// Rotation about the x axis.
         ///
@@ -4609,10 +5050,11 @@ record! {
     /// Sensor-to-Vehicle Frame Transformation Quaternion response (0x0C,0xB2).
     ///
     /// Also called `sensor_2_vehicle_transform_quaternion_response`. Answers
-    /// [`SensorToVehicleTransformQuaternion`]. Supported by 3DM-CV7-GNSS/INS.
+    /// [`SensorToVehicleTransformQuaternion`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct SensorToVehicleTransformQuaternionResponse {
         /// Unit quaternion that transforms vectors from the sensor frame to the vehicle frame.
         ///
@@ -4630,11 +5072,12 @@ record! {
     /// Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix response (0x0C,0xB3).
     ///
     /// Also called `sensor_2_vehicle_transform_dcm_response`. Answers
-    /// [`SensorToVehicleTransformDcm`]. Supported by 3DM-CV7-GNSS/INS.
+    /// [`SensorToVehicleTransformDcm`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix
     /// (0x0C,0x33).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct SensorToVehicleTransformDcmResponse {
         /// The matrix in row-major order.
         ///
@@ -4651,13 +5094,13 @@ field! {
 record! {
     /// Get Supported Events response (0x0C,0xB4).
     ///
-    /// Answers [`GetEventSupport`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Answers [`GetEventSupport`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// On the wire there is also `num_entries`: Number of types. The number of elements of
-    /// `entries`.
+    /// [`entries`](GetEventSupportResponse::entries).
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A).
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct GetEventSupportResponse {
         /// Query of the command.
         pub query: EventSupportQuery,
@@ -4667,9 +5110,10 @@ record! {
         pub max_instances: u8,
         /// The types.
         ///
-        /// If `query` is [`EventSupportQuery::TRIGGER_TYPES`]: `type_` has values of
-        /// [`types::EventTriggerType`]. If `query` is [`EventSupportQuery::ACTION_TYPES`]: `type_`
-        /// has values of [`types::EventActionType`].
+        /// If [`query`](GetEventSupportResponse::query) is [`EventSupportQuery::TRIGGER_TYPES`]:
+        /// [`type_`](EventSupportInfo::type_) has values of [`types::EventTriggerType`]. If
+        /// [`query`](GetEventSupportResponse::query) is [`EventSupportQuery::ACTION_TYPES`]:
+        /// [`type_`](EventSupportInfo::type_) has values of [`types::EventActionType`].
         pub entries: crate::List<EventSupportInfo, 125>,
     }
     wire 253 {
@@ -4688,10 +5132,10 @@ field! {
 record! {
     /// Event Control response (0x0C,0xB5).
     ///
-    /// Answers [`EventControl`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Answers [`EventControl`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct EventControlResponse {
         /// Trigger instance; 0 means all configured triggers, except for read.
         pub instance: u8,
@@ -4710,12 +5154,14 @@ field! {
 record! {
     /// Get Event Trigger Status response (0x0C,0xB6).
     ///
-    /// Answers [`GetEventTriggerStatus`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Answers [`GetEventTriggerStatus`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// On the wire there is also `count`: Number of entries. The number of elements of `triggers`.
+    /// On the wire there is also `count`: Number of entries. The number of elements of
+    /// [`triggers`](GetEventTriggerStatusResponse::triggers).
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C).
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct GetEventTriggerStatusResponse {
         /// One entry per trigger, in the order asked for, or by instance if all were asked for.
         pub triggers: crate::List<EventTriggerStatusEntry, 126>,
@@ -4734,12 +5180,14 @@ field! {
 record! {
     /// Get Event Action Status response (0x0C,0xB7).
     ///
-    /// Answers [`GetEventActionStatus`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Answers [`GetEventActionStatus`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// On the wire there is also `count`: Number of entries. The number of elements of `actions`.
+    /// On the wire there is also `count`: Number of entries. The number of elements of
+    /// [`actions`](GetEventActionStatusResponse::actions).
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D).
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct GetEventActionStatusResponse {
         /// One entry per action, in the order asked for, or by instance if all were asked for.
         pub actions: crate::List<EventActionStatusEntry, 126>,
@@ -4759,20 +5207,21 @@ record! {
     /// Event Trigger Configuration response (0x0C,0xB8).
     ///
     /// Also called `event_trigger_response`. Answers [`EventTriggerConfig`]. Supported by
-    /// 3DM-CV7-GNSS/INS.
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct EventTriggerConfigResponse {
         /// Trigger instance; 0 means all (save, load, default).
         pub instance: u8,
         /// Kind of trigger.
         ///
         /// Default: [`types::EventTriggerType::NONE`].
+        #[cfg_attr(feature = "serde", serde(rename = "type"))]
         pub type_: types::EventTriggerType,
         /// The condition.
         ///
-        /// Selected by `type_`.
+        /// Selected by [`type_`](EventTriggerConfigResponse::type_).
         pub parameters: EventTriggerConfigParameters,
     }
     wire 22 {
@@ -4791,10 +5240,10 @@ record! {
     /// Event Action Configuration response (0x0C,0xB9).
     ///
     /// Also called `event_action_response`. Answers [`EventActionConfig`]. Supported by
-    /// 3DM-CV7-GNSS/INS.
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F).
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct EventActionConfigResponse {
         /// Action instance; 0 means all (save, load, default).
         pub instance: u8,
@@ -4803,10 +5252,11 @@ record! {
         /// Kind of action.
         ///
         /// Default: [`types::EventActionType::NONE`].
+        #[cfg_attr(feature = "serde", serde(rename = "type"))]
         pub type_: types::EventActionType,
         /// The effect.
         ///
-        /// Selected by `type_`.
+        /// Selected by [`type_`](EventActionConfigResponse::type_).
         pub parameters: EventActionConfigParameters,
     }
     wire 253 {
@@ -4825,11 +5275,12 @@ field! {
 record! {
     /// GPIO Configuration response (0x0C,0xC1).
     ///
-    /// Answers [`GpioConfig`]. Supported by 3DM-CV7-GNSS/INS. May be supported by 3DM-CV7-AHRS,
-    /// 3DM-CV7-AR and 3DM-GQ7-GNSS/INS.
+    /// Answers [`GpioConfig`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). May
+    /// be supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS),
+    /// [3DM-CV7-AR](crate::devices::CV7_AR) and [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// Source: 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GpioConfigResponse {
         /// GPIO pin, counted from 1; 0 means all pins (save, load, default).
         pub pin: u8,
@@ -4839,13 +5290,15 @@ record! {
         pub feature: types::GpioFeature,
         /// Role of the pin within the feature; 0 where the feature names none.
         ///
-        /// If `feature` is [`types::GpioFeature::UNUSED`]: values of [`types::GpioUnusedBehavior`].
-        /// If `feature` is [`types::GpioFeature::GPIO`]: values of [`types::GpioBehavior`]. If
-        /// `feature` is [`types::GpioFeature::PPS`]: values of [`types::GpioPpsBehavior`]. If
-        /// `feature` is [`types::GpioFeature::ENCODER`]: values of [`types::GpioEncoderBehavior`].
-        /// If `feature` is [`types::GpioFeature::TIMESTAMP`]: values of
-        /// [`types::GpioTimestampBehavior`]. If `feature` is [`types::GpioFeature::UART`]: values
-        /// of [`types::GpioUartBehavior`].
+        /// If [`feature`](GpioConfigResponse::feature) is [`types::GpioFeature::UNUSED`]: values of
+        /// [`types::GpioUnusedBehavior`]. If [`feature`](GpioConfigResponse::feature) is
+        /// [`types::GpioFeature::GPIO`]: values of [`types::GpioBehavior`]. If
+        /// [`feature`](GpioConfigResponse::feature) is [`types::GpioFeature::PPS`]: values of
+        /// [`types::GpioPpsBehavior`]. If [`feature`](GpioConfigResponse::feature) is
+        /// [`types::GpioFeature::ENCODER`]: values of [`types::GpioEncoderBehavior`]. If
+        /// [`feature`](GpioConfigResponse::feature) is [`types::GpioFeature::TIMESTAMP`]: values of
+        /// [`types::GpioTimestampBehavior`]. If [`feature`](GpioConfigResponse::feature) is
+        /// [`types::GpioFeature::UART`]: values of [`types::GpioUartBehavior`].
         pub behavior: u8,
         /// Electrical options.
         pub pin_mode: types::GpioPinMode,
@@ -4856,7 +5309,9 @@ record! {
 impl GpioConfigResponse {
     /// Reads `behavior` as [`types::GpioUnusedBehavior`].
     ///
-    /// If `feature` is [`types::GpioFeature::UNUSED`]: values of [`types::GpioUnusedBehavior`].
+    /// If [`feature`](GpioConfigResponse::feature) is [`types::GpioFeature::UNUSED`]: values of
+    /// [`types::GpioUnusedBehavior`].
+    #[inline]
     #[must_use]
     pub fn behavior_as_gpio_unused_behavior(&self) -> Option<types::GpioUnusedBehavior> {
         let named = matches!(self.feature, types::GpioFeature::UNUSED);
@@ -4865,7 +5320,9 @@ impl GpioConfigResponse {
 
     /// Reads `behavior` as [`types::GpioBehavior`].
     ///
-    /// If `feature` is [`types::GpioFeature::GPIO`]: values of [`types::GpioBehavior`].
+    /// If [`feature`](GpioConfigResponse::feature) is [`types::GpioFeature::GPIO`]: values of
+    /// [`types::GpioBehavior`].
+    #[inline]
     #[must_use]
     pub fn behavior_as_gpio_behavior(&self) -> Option<types::GpioBehavior> {
         let named = matches!(self.feature, types::GpioFeature::GPIO);
@@ -4874,7 +5331,9 @@ impl GpioConfigResponse {
 
     /// Reads `behavior` as [`types::GpioPpsBehavior`].
     ///
-    /// If `feature` is [`types::GpioFeature::PPS`]: values of [`types::GpioPpsBehavior`].
+    /// If [`feature`](GpioConfigResponse::feature) is [`types::GpioFeature::PPS`]: values of
+    /// [`types::GpioPpsBehavior`].
+    #[inline]
     #[must_use]
     pub fn behavior_as_gpio_pps_behavior(&self) -> Option<types::GpioPpsBehavior> {
         let named = matches!(self.feature, types::GpioFeature::PPS);
@@ -4883,7 +5342,9 @@ impl GpioConfigResponse {
 
     /// Reads `behavior` as [`types::GpioEncoderBehavior`].
     ///
-    /// If `feature` is [`types::GpioFeature::ENCODER`]: values of [`types::GpioEncoderBehavior`].
+    /// If [`feature`](GpioConfigResponse::feature) is [`types::GpioFeature::ENCODER`]: values of
+    /// [`types::GpioEncoderBehavior`].
+    #[inline]
     #[must_use]
     pub fn behavior_as_gpio_encoder_behavior(&self) -> Option<types::GpioEncoderBehavior> {
         let named = matches!(self.feature, types::GpioFeature::ENCODER);
@@ -4892,8 +5353,9 @@ impl GpioConfigResponse {
 
     /// Reads `behavior` as [`types::GpioTimestampBehavior`].
     ///
-    /// If `feature` is [`types::GpioFeature::TIMESTAMP`]: values of
+    /// If [`feature`](GpioConfigResponse::feature) is [`types::GpioFeature::TIMESTAMP`]: values of
     /// [`types::GpioTimestampBehavior`].
+    #[inline]
     #[must_use]
     pub fn behavior_as_gpio_timestamp_behavior(&self) -> Option<types::GpioTimestampBehavior> {
         let named = matches!(self.feature, types::GpioFeature::TIMESTAMP);
@@ -4902,7 +5364,9 @@ impl GpioConfigResponse {
 
     /// Reads `behavior` as [`types::GpioUartBehavior`].
     ///
-    /// If `feature` is [`types::GpioFeature::UART`]: values of [`types::GpioUartBehavior`].
+    /// If [`feature`](GpioConfigResponse::feature) is [`types::GpioFeature::UART`]: values of
+    /// [`types::GpioUartBehavior`].
+    #[inline]
     #[must_use]
     pub fn behavior_as_gpio_uart_behavior(&self) -> Option<types::GpioUartBehavior> {
         let named = matches!(self.feature, types::GpioFeature::UART);
@@ -4918,10 +5382,10 @@ field! {
 record! {
     /// GPIO State response (0x0C,0xC2).
     ///
-    /// Answers [`GpioState`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Answers [`GpioState`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GpioStateResponse {
         /// GPIO pin, counted from 1.
         ///
@@ -4940,10 +5404,11 @@ field! {
 record! {
     /// Odometer Configuration response (0x0C,0xC3).
     ///
-    /// Also called `odometer_response`. Answers [`OdometerConfig`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `odometer_response`. Answers [`OdometerConfig`]. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct OdometerConfigResponse {
         /// How the input works.
         pub mode: OdometerMode,
@@ -4968,10 +5433,10 @@ field! {
 record! {
     /// Sensor Range response (0x0C,0xD2).
     ///
-    /// Answers [`SensorRange`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Answers [`SensorRange`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct SensorRangeResponse {
         /// The sensor.
         pub sensor: SensorRangeType,
@@ -4989,10 +5454,10 @@ record! {
     /// Get Calibrated Sensor Ranges response (0x0C,0xD3).
     ///
     /// Also called `calibrated_sensor_ranges_response`. Answers [`GetCalibratedSensorRanges`].
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// On the wire there is also `num_ranges`: Number of ranges. The number of elements of
-    /// `ranges`.
+    /// [`ranges`](GetCalibratedSensorRangesResponse::ranges).
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53).
     #[derive(Default)]
@@ -5001,10 +5466,14 @@ record! {
         pub sensor: SensorRangeType,
         /// The ranges.
         ///
-        /// If `sensor` is [`SensorRangeType::ACCEL`]: `range` has unit g. If `sensor` is
-        /// [`SensorRangeType::GYRO`]: `range` has unit deg/s. If `sensor` is
-        /// [`SensorRangeType::MAG`]: `range` has unit gauss. If `sensor` is
-        /// [`SensorRangeType::PRESSURE`]: `range` has unit mbar.
+        /// If [`sensor`](GetCalibratedSensorRangesResponse::sensor) is [`SensorRangeType::ACCEL`]:
+        /// [`range`](SensorRangeEntry::range) has unit g. If
+        /// [`sensor`](GetCalibratedSensorRangesResponse::sensor) is [`SensorRangeType::GYRO`]:
+        /// [`range`](SensorRangeEntry::range) has unit deg/s. If
+        /// [`sensor`](GetCalibratedSensorRangesResponse::sensor) is [`SensorRangeType::MAG`]:
+        /// [`range`](SensorRangeEntry::range) has unit gauss. If
+        /// [`sensor`](GetCalibratedSensorRangesResponse::sensor) is [`SensorRangeType::PRESSURE`]:
+        /// [`range`](SensorRangeEntry::range) has unit mbar.
         pub ranges: crate::List<SensorRangeEntry, 50>,
     }
     wire 252 {
@@ -5023,10 +5492,12 @@ record! {
     /// Low-Pass Anti-Aliasing Filter response (0x0C,0xD4).
     ///
     /// Also called `lowpass_filter_response`. Answers [`LowPassFilter`]. Supported by
-    /// 3DM-CV7-GNSS/INS. May be supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-GQ7-GNSS/INS.
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS). May be supported by
+    /// [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR) and
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
     /// Source: 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct LowPassFilterResponse {
         /// Descriptor set of the field.
         pub descriptor_set: u8,

@@ -75,7 +75,7 @@ record! {
     ///   [`types::RtkStatusFlagsLegacy`].
     ///
     /// Source: mip-sdk-4: Get Status Flags (0x0F,0x01).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GetStatusFlags;
 }
 
@@ -104,7 +104,7 @@ record! {
     /// SDK only.
     ///
     /// Source: mip-sdk-4: Get Imei (0x0F,0x02).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GetImei;
 }
 
@@ -133,7 +133,7 @@ record! {
     /// SDK only.
     ///
     /// Source: mip-sdk-4: Get Imsi (0x0F,0x03).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GetImsi;
 }
 
@@ -162,7 +162,7 @@ record! {
     /// SDK only.
     ///
     /// Source: mip-sdk-4: Get Iccid (0x0F,0x04).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GetIccid;
 }
 
@@ -191,7 +191,7 @@ record! {
     /// SDK only.
     ///
     /// Source: mip-sdk-4: Get Rssi (0x0F,0x05).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GetRssi;
 }
 
@@ -216,16 +216,19 @@ record! {
     ///
     /// The device that the modem serves.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`ConnectedDeviceTypeResponse`].
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`ConnectedDeviceTypeResponse`]. No
+    /// device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Connected Device Type (0x0F,0x06).
+    #[derive(Copy, Eq, Hash)]
     pub struct ConnectedDeviceType {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Type of the device.
         ///
-        /// Required for write.
+        /// Required for [write](types::FunctionSelector::WRITE).
         pub device_type: Option<ConnectedDevice>,
     }
     wire 2 {
@@ -271,7 +274,7 @@ record! {
     /// lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Get Act Code (0x0F,0x07).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GetActivationCode;
 }
 
@@ -300,7 +303,7 @@ record! {
     /// MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Get Modem Firmware Version (0x0F,0x08).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GetModemFirmwareVersion;
 }
 
@@ -331,7 +334,7 @@ record! {
     /// - The modem sends it as a host would, and the server answers as a device would.
     ///
     /// Source: mip-sdk-4: Service Status (0x0F,0x0A).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct ServiceStatus {
         /// Reserved: send 0. Uncertain: What the modem sends; 0 is assumed.
         pub reserved1: u32,
@@ -368,7 +371,7 @@ record! {
     /// - Accepted in calibration mode only.
     ///
     /// Source: mip-sdk-4: Prod Erase Storage (0x0F,0x20).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct EraseStorage {
         /// The medium.
         pub media: StorageMedium,
@@ -400,7 +403,7 @@ record! {
     /// - Accepted in calibration mode and production test mode only.
     ///
     /// Source: mip-sdk-4: Led Control (0x0F,0x21).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct LedControl {
         /// First colour.
         ///
@@ -450,7 +453,7 @@ record! {
     /// - Accepted in calibration mode only.
     ///
     /// Source: mip-sdk-4: Modem Hard Reset (0x0F,0x22).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct ModemHardReset;
 }
 
@@ -475,7 +478,7 @@ record! {
     /// Answers [`GetStatusFlags`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Get Status Flags (0x0F,0x01).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GetStatusFlagsResponse {
         /// State of the modem and of the corrections.
         pub flags: types::RtkStatusFlags,
@@ -493,7 +496,7 @@ record! {
     /// Answers [`GetImei`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Get Imei (0x0F,0x02).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GetImeiResponse {
         /// International mobile equipment identity.
         pub imei: crate::Text<32>,
@@ -511,7 +514,7 @@ record! {
     /// Answers [`GetImsi`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Get Imsi (0x0F,0x03).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GetImsiResponse {
         /// International mobile subscriber identity.
         pub imsi: crate::Text<32>,
@@ -529,7 +532,7 @@ record! {
     /// Answers [`GetIccid`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Get Iccid (0x0F,0x04).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GetIccidResponse {
         /// Number of the SIM card.
         pub iccid: crate::Text<32>,
@@ -548,17 +551,17 @@ record! {
     /// vouches for the other values is inferred.
     ///
     /// Source: mip-sdk-4: Get Rssi (0x0F,0x05).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GetRssiResponse {
         /// Whether the modem is connected.
         pub valid: crate::Bool,
         /// Received signal strength.
         ///
-        /// Valid if `valid` is true. Uncertain: The unit; dBm is likely.
+        /// Valid if [`valid`](GetRssiResponse::valid) is true. Uncertain: The unit; dBm is likely.
         pub rssi: i32,
         /// Signal quality.
         ///
-        /// Valid if `valid` is true. Uncertain: The unit.
+        /// Valid if [`valid`](GetRssiResponse::valid) is true. Uncertain: The unit.
         pub signal_quality: i32,
     }
 }
@@ -574,7 +577,7 @@ record! {
     /// Answers [`ConnectedDeviceType`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Connected Device Type (0x0F,0x06).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct ConnectedDeviceTypeResponse {
         /// Type of the device.
         pub device_type: ConnectedDevice,
@@ -593,7 +596,7 @@ record! {
     /// MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Get Act Code (0x0F,0x07).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GetActivationCodeResponse {
         /// Activation code.
         pub activation_code: crate::Text<32>,
@@ -611,7 +614,7 @@ record! {
     /// Answers [`GetModemFirmwareVersion`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Get Modem Firmware Version (0x0F,0x08).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GetModemFirmwareVersionResponse {
         /// Firmware version.
         pub modem_firmware_version: crate::Text<32>,
@@ -632,7 +635,7 @@ record! {
     /// the counters count.
     ///
     /// Source: mip-sdk-4: Service Status (0x0F,0x0A).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct ServiceStatusResponse {
         /// State of the service.
         pub flags: ServiceFlags,

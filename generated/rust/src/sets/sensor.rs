@@ -62,7 +62,7 @@ record! {
     /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Raw Accel (0x80,0x01).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct RawAccel {
         /// Acceleration in counts.
         ///
@@ -83,7 +83,7 @@ record! {
     /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Raw Gyro (0x80,0x02).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct RawGyro {
         /// Angular rate in counts.
         ///
@@ -104,7 +104,7 @@ record! {
     /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Raw Mag (0x80,0x03).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct RawMag {
         /// Magnetic field in counts.
         ///
@@ -123,12 +123,13 @@ record! {
     ///
     /// Measured acceleration, temperature compensated.
     ///
-    /// Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and
-    /// 3DM-GX5-45.
+    /// Supported by [3DM-CV7-AHRS](crate::devices::CV7_AHRS), [3DM-CV7-AR](crate::devices::CV7_AR),
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS), [3DM-GX5-15](crate::devices::GX5_15),
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 5.1.1 Scaled Accelerometer Vector (0x80, 0x04); 3dm-cv7-gnss-ins: Scaled
     /// Accel (0x80,0x04).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct ScaledAccel {
         /// Acceleration.
         ///
@@ -146,11 +147,13 @@ record! {
     ///
     /// Measured angular rate, temperature compensated.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35) and
+    /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 5.1.2 Scaled Gyro Vector (0x80, 0x05); 3dm-cv7-gnss-ins: Scaled Gyro
     /// (0x80,0x05).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct ScaledGyro {
         /// Angular rate.
         ///
@@ -168,10 +171,11 @@ record! {
     ///
     /// Measured magnetic field, temperature compensated.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-35 and 3DM-GX5-45.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-cv7-gnss-ins: Scaled Mag (0x80,0x06).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct ScaledMag {
         /// Magnetic field.
         ///
@@ -189,11 +193,13 @@ record! {
     ///
     /// Time integral of the angular rate over the period that the message format sets.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35). May be
+    /// supported by [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 5.1.4 Delta Theta Vector (0x80, 0x07); 3dm-cv7-gnss-ins: Delta Theta
     /// (0x80,0x07).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct DeltaTheta {
         /// Integral of the angular rate.
         ///
@@ -211,13 +217,15 @@ record! {
     ///
     /// Time integral of the acceleration over the period that the message format sets.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GX5-15](crate::devices::GX5_15). May be supported by
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - Multiply by 9.80665 m/s^2 for a change of velocity in metres per second.
     ///
     /// Source: 3dm-gx5-15: 5.1.5 Delta Velocity Vector (0x80, 0x08); 3dm-cv7-gnss-ins: Delta
     /// Velocity (0x80,0x08).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct DeltaVelocity {
         /// Integral of the acceleration.
         ///
@@ -236,19 +244,21 @@ record! {
     /// Attitude by the complementary filter as a direction cosine matrix, relative to the NED
     /// frame.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GX5-15](crate::devices::GX5_15). May be supported by
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - `v_vehicle = m * v_ned`; the sensor frame takes the place of the vehicle frame on the
     ///   3DM-GX5-15.
     ///
     /// Source: 3dm-gx5-15: 5.1.6 CF Orientation Matrix (0x80, 0x09); 3dm-cv7-gnss-ins:
     /// Complementary Filter Orientation Matrix (0x80,0x09).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct CompOrientationMatrix {
         /// Rotation from the NED frame to the vehicle frame.
         ///
-        /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. On the 3DM-GX5-15: From
-        /// the NED frame to the sensor frame.
+        /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. On the
+        /// [3DM-GX5-15](crate::devices::GX5_15): From the NED frame to the sensor frame.
         pub m: types::Matrix3f,
     }
 }
@@ -262,18 +272,21 @@ record! {
     ///
     /// Attitude by the complementary filter as a quaternion, relative to the NED frame.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GX5-15](crate::devices::GX5_15). May be supported by
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - `v_vehicle = q^-1 * v_ned * q`; the sensor frame takes the place of the vehicle frame on
     ///   the 3DM-GX5-15.
     ///
     /// Source: 3dm-gx5-15: 5.1.7 CF Quaternion (0x80, 0x0A); 3dm-cv7-gnss-ins: Complementary Filter
     /// Quaternion (0x80,0x0A).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct CompQuaternion {
         /// Rotation between the NED frame and the vehicle frame.
         ///
-        /// Elements: w, x, y, z. Unit: 1. On the 3DM-GX5-15: Between NED and the sensor frame.
+        /// Elements: w, x, y, z. Unit: 1. On the [3DM-GX5-15](crate::devices::GX5_15): Between NED
+        /// and the sensor frame.
         pub q: types::Quatf,
     }
 }
@@ -292,7 +305,7 @@ record! {
     /// SDK gives the name only.
     ///
     /// Source: mip-sdk-4: Comp Orientation Update Matrix (0x80,0x0B).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     #[deprecated(note = "the SDK marks it so and names no replacement")]
     pub struct CompOrientationUpdateMatrix {
         /// Matrix in row-major order.
@@ -311,13 +324,15 @@ record! {
     ///
     /// Attitude by the complementary filter as Euler angles, relative to the NED frame.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
+    /// [3DM-GX5-15](crate::devices::GX5_15). May be supported by
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - The rotations are in the order yaw, pitch, roll (3-2-1).
     ///
     /// Source: 3dm-gx5-15: 5.1.8 CF Euler Angles (0x80, 0x0C); 3dm-cv7-gnss-ins: Complementary
     /// Filter Euler Angles (0x80,0x0C).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct CompEulerAngles {
         /// Roll angle.
         ///
@@ -347,7 +362,7 @@ record! {
     /// `orientation_raw_temp`. No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Orientation Raw Temp (0x80,0x0D).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     #[deprecated(note = "the SDK marks it so and names no replacement")]
     pub struct OrientationRawTemperature {
         /// Temperatures in counts.
@@ -370,7 +385,7 @@ record! {
     /// from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Internal Timestamp (0x80,0x0E).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     #[deprecated(note = "the SDK marks it so and names no replacement")]
     pub struct InternalTimestamp {
         /// Counter.
@@ -393,7 +408,7 @@ record! {
     /// from the MicroStrain MIP SDK only. Uncertain: The epoch.
     ///
     /// Source: mip-sdk-4: Pps Timestamp (0x80,0x0F).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     #[deprecated(note = "the SDK marks it so and names no replacement")]
     pub struct PpsTimestamp {
         /// Whole seconds.
@@ -416,13 +431,14 @@ record! {
     ///
     /// Estimate of the geomagnetic field by the complementary filter, free of short disturbances.
     ///
-    /// Supported by 3DM-GX5-15. May be supported by 3DM-GX5-35 and 3DM-GX5-45.
+    /// Supported by [3DM-GX5-15](crate::devices::GX5_15). May be supported by
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - Without magnetic disturbance it equals the measured magnetic field.
     /// - A lasting disturbance is not compensated.
     ///
     /// Source: 3dm-gx5-15: 5.1.9 CF Stabilized North Vector (0x80, 0x10).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct NorthVector {
         /// Geomagnetic field.
         ///
@@ -440,12 +456,13 @@ record! {
     ///
     /// Estimate of the vertical (up) by the complementary filter, free of linear acceleration.
     ///
-    /// Supported by 3DM-GX5-15 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
+    /// Supported by [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35).
+    /// May be supported by [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - At rest it equals the measured acceleration.
     ///
     /// Source: 3dm-gx5-15: 5.1.10 CF Stabilized Up Vector (0x80, 0x11).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct UpVector {
         /// The part of the measured acceleration that gravity causes.
         ///
@@ -463,7 +480,9 @@ record! {
     ///
     /// GPS time of the sensor data.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35). May be
+    /// supported by [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - Without a PPS the time runs on the internal clock and jumps when the PPS comes back.
     /// - The fraction of the time of week is the time since the last pulse.
@@ -473,12 +492,13 @@ record! {
     ///
     /// Source: 3dm-gx5-15: 5.1.11 GPS Correlation Timestamp (0x80, 0x12); 3dm-cv7-gnss-ins: GPS
     /// Timestamp (0x80,0x12).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct GpsTimestamp {
         /// GPS time of week.
         ///
         /// Unit: s. Valid if [`valid_flags.tow_valid`](types::SensorGpsTimestampFlags::tow_valid)
-        /// is set. On the 3DM-GX5-15 and 3DM-GX5-35: valid if
+        /// is set. On the [3DM-GX5-15](crate::devices::GX5_15) and
+        /// [3DM-GX5-35](crate::devices::GX5_35): valid if
         /// [`valid_flags.time_initialized`](types::Gx5SensorGpsTimestampFlags::time_initialized) is
         /// set.
         pub tow: f64,
@@ -486,13 +506,15 @@ record! {
         ///
         /// Unit: week. Valid if
         /// [`valid_flags.week_number_valid`](types::SensorGpsTimestampFlags::week_number_valid) is
-        /// set. On the 3DM-GX5-15 and 3DM-GX5-35: valid if
+        /// set. On the [3DM-GX5-15](crate::devices::GX5_15) and
+        /// [3DM-GX5-35](crate::devices::GX5_35): valid if
         /// [`valid_flags.time_initialized`](types::Gx5SensorGpsTimestampFlags::time_initialized) is
         /// set.
         pub week_number: u16,
         /// State of the time.
         ///
-        /// On the 3DM-GX5-15 and 3DM-GX5-35: values of [`types::Gx5SensorGpsTimestampFlags`].
+        /// On the [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35):
+        /// values of [`types::Gx5SensorGpsTimestampFlags`].
         pub valid_flags: types::SensorGpsTimestampFlags,
     }
 }
@@ -501,7 +523,9 @@ record! {
 impl GpsTimestamp {
     /// Reads `valid_flags` as [`types::Gx5SensorGpsTimestampFlags`].
     ///
-    /// On the 3DM-GX5-15 and 3DM-GX5-35: values of [`types::Gx5SensorGpsTimestampFlags`].
+    /// On the [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35): values
+    /// of [`types::Gx5SensorGpsTimestampFlags`].
+    #[inline]
     #[must_use]
     pub fn valid_flags_as_gx5_sensor_gps_timestamp_flags(&self) -> types::Gx5SensorGpsTimestampFlags {
         self.valid_flags.into()
@@ -517,12 +541,13 @@ record! {
     ///
     /// Temperatures since the last power-on or reset.
     ///
-    /// Also called `temperature_abs`. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `temperature_abs`. Supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - The values come from the inertial sensors, alone or together with sensors on the board.
     ///
     /// Source: 3dm-cv7-gnss-ins: Temperature Statistics (0x80,0x14).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct TemperatureStatistics {
         /// Lowest temperature.
         ///
@@ -551,7 +576,7 @@ record! {
     /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Raw Pressure (0x80,0x16).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct RawPressure {
         /// Pressure in counts.
         ///
@@ -569,11 +594,13 @@ record! {
     ///
     /// Measured ambient pressure, temperature compensated.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-35. May be supported by 3DM-GX5-45.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS),
+    /// [3DM-GX5-15](crate::devices::GX5_15) and [3DM-GX5-35](crate::devices::GX5_35). May be
+    /// supported by [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 5.1.3 Scaled Ambient Pressure (0x80, 0x17); 3dm-cv7-gnss-ins: Scaled
     /// Pressure (0x80,0x17).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct ScaledPressure {
         /// Ambient pressure.
         ///
@@ -591,10 +618,10 @@ record! {
     ///
     /// Which sensor axes are near or outside their range.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Overrange Status (0x80,0x18).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct OverrangeStatus {
         /// One bit for each axis.
         pub status: OverrangeFlags,
@@ -610,10 +637,10 @@ record! {
     ///
     /// Speed by the wheel encoder.
     ///
-    /// Also called `odometer_data`. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `odometer_data`. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Odometer Data (0x80,0x40).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct Odometer {
         /// Average speed over the interval; negative values come from quadrature encoders only.
         ///

@@ -47,12 +47,12 @@ record! {
     ///
     /// The event trigger that caused the packet.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - Put it first in the format of event messages, to tell their packets from scheduled ones.
     ///
     /// Source: 3dm-cv7-gnss-ins: Event Source (0xFF,0xD0).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct EventSource {
         /// Id of the trigger; 0 means that the packet was scheduled by
         /// [`mip_3dm::MessageFormat`](crate::mip_3dm::MessageFormat).
@@ -77,7 +77,7 @@ record! {
     /// - One tick is one period of the base rate.
     ///
     /// Source: mip-sdk-4: Ticks (0xFF,0xD1).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct Ticks {
         /// Ticks.
         ///
@@ -102,7 +102,7 @@ record! {
     /// - One tick is one period of the base rate.
     ///
     /// Source: mip-sdk-4: Delta Ticks (0xFF,0xD2).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct DeltaTicks {
         /// Ticks.
         ///
@@ -121,7 +121,7 @@ record! {
     ///
     /// External time of the data as GPS time of week and week number.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - In event messages it is the time of the trigger.
     /// - It becomes valid after the PPS is locked and
@@ -135,7 +135,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: GPS Timestamp (0xFF,0xD3); 3dm-cv7-gnss-ins: Configure the
     /// External GNSS Receiver; 3dm-cv7-gnss-ins: RECEIVER Source.
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct GpsTimestamp {
         /// GPS time of week.
         ///
@@ -160,13 +160,13 @@ record! {
     ///
     /// External time since this field was last sent in the same set and event instance.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - It is the same as [`ExternalTimeDelta`], in other units.
     /// - Sending either restarts the counter that both share, so use only one of them.
     ///
     /// Source: 3dm-cv7-gnss-ins: Delta Time (0xFF,0xD4).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct DeltaTime {
         /// Time since the last output.
         ///
@@ -185,14 +185,14 @@ record! {
     ///
     /// Time of the data by the internal reference clock.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - The clock starts at power-on, only moves forward and never jumps; the value is always
     ///   valid.
     /// - In event messages it is the time of the trigger.
     ///
     /// Source: 3dm-cv7-gnss-ins: Reference Timestamp (0xFF,0xD5).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct ReferenceTimestamp {
         /// Time since initialization.
         ///
@@ -211,12 +211,12 @@ record! {
     ///
     /// Reference time since this field was last sent in the same set and event instance.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - The value is always valid.
     ///
     /// Source: 3dm-cv7-gnss-ins: Reference Time Delta (0xFF,0xD6).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct ReferenceTimeDelta {
         /// Time since the last output.
         ///
@@ -235,14 +235,14 @@ record! {
     ///
     /// Time of the data in the external clock domain.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - It is [`GpsTimestamp`] in nanoseconds.
     /// - In event messages it is the time of the trigger.
     /// - It becomes valid when the external clock is synchronized through the PPS.
     ///
     /// Source: 3dm-cv7-gnss-ins: External Timestamp (0xFF,0xD7).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct ExternalTimestamp {
         /// External time.
         ///
@@ -264,13 +264,13 @@ record! {
     ///
     /// External time since this field was last sent in the same set and event instance.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - It is the same as [`DeltaTime`], in other units.
     /// - Sending either restarts the counter that both share, so use only one of them.
     ///
     /// Source: 3dm-cv7-gnss-ins: External Time Delta (0xFF,0xD8).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct ExternalTimeDelta {
         /// Time since the last output.
         ///

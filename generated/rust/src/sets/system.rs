@@ -67,8 +67,10 @@ record! {
     ///
     /// Protocols that a port takes in and gives out.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`InterfaceControlResponse`].
-    /// May be supported by 3DM-CV7-GNSS/INS.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`InterfaceControlResponse`]. May
+    /// be supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - Accepted on the main port only. The main port always keeps MIP in both directions.
     /// - The acknowledge comes on that port after the change; what arrives meanwhile may be lost.
@@ -79,6 +81,7 @@ record! {
     /// - How many parsers and streams there are depends on the device.
     ///
     /// Source: mip-sdk-4: Interface Control (0x7F,0x02); 3dm-cv7-gnss-ins: Ports.
+    #[derive(Copy, Eq, Hash)]
     pub struct InterfaceControl {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -88,11 +91,11 @@ record! {
         pub port: Option<CommInterface>,
         /// Protocols that it takes in.
         ///
-        /// Required for write.
+        /// Required for [write](types::FunctionSelector::WRITE).
         pub protocols_incoming: Option<CommProtocols>,
         /// Protocols that it gives out.
         ///
-        /// Required for write.
+        /// Required for [write](types::FunctionSelector::WRITE).
         pub protocols_outgoing: Option<CommProtocols>,
     }
     wire 10 {
@@ -140,21 +143,26 @@ record! {
     ///
     /// Switches the port between the device and one of the sensors inside it.
     ///
-    /// For advanced use. Functions: write, read, save, load and default. Answered by
-    /// [`CommModeResponse`]. Supported by 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
+    /// For advanced use. Functions: [write](types::FunctionSelector::WRITE),
+    /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
+    /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
+    /// Answered by [`CommModeResponse`]. Supported by [3DM-GX5-15](crate::devices::GX5_15),
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// - The acknowledge is sent in the old mode, just before the switch.
     /// - In a direct mode only this command and
     ///   [`mip_3dm::DeviceStatus`](crate::mip_3dm::DeviceStatus) of the device itself are answered.
     ///
     /// Source: 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10).
+    #[derive(Copy, Eq, Hash)]
     pub struct CommMode {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Communication mode.
         ///
-        /// Default: [`ProtocolMode::STANDARD`]. Required for write. On the 3DM-GX5-35: default
-        /// [`ProtocolMode::STANDARD`].
+        /// Default: [`ProtocolMode::STANDARD`]. Required for
+        /// [write](types::FunctionSelector::WRITE). On the [3DM-GX5-35](crate::devices::GX5_35):
+        /// default [`ProtocolMode::STANDARD`].
         pub mode: Option<ProtocolMode>,
     }
     wire 2 {
@@ -194,10 +202,11 @@ command! {
 record! {
     /// Interface control response (0x7F,0x82).
     ///
-    /// Answers [`InterfaceControl`]. May be supported by 3DM-CV7-GNSS/INS.
+    /// Answers [`InterfaceControl`]. May be supported by
+    /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: mip-sdk-4: Interface Control (0x7F,0x02); 3dm-cv7-gnss-ins: Ports.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct InterfaceControlResponse {
         /// The port.
         ///
@@ -218,10 +227,11 @@ field! {
 record! {
     /// Communication mode response (0x7F,0x90).
     ///
-    /// Answers [`CommMode`]. Supported by 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.
+    /// Answers [`CommMode`]. Supported by [3DM-GX5-15](crate::devices::GX5_15),
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45).
     ///
     /// Source: 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct CommModeResponse {
         /// Communication mode.
         ///

@@ -31,7 +31,7 @@ record! {
     ///
     /// Flags of the tests that run all the time.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - The field is long; stream it at a low rate or poll it.
     /// - A flag stays set until it is sent, so a short fault between two messages or during idle is
@@ -41,12 +41,13 @@ record! {
     /// - Unnamed bits are reserved and must be ignored.
     ///
     /// Source: 3dm-cv7-gnss-ins: Built In Test (0xA0,0x01).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct BuiltInTest {
         /// Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the
         /// second byte.
         ///
-        /// On the 3DM-CV7-GNSS/INS: values of [`types::Cv7ContinuousBuiltInTest`].
+        /// On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of
+        /// [`types::Cv7ContinuousBuiltInTest`].
         pub result: [u8; 16],
     }
 }
@@ -55,7 +56,9 @@ record! {
 impl BuiltInTest {
     /// Reads `result` as [`types::Cv7ContinuousBuiltInTest`].
     ///
-    /// On the 3DM-CV7-GNSS/INS: values of [`types::Cv7ContinuousBuiltInTest`].
+    /// On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): values of
+    /// [`types::Cv7ContinuousBuiltInTest`].
+    #[inline]
     #[must_use]
     pub fn result_as_cv7_continuous_built_in_test(&self) -> types::Cv7ContinuousBuiltInTest {
         self.result.into()
@@ -71,10 +74,10 @@ record! {
     ///
     /// Whether the device time is locked to the pulse per second.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// Source: 3dm-cv7-gnss-ins: Time Sync Status (0xA0,0x02).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct TimeSyncStatus {
         /// True while the lock is valid; false if the PPS is disabled or no pulse is found.
         pub time_sync: crate::Bool,
@@ -94,7 +97,7 @@ record! {
     ///
     /// Levels of all user GPIO pins.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - A pulse that is shorter than the period at which the field is sent is missed.
     /// - The pins are sampled within one base period of this set.
@@ -103,7 +106,7 @@ record! {
     /// - For fast signals and exact times use the timestamp feature and the event system.
     ///
     /// Source: 3dm-cv7-gnss-ins: GPIO State (0xA0,0x03).
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct GpioState {
         /// One bit for each pin.
         pub states: GpioPinStates,
@@ -124,7 +127,7 @@ record! {
     /// - Only for pins that are configured as analog inputs.
     ///
     /// Source: mip-sdk-4: Gpio Analog Value (0xA0,0x04).
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct GpioAnalogValue {
         /// GPIO pin, counted from 1.
         ///

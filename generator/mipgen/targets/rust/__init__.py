@@ -22,6 +22,7 @@ def files(model: m.Model) -> Iterable[File]:
     yield File("README.md", "README.md.j2", shown)
     if shown["taste"]:
         yield File("examples/taste.rs", "verbatim.j2", {"text": model.taste("taste.rs")})
+    yield File("src/map.md", "map.md.j2")
     for path in ("types", "protocol", "sets", "devices/known", "registry/fields"):
         yield File(f"src/{path}.rs", f"{path}.rs.j2")
     for s in model.sets:
@@ -50,19 +51,22 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         # records
         "constructors": of.constructors,
         "conversions": lambda _: of.conversions(),
+        "derives": of.derives,
         "derives_default": of.derives_default,
         "is_long": records.is_long,
         "is_selector": records.is_selector,
         "is_sequence": records.is_sequence,
+        "needs": of.needs,
         "members": of.members,
         "members_of": of.members_of,
         "readings": of.readings,
         "settable": of.settable,
+        "responses_derive": lambda f: records.responses_derive(model.responses(f)),
+        "union_derives": records.union_derives,
         "unions_of": of.unions_of,
         "when": records.when,
         # what refers to what
         "answered": model.commands,
-        "original": model.original,
         "responses": model.responses,
         # commands
         "response": commands.response,
@@ -89,6 +93,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         # tables
         "ack_codes": rows.ack_codes,
         "decimal": tables.decimal,
+        "groups": lambda _: rows.groups(),
         "hex": lambda n: f"0x{n:02X}",
         "layouts": rows.layouts,
         "linked": rows.linked,
@@ -108,14 +113,17 @@ def identifiers(model: m.Model) -> Iterable[Identifier]:
     of = Records(model)
     for fixed in LANGUAGE["modules"]:
         yield Identifier("the crate", fixed, f"the module {fixed}", None)
+    for fixed in LANGUAGE["features"]:
+        yield Identifier("the features", fixed, f"the feature {fixed}", None)
     for s in model.sets:
+        yield Identifier("the features", names.feature(s), s.name, s.position)
         yield Identifier("the crate", module(s.name), s.name, s.position)
     for t in (model.protocol.function_selector, *model.all_types):
         yield from _type(of, t)
     for s in model.sets:
         for f in s.fields:
             yield from _field(model, f)
-        for f in s.own_fields:
+        for f in s.fields:
             yield from _record(of, f, f.full_name)
     for union in of.unions:
         yield from _union(union)

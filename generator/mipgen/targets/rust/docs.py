@@ -162,8 +162,14 @@ def reference(r: describe.Ref, here: str) -> str:
             return link(f"{path(t, here)}::{constant(v.name)}")
         case m.Bits() as b, m.Bitfield() as t:
             return link(f"{path(t, here)}::{method(b.name)}", f"`{r.words}`")
+        case m.Parameter() as p, (m.Field() | m.Struct()) as record if not p.derived:
+            return link(f"{path(record, here)}::{member(p.name)}", f"`{member(p.name)}`")
         case m.Parameter() as p, _:
             return f"`{member(p.name)}`"
+        case m.Device() as d, _:
+            return link(f"crate::devices::{constant(d.name)}", prose(r.words))
+        case m.Function() as f, _:
+            return link(f"{'' if here == 'types' else 'types::'}FunctionSelector::{constant(f.name)}", prose(r.words))
     return prose(r.words)
 
 

@@ -86,6 +86,11 @@ def home(thing: m.Type | Record) -> str:
     return module(owner) if owner else "types"
 
 
+def feature(s: m.Set) -> str:
+    """The cargo feature of a descriptor set."""
+    return module(s.name)
+
+
 def path(thing: m.Type | Record, here: str) -> str:
     """What a type is called inside the module `here`."""
     name, where = type_name(thing.name), home(thing)

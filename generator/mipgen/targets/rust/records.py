@@ -11,6 +11,9 @@ from .names import Record, constant, constants, constructor, home, inner, member
 BOOL = scalar(m.SCALARS["bool"])
 DEFAULT = "core::default::Default::default()"
 
+#: Records are `Copy` up to this size on the wire, and larger ones are not: a copy should be seen.
+MAX_COPIED = 64
+
 
 @dataclass(frozen=True, slots=True)
 class Member:
@@ -93,6 +96,11 @@ class Conversion:
     record: Record  # where it is read so first
     reading: Reading
 
+    @property
+    def needs(self) -> list[str]:
+        """The features of the sets that own the types."""
+        return sorted({home(self.of), home(self.to)} - {"types"})
+
 
 class Records:
     """The records of a model."""
@@ -110,7 +118,7 @@ class Records:
         yield self.model.protocol.acknowledge
         for s in self.model.sets:
             yield from structs(s.types)
-            yield from s.own_fields
+            yield from s.fields
 
     # ------------------------------------------------------------------ types
 
@@ -159,6 +167,12 @@ class Records:
 
     def members_of(self, group: m.GroupOp, record: Record) -> list[Member]:
         return [x for x in self.members(record) if x.parameter.operation in group.body]
+
+    def derives(self, record: Record) -> list[str]:
+        """The traits that a record derives besides those that all have."""
+        selects = isinstance(record, m.Field) and record.selector
+        default = ["Default"] if self.derives_default(record) and not selects else []
+        return sorted([*default, *_derives(record.operations, record.max_size)])
 
     def derives_default(self, record: Record) -> bool:
         """Is the default of each member the one of its type?"""
@@ -217,6 +231,23 @@ class Records:
                 found.append(Reading(f"{x.parameter.name}_as_{t.name}", path(t, here), x, variants, tag))
         return found
 
+    def needs(self, s: m.Set) -> list[str]:
+        """The features of the sets whose types the fields of a set have."""
+        used = [t for record in (*s.fields, *structs(s.types)) for t in self._types(record)]
+        used += [b.enum for t in (*s.types, *used) if isinstance(t, m.Bitfield) for b in t.bits if b.enum]
+        return sorted({home(t) for t in used} - {"types", home(s.fields[0])} if s.fields else set())
+
+    def _types(self, record: Record) -> Iterator[m.Type]:
+        yield from (v.type for p in record.parameters for v in p.readings if v.type)
+        for op in _parts(record.operations):
+            match op:
+                case m.ScalarOp() | m.BitsOp() if op.type:
+                    yield op.type
+                case m.StructOp():
+                    yield op.struct
+                case m.SwitchOp():
+                    yield op.tag_type
+
     def conversions(self) -> list[Conversion]:
         """From the named types of members to the types that they are read as."""
         found: dict[tuple[str, str], Conversion] = {}
@@ -230,6 +261,55 @@ class Records:
 
 def structs(types: Iterable[m.Type]) -> list[m.Struct]:
     return [t for t in types if isinstance(t, m.Struct)]
+
+
+def union_derives(union: Union) -> list[str]:
+    return _derives([union.operation], _size(union.operation))
+
+
+def responses_derive(responses: Iterable[m.Field]) -> list[str]:
+    """What all responses derive, their enumeration does too."""
+    found = [_derives(r.operations, r.max_size) for r in responses]
+    return [name for name in ("Copy", "Eq", "Hash") if all(name in names for names in found)]
+
+
+def _derives(operations: Iterable[m.Operation], size: int) -> list[str]:
+    """`Copy` of what is small and has no lists, `Eq` and `Hash` of what has no floats."""
+    parts = list(_parts(operations))
+    lists = size > MAX_COPIED or any(isinstance(op, (m.ArrayOp, m.TextOp)) and op.count is None for op in parts)
+    floats = any(isinstance(op, m.ScalarOp) and op.scalar.kind == "float" for op in parts)
+    return [*([] if lists else ["Copy"]), *([] if floats else ["Eq", "Hash"])]
+
+
+def _parts(operations: Iterable[m.Operation]) -> Iterator[m.Operation]:
+    """The operations, and those inside of them."""
+    for op in operations:
+        yield op
+        match op:
+            case m.ArrayOp():
+                yield from _parts([op.item])
+            case m.StructOp():
+                yield from _parts(op.struct.operations)
+            case m.SwitchOp():
+                yield from _parts([c.operation for c in op.cases if c.operation])
+            case m.GroupOp():
+                yield from _parts(op.body)
+
+
+def _size(op: m.Operation) -> int:
+    """The maximum size of what an operation reads."""
+    match op:
+        case m.ScalarOp() | m.BitsOp():
+            return op.size
+        case m.TextOp():
+            return op.count if op.count is not None else op.capacity
+        case m.ArrayOp():
+            return (op.count if op.count is not None else op.capacity) * _size(op.item)
+        case m.StructOp():
+            return op.struct.max_size
+        case m.SwitchOp():
+            return max((_size(c.operation) for c in op.cases if c.operation), default=0)
+    return 0
 
 
 def is_sequence(record: Record) -> bool:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from ... import model as m
-from .names import constant
+from .names import constant, feature
 
 
 def quoted(text: str) -> str:
@@ -34,12 +36,30 @@ def octets(op: m.ConstantOp) -> list[int]:
     return list(op.value.to_bytes(op.size, "big", signed=op.value < 0))
 
 
+@dataclass(frozen=True, slots=True)
+class Group:
+    """Fields that packets of the same sets may hold."""
+
+    when: str  # the feature that they need
+    sets: tuple[int, int]
+    fields: tuple[m.Field, ...]
+
+
 class Tables:
     def __init__(self, model: m.Model) -> None:
         self.model = model
 
+    def groups(self) -> list[Group]:
+        """All fields as the registry looks for them: by set, those that many sets may hold last."""
+        ack = self.model.protocol.acknowledge
+        found = [Group("all()", self.set_range(ack), (ack,))]
+        for s in sorted(self.model.sets, key=lambda s: s.number):
+            if s.fields:
+                found.append(Group(f'feature = "{feature(s)}"', self.set_range(s.fields[0]), s.fields))
+        return found
+
     def set_range(self, f: m.Field) -> tuple[int, int]:
-        """The sets whose packets can hold the field, if it is not repeated."""
+        """The sets whose packets can hold the field."""
         if f is self.model.protocol.acknowledge:
             return 0x01, 0x7F
         return (0x80, 0xFF) if f.set == 0xFF else (f.set, f.set)
@@ -49,8 +69,7 @@ class Tables:
         first, last = self.set_range(f)
         if first != last:
             return f"0x{first:02X}..=0x{last:02X}"
-        numbers = [f.set, *(x.set for x in self.model.repeats(f))]
-        return " | ".join(f"0x{n:02X}" for n in numbers) if len(numbers) > 1 else ""
+        return ""
 
     def linked(self, f: m.Field) -> list[str]:
         """The responses of a command, or the commands of a response."""

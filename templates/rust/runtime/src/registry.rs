@@ -1,18 +1,25 @@
 //! All fields, for tools that must handle any of them.
 //!
-//! A program that does not use this module does not pay for it.
+//! [`AnyField::decode`] finds the type of a field and decodes it. A [`Visitor`] does what it wants
+//! with each type, without a value that is as large as the largest field.
+//!
+//! A program that does not use this module does not pay for it. It lists the fields of the
+//! descriptor sets whose cargo features are on.
+
+use core::fmt;
 
 use crate::client::{Request, RequestError, Ticket};
-use crate::codec::{DecodeError, EncodeError};
+use crate::codec::{Reader, Wire as _, Writer};
+use crate::error::{DecodeError, EncodeError};
 use crate::field::{Field, RawField, Role};
 
 mod fields;
 
-use fields::index;
-pub use fields::{AnyField, FIELDS};
+pub use fields::{visit, AnyField, FIELDS};
 
 /// The description of a field.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub struct FieldInfo {
     /// The descriptor set that defines it.
     pub set: u8,
@@ -37,9 +44,10 @@ impl FieldInfo {
     }
 
     /// The field that has these bytes; of several layouts the one that the data have.
+    #[inline]
     #[must_use]
     pub fn of(field: &RawField<'_>) -> Option<&'static Self> {
-        FIELDS.get(index(field)? as usize)
+        visit(field, Describe)
     }
 
     /// May packets of this set hold the field?
@@ -49,19 +57,136 @@ impl FieldInfo {
     }
 }
 
-#[inline(never)]
-fn decode<T: Field>(
-    field: &RawField<'_>,
-    wrap: fn(T) -> AnyField,
-) -> Result<(AnyField, usize), DecodeError> {
-    T::decode_with_trailing(field.data).map(|(value, trailing)| (wrap(value), trailing))
+/// What every type of a field in the registry can do.
+pub trait Listed:
+    Field
+    + Clone
+    + fmt::Debug
+    + PartialEq
+    + Into<AnyField>
+    + bounds::Serde
+    + bounds::Defmt
+    + bounds::Tree
+{
+    /// The description of the field.
+    const INFO: FieldInfo;
+
+    /// The field as one of any type.
+    #[must_use]
+    fn into_any(self) -> AnyField;
+}
+
+/// Does something with a field of any type: see [`visit`].
+///
+/// ```
+/// use mip_protocol::registry::{visit, Listed, Visitor};
+/// use mip_protocol::{packet::Packet, RawField};
+///
+/// /// Prints fields as they come.
+/// struct Print;
+///
+/// impl Visitor for Print {
+///     type Output = ();
+///
+///     fn visit<T: Listed>(self, field: &RawField<'_>) {
+///         match T::decode(field.data) {
+///             Ok(value) => println!("{}: {value:?}", T::INFO.title),
+///             Err(error) => println!("{error}"),
+///         }
+///     }
+///
+///     fn unknown(self, field: &RawField<'_>) {
+///         println!("{field:?}");
+///     }
+/// }
+///
+/// # let bytes = [0x75, 0x65, 0x01, 0x04, 0x04, 0xF1, 0x01, 0x00, 0xD5, 0x6A];
+/// for field in Packet::new(&bytes).unwrap().fields().flatten() {
+///     visit(&field, Print); // the command is acknowledged
+/// }
+/// ```
+pub trait Visitor {
+    /// What comes out of it.
+    type Output;
+
+    /// Does it with a field of type `T`, not yet decoded.
+    fn visit<T: Listed>(self, field: &RawField<'_>) -> Self::Output;
+
+    /// Does it with a field that the registry does not list.
+    fn unknown(self, field: &RawField<'_>) -> Self::Output;
+}
+
+impl AnyField {
+    /// Decodes a field and returns the number of bytes left over; `None` if it is unknown.
+    #[must_use]
+    pub fn decode(field: &RawField<'_>) -> Option<Result<(Self, usize), DecodeError>> {
+        visit(field, Decode)
+    }
+}
+
+struct Decode;
+
+impl Visitor for Decode {
+    // The whole answer, so that each type writes its value right where the caller wants it.
+    type Output = Option<Result<(AnyField, usize), DecodeError>>;
+
+    #[inline]
+    fn visit<T: Listed>(self, field: &RawField<'_>) -> Self::Output {
+        decode::<T>(field.data)
+    }
+
+    fn unknown(self, _: &RawField<'_>) -> Self::Output {
+        None
+    }
+}
+
+#[inline(always)]
+fn decode<T: Listed>(data: &[u8]) -> Option<Result<(AnyField, usize), DecodeError>> {
+    let mut reader = Reader::new(data);
+    match T::decode_from(&mut reader) {
+        Ok(value) => Some(Ok((value.into_any(), reader.remaining()))),
+        Err(kind) => Some(Err(reader.error(kind, T::NAME))),
+    }
+}
+
+struct Describe;
+
+impl Visitor for Describe {
+    type Output = Option<&'static FieldInfo>;
+
+    fn visit<T: Listed>(self, _: &RawField<'_>) -> Self::Output {
+        Some(&T::INFO)
+    }
+
+    fn unknown(self, _: &RawField<'_>) -> Self::Output {
+        None
+    }
 }
 
 #[cfg(feature = "dynamic")]
 #[inline(never)]
-fn from_value<T: crate::dynamic::FromValue>(
+fn from_value<T: Listed>(
     value: &crate::dynamic::Value,
-    wrap: fn(T) -> AnyField,
 ) -> Result<AnyField, crate::dynamic::ValueError> {
-    T::from_value(value).map(wrap)
+    T::from_value(value).map(T::into_any)
+}
+
+/// What types can do besides, as the features of the crate say.
+mod bounds {
+    macro_rules! bound {
+        ($name:ident: $feature:literal, $($bound:tt)+) => {
+            #[cfg(feature = $feature)]
+            pub trait $name: $($bound)+ {}
+            #[cfg(feature = $feature)]
+            impl<T: $($bound)+> $name for T {}
+            #[cfg(not(feature = $feature))]
+            pub trait $name {}
+            #[cfg(not(feature = $feature))]
+            impl<T> $name for T {}
+        };
+    }
+
+    bound!(Serde: "serde", serde::Serialize + serde::de::DeserializeOwned);
+    bound!(Defmt: "defmt", defmt::Format);
+    bound!(Tree: "dynamic", crate::dynamic::ToValue + crate::dynamic::FromValue);
 }

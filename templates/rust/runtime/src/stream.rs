@@ -3,9 +3,9 @@
 use std::io::{self, Read};
 
 use crate::packet::Packet;
-use crate::parser::Parser;
+use crate::parser::{Found, Parser};
 
-/// Reads packets until the end.
+/// Reads packets from a source.
 ///
 /// ```
 /// use mip_protocol::PacketReader;
@@ -27,40 +27,66 @@ pub struct PacketReader<R> {
     end: usize,
 }
 
-impl<R: Read> PacketReader<R> {
+impl<R> PacketReader<R> {
     /// Reads from a source, which need not be buffered.
-    pub fn new(source: R) -> Self {
-        let parser = Parser::new();
-        Self { source, parser, chunk: [0; 4096], start: 0, end: 0 }
+    pub const fn new(source: R) -> Self {
+        Self { source, parser: Parser::new(), chunk: [0; 4096], start: 0, end: 0 }
     }
 
-    /// The parser, which counts the skipped bytes.
+    /// The parser, which counts the skipped bytes and those of a packet that is not complete.
     pub const fn parser(&self) -> &Parser {
         &self.parser
     }
 
-    /// The next packet, or `None` at the end.
+    /// The source.
+    pub const fn get_ref(&self) -> &R {
+        &self.source
+    }
+
+    /// The source, for instance to send commands to a port.
+    pub fn get_mut(&mut self) -> &mut R {
+        &mut self.source
+    }
+
+    /// The source; what was read and not returned is lost.
+    pub fn into_inner(self) -> R {
+        self.source
+    }
+}
+
+impl<R: Read> PacketReader<R> {
+    /// The next packet, or `None` if the source gives nothing more: at the end of a file, or after
+    /// the time-out of some ports.
+    ///
+    /// The part of a packet that has come is kept in either case, and after an error too; call it
+    /// again when there may be more.
     ///
     /// # Errors
     ///
-    /// The errors of the source; after a time-out, for instance, it can be called again.
+    /// The errors of the source, but [`Interrupted`](io::ErrorKind::Interrupted).
     pub fn next_packet(&mut self) -> io::Result<Option<Packet<'_>>> {
         loop {
             let mut rest = self.chunk.get(self.start..self.end).unwrap_or_default();
-            if let Some(found) = self.parser.step(&mut rest) {
-                let left = rest.len();
-                let chunk = self.chunk.get(self.start..self.end).unwrap_or_default();
-                self.start = self.end.saturating_sub(left);
-                return Ok(self.parser.packet(found, chunk));
+            let found = self.parser.step(&mut rest).map(|found| match found {
+                Found::InBuffer => 0,
+                Found::InInput(packet) => packet.len(),
+            });
+            self.start = self.end.saturating_sub(rest.len());
+            match found {
+                Some(0) => return Ok(Some(self.parser.packet())),
+                Some(size) => {
+                    let first = self.start.saturating_sub(size);
+                    return Ok(self.chunk.get(first..self.start).map(Packet::trusted));
+                }
+                None => {}
             }
-            (self.start, self.end) = (0, 0);
             match self.source.read(&mut self.chunk) {
                 Ok(0) => break,
-                Ok(count) => self.end = count,
+                Ok(count) => (self.start, self.end) = (0, count.min(self.chunk.len())),
                 Err(error) if error.kind() == io::ErrorKind::Interrupted => {}
                 Err(error) => return Err(error),
             }
         }
-        Ok(self.parser.flush())
+        Ok(self.parser.look_behind())
     }
 }

@@ -138,8 +138,9 @@ impl Session {
         Ok(())
     }
 
-    fn arrived(&mut self, mut data: &[u8], parser: &mut Parser) {
-        while let Some(packet) = parser.next(&mut data) {
+    fn arrived(&mut self, data: &[u8], parser: &mut Parser) {
+        let mut packets = parser.feed(data);
+        while let Some(packet) = packets.next() {
             self.take(&packet);
         }
         self.poll(parser);
@@ -232,7 +233,7 @@ fn command(set: u8, field: &Json) -> Result<AnyField, &'static str> {
     let name = field.get("name").and_then(Json::string).ok_or("request")?;
     let values: Value = to_value(field.get("values").ok_or("request")?)?;
     let any = AnyField::from_value(name, &values).map_err(value_error)?;
-    let info = any.info().expect("every field is listed");
+    let info = any.info();
     let descriptor = field.get("descriptor").map(Json::integer::<u8>);
     let right = info.in_set(set) && descriptor.map_or(true, |d| d == Some(info.descriptor));
     if right && info.role == Role::Command {

@@ -12,7 +12,8 @@ use json::Json;
 use mip_protocol::dynamic::{Record, Value, ValueError};
 use mip_protocol::packet::{MAX_FIELD_DATA, MAX_PACKET};
 use mip_protocol::{
-    AnyField, DecodeError, EncodeError, Packet, PacketBuilder, PacketError, Parser, RawField,
+    AnyField, DecodeError, DecodeErrorKind, EncodeError, EncodeErrorKind, Packet, PacketBuilder,
+    PacketError, Parser, RawField,
 };
 
 type Answer = Result<Json, &'static str>;
@@ -53,8 +54,9 @@ fn parse(request: &Json) -> Answer {
     let chunk = request.get("chunk").and_then(Json::integer).filter(|n| *n > 0_usize);
     let mut parser = Parser::new();
     let mut packets = Vec::new();
-    for mut chunk in stream.chunks(chunk.ok_or("request")?) {
-        while let Some(packet) = parser.next(&mut chunk) {
+    for chunk in stream.chunks(chunk.ok_or("request")?) {
+        let mut found = parser.feed(chunk);
+        while let Some(packet) = found.next() {
             packets.push(hex(packet.bytes()));
         }
     }
@@ -84,19 +86,19 @@ fn decode(request: &Json) -> Answer {
 
 fn decode_field(field: &RawField<'_>) -> Json {
     let descriptor = ("descriptor", Json::Integer(field.descriptor.into()));
-    match AnyField::decode(field) {
+    match &AnyField::decode(field) {
         None => object([descriptor, ("raw", hex(field.data))]),
         Some(Err(error)) => {
-            object([descriptor, ("error", string(decode_error(error))), ("raw", hex(field.data))])
+            object([descriptor, ("error", string(decode_error(*error))), ("raw", hex(field.data))])
         }
         Some(Ok((any, trailing))) => {
-            let info = any.info().expect("every field is listed");
+            let info = any.info();
             object([
                 descriptor,
                 ("name", string(info.name)),
                 ("role", string(info.role.name())),
                 ("values", from_value(&any.to_value())),
-                ("trailing", Json::Integer(trailing as i128)),
+                ("trailing", Json::Integer(*trailing as i128)),
             ])
         }
     }
@@ -132,7 +134,7 @@ fn encode(request: &Json) -> Answer {
                 let any =
                     AnyField::from_value(name, &to_value(field.get("values").ok_or("request")?)?)
                         .map_err(value_error)?;
-                let info = any.info().expect("every field is listed");
+                let info = any.info();
                 if !info.in_set(set) || descriptor.is_some_and(|d| d != Some(info.descriptor)) {
                     return Err("unknown");
                 }
@@ -163,10 +165,11 @@ fn to_value(json: &Json) -> Result<Value, &'static str> {
 }
 
 fn decode_error(error: DecodeError) -> &'static str {
-    match error {
-        DecodeError::Truncated => "truncated",
-        DecodeError::Count => "count",
-        DecodeError::Constant => "constant",
+    match error.kind {
+        DecodeErrorKind::Truncated => "truncated",
+        DecodeErrorKind::Count => "count",
+        DecodeErrorKind::Constant => "constant",
+        _ => "request",
     }
 }
 
@@ -177,17 +180,18 @@ fn value_error(error: ValueError) -> &'static str {
         ValueError::Range => "range",
         ValueError::Count => "count",
         ValueError::Tag => "tag",
-        ValueError::Kind => "request",
+        _ => "request",
     }
 }
 
 fn encode_error(error: EncodeError) -> &'static str {
-    match error {
-        EncodeError::Missing => "missing",
-        EncodeError::Count => "count",
-        EncodeError::Tag => "tag",
-        EncodeError::Length => "length",
-        EncodeError::Set => "unknown",
+    match error.kind {
+        EncodeErrorKind::Missing => "missing",
+        EncodeErrorKind::Count => "count",
+        EncodeErrorKind::Tag => "tag",
+        EncodeErrorKind::Length => "length",
+        EncodeErrorKind::Set => "unknown",
+        _ => "request",
     }
 }
 

@@ -5,7 +5,9 @@ use alloc::string::String;
 use alloc::vec::Vec;
 use core::fmt;
 
-use crate::codec::{Bool, EncodeError, Union};
+use crate::codec::{Bool, Union};
+use crate::error::{EncodeError, EncodeErrorKind};
+use crate::list::Item;
 use crate::{List, Text, VarText};
 
 /// A value of any kind.
@@ -33,6 +35,7 @@ pub struct Record {
 
 /// Why values do not make a field.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum ValueError {
     /// There is no field, or no value of the field, with this name.
     Unknown,
@@ -61,8 +64,7 @@ impl fmt::Display for ValueError {
     }
 }
 
-#[cfg(feature = "std")]
-impl std::error::Error for ValueError {}
+error!(ValueError);
 
 /// Conversion to a [`Value`].
 pub trait ToValue {
@@ -302,11 +304,11 @@ impl FromIterator<(String, Value)> for Record {
 
 impl From<EncodeError> for ValueError {
     fn from(error: EncodeError) -> Self {
-        match error {
-            EncodeError::Missing => Self::Missing,
-            EncodeError::Count | EncodeError::Length => Self::Count,
-            EncodeError::Tag => Self::Tag,
-            EncodeError::Set => Self::Unknown,
+        match error.kind {
+            EncodeErrorKind::Missing => Self::Missing,
+            EncodeErrorKind::Count | EncodeErrorKind::Length => Self::Count,
+            EncodeErrorKind::Tag => Self::Tag,
+            EncodeErrorKind::Set => Self::Unknown,
         }
     }
 }
@@ -383,13 +385,13 @@ impl<T: ToValue, const N: usize> ToValue for [T; N] {
     }
 }
 
-impl<T: FromValue + Copy + Default, const N: usize> FromValue for [T; N] {
+impl<T: FromValue + Item, const N: usize> FromValue for [T; N] {
     fn from_value(value: &Value) -> Result<Self, ValueError> {
         let values = value.as_list().ok_or(ValueError::Kind)?;
         if values.len() != N {
             return Err(ValueError::Count);
         }
-        let mut items = [T::default(); N];
+        let mut items = Self::BLANK;
         for (item, value) in items.iter_mut().zip(values) {
             *item = T::from_value(value)?;
         }
@@ -403,7 +405,7 @@ impl<T: ToValue, const N: usize> ToValue for List<T, N> {
     }
 }
 
-impl<T: FromValue + Copy + Default, const N: usize> FromValue for List<T, N> {
+impl<T: FromValue + Item, const N: usize> FromValue for List<T, N> {
     fn from_value(value: &Value) -> Result<Self, ValueError> {
         let mut list = Self::new();
         for value in value.as_list().ok_or(ValueError::Kind)? {

@@ -16,9 +16,8 @@ pub struct Bits {
 
 /// The storage of a bitfield.
 pub(crate) trait Storage: Copy {
-    fn and(self, other: Self) -> Self;
-    fn and_not(self, other: Self) -> Self;
-    fn or(self, other: Self) -> Self;
+    /// The bits `first` to `last`, where they are.
+    fn part(self, first: u16, last: u16) -> Self;
     /// The bits `first` to `last` as a number.
     fn get(self, first: u16, last: u16) -> u64;
     /// Sets the bits `first` to `last` to a number; its excess bits are dropped.
@@ -49,6 +48,79 @@ pub(crate) const fn bytes_mask<const N: usize>(first: u16, last: u16) -> [u8; N]
     bytes
 }
 
+macro_rules! merging {
+    ($($name:ident($a:ident, $b:ident) = $merged:expr;)*) => {$(
+        #[allow(clippy::arithmetic_side_effects, clippy::indexing_slicing)] // `i` is below N
+        pub(crate) const fn $name<const N: usize>(one: [u8; N], other: [u8; N]) -> [u8; N] {
+            let mut bytes = one;
+            let mut i = 0;
+            while i < N {
+                let ($a, $b) = (one[i], other[i]);
+                bytes[i] = $merged;
+                i += 1;
+            }
+            bytes
+        }
+    )*};
+}
+
+merging! {
+    and(a, b) = a & b;
+    and_not(a, b) = a & !b;
+    or(a, b) = a | b;
+    xor(a, b) = a ^ b;
+}
+
+/// Is no bit set?
+#[allow(clippy::arithmetic_side_effects, clippy::indexing_slicing)] // `i` is below N
+pub(crate) const fn no_bytes<const N: usize>(bytes: [u8; N]) -> bool {
+    let mut i = 0;
+    while i < N {
+        if bytes[i] != 0 {
+            return false;
+        }
+        i += 1;
+    }
+    true
+}
+
+/// Puts the bits of two storages together.
+macro_rules! merge {
+    ([u8; $size:literal], $how:ident, $a:expr, $b:expr) => {
+        $crate::bits::$how($a, $b)
+    };
+    ($number:ident, and, $a:expr, $b:expr) => {
+        $a & $b
+    };
+    ($number:ident, and_not, $a:expr, $b:expr) => {
+        $a & !$b
+    };
+    ($number:ident, or, $a:expr, $b:expr) => {
+        $a | $b
+    };
+    ($number:ident, xor, $a:expr, $b:expr) => {
+        $a ^ $b
+    };
+}
+
+macro_rules! none {
+    ([u8; $size:literal]) => {
+        [0; $size]
+    };
+    ($number:ident) => {
+        0
+    };
+}
+
+macro_rules! is_none {
+    ([u8; $size:literal], $bits:expr) => {
+        $crate::bits::no_bytes($bits)
+    };
+    ($number:ident, $bits:expr) => {
+        $bits == 0
+    };
+}
+
 macro_rules! mask {
     ([u8; $size:literal], $first:literal $(, $last:literal)?) => {
         $crate::bits::bytes_mask::<$size>($first, $crate::bits::last!($first $(, $last)?))
@@ -68,27 +140,22 @@ macro_rules! last {
     };
 }
 
-pub(crate) use {last, mask};
+pub(crate) use {is_none, last, mask, merge, none};
 
 macro_rules! numbers {
     ($($number:ident)*) => {$(
         impl Storage for $number {
-            fn and(self, other: Self) -> Self {
-                self & other
+            #[inline]
+            fn part(self, first: u16, last: u16) -> Self {
+                self & number_mask(first, last) as Self
             }
 
-            fn and_not(self, other: Self) -> Self {
-                self & !other
-            }
-
-            fn or(self, other: Self) -> Self {
-                self | other
-            }
-
+            #[inline]
             fn get(self, first: u16, last: u16) -> u64 {
                 (u64::from(self) & number_mask(first, last)) >> first
             }
 
+            #[inline]
             fn set(&mut self, first: u16, last: u16, value: u64) {
                 let mask = number_mask(first, last);
                 let bits = (u64::from(*self) & !mask) | ((value << first) & mask);
@@ -97,12 +164,23 @@ macro_rules! numbers {
         }
 
         impl Number for $number {
+            #[inline]
             fn from_bits(bits: u64) -> Self {
                 bits as Self
             }
 
+            #[inline]
             fn to_bits(self) -> u64 {
                 self.into()
+            }
+        }
+
+        impl Hexadecimal for $number {
+            fn write(&self, separator: &str, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                match self {
+                    0 => Ok(()),
+                    bits => write!(f, "{separator}{bits:#x}"),
+                }
             }
         }
     )*};
@@ -110,32 +188,44 @@ macro_rules! numbers {
 
 numbers!(u8 u16 u32 u64);
 
+macro_rules! signed {
+    ($($number:ident)*) => {$(
+        impl Number for $number {
+            #[inline]
+            fn from_bits(bits: u64) -> Self {
+                bits as Self
+            }
+
+            #[inline]
+            fn to_bits(self) -> u64 {
+                self as u64
+            }
+        }
+    )*};
+}
+
+signed!(i8 i16 i32 i64);
+
 impl Number for bool {
+    #[inline]
     fn from_bits(bits: u64) -> Self {
         bits != 0
     }
 
+    #[inline]
     fn to_bits(self) -> u64 {
         self.into()
     }
 }
 
 impl<const N: usize> Storage for [u8; N] {
-    fn and(mut self, other: Self) -> Self {
-        self.iter_mut().zip(other).for_each(|(a, b)| *a &= b);
-        self
+    fn part(self, first: u16, last: u16) -> Self {
+        let mut part = [0; N];
+        part.set(first, last, u64::MAX);
+        and(self, part)
     }
 
-    fn and_not(mut self, other: Self) -> Self {
-        self.iter_mut().zip(other).for_each(|(a, b)| *a &= !b);
-        self
-    }
-
-    fn or(mut self, other: Self) -> Self {
-        self.iter_mut().zip(other).for_each(|(a, b)| *a |= b);
-        self
-    }
-
+    #[inline]
     fn get(self, first: u16, last: u16) -> u64 {
         (first..=last).rev().fold(0, |value, bit| {
             let byte = self.as_slice().get(usize::from(bit / 8)).copied().unwrap_or_default();
@@ -143,6 +233,7 @@ impl<const N: usize> Storage for [u8; N] {
         })
     }
 
+    #[inline]
     fn set(&mut self, first: u16, last: u16, mut value: u64) {
         for bit in first..=last {
             if let Some(byte) = self.get_mut(usize::from(bit / 8)) {
@@ -154,12 +245,79 @@ impl<const N: usize> Storage for [u8; N] {
     }
 }
 
-/// Writes the names of the bits that are set, and the numbers that are not 0.
-pub(crate) fn debug<S: Storage>(
+/// A bitfield, for its iterators.
+pub trait BitSet: Copy {
+    /// The bits `first` to `last`, where they are.
+    #[must_use]
+    fn part(self, first: u16, last: u16) -> Self;
+    /// The bits that are not set in the other.
+    #[must_use]
+    fn without(self, other: Self) -> Self;
+    /// Is no bit set?
+    #[must_use]
+    fn none(self) -> bool;
+}
+
+/// The bits of a bitfield that are set, with their names: see `iter_names`.
+#[derive(Clone, Debug)]
+pub struct IterNames<B> {
+    left: B,
+    bits: core::slice::Iter<'static, Bits>,
+}
+
+/// The bits of a bitfield that are set: see `iter`.
+#[derive(Clone, Debug)]
+pub struct Iter<B> {
+    names: IterNames<B>,
+    ended: bool,
+}
+
+impl<B> IterNames<B> {
+    pub(crate) fn new(left: B, bits: &'static [Bits]) -> Self {
+        Self { left, bits: bits.iter() }
+    }
+}
+
+impl<B> Iter<B> {
+    pub(crate) fn new(left: B, bits: &'static [Bits]) -> Self {
+        Self { names: IterNames::new(left, bits), ended: false }
+    }
+}
+
+impl<B: BitSet> Iterator for IterNames<B> {
+    type Item = (&'static str, B);
+
+    fn next(&mut self) -> Option<Self::Item> {
+        let left = self.left;
+        let found = self.bits.find(|bits| !left.part(bits.first, bits.last).none())?;
+        let part = left.part(found.first, found.last);
+        self.left = left.without(part);
+        Some((found.name, part))
+    }
+}
+
+impl<B: BitSet> Iterator for Iter<B> {
+    type Item = B;
+
+    fn next(&mut self) -> Option<B> {
+        if let Some((_, part)) = self.names.next() {
+            return Some(part);
+        }
+        let unknown = !self.ended && !self.names.left.none();
+        self.ended = true;
+        unknown.then_some(self.names.left)
+    }
+}
+
+/// Writes the names of the bits that are set, the numbers that are not 0, and the unknown bits.
+pub(crate) fn debug<S: Storage + Hexadecimal>(
+    name: &str,
     storage: S,
     bits: &[Bits],
+    unknown: S,
     f: &mut fmt::Formatter<'_>,
 ) -> fmt::Result {
+    write!(f, "{name}(")?;
     let mut separator = "";
     for Bits { name, first, last } in bits {
         match storage.get(*first, *last) {
@@ -169,5 +327,22 @@ pub(crate) fn debug<S: Storage>(
         }
         separator = " | ";
     }
-    Ok(())
+    unknown.write(separator, f)?;
+    f.write_str(")")
+}
+
+/// Unknown bits, as a hexadecimal number.
+pub(crate) trait Hexadecimal {
+    /// Writes the number if it is not 0.
+    fn write(&self, separator: &str, f: &mut fmt::Formatter<'_>) -> fmt::Result;
+}
+
+impl<const N: usize> Hexadecimal for [u8; N] {
+    fn write(&self, separator: &str, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut bytes = self.iter().rev().skip_while(|byte| **byte == 0);
+        if let Some(first) = bytes.next() {
+            write!(f, "{separator}{first:#x}")?;
+        }
+        bytes.try_for_each(|byte| write!(f, "{byte:02x}"))
+    }
 }

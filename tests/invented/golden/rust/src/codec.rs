@@ -5,72 +5,23 @@
 
 use core::fmt;
 
-/// Why the data of a field could not be decoded.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum DecodeError {
-    /// The data ends before the last required value.
-    Truncated,
-    /// A count exceeds the number of elements that follow, or that a field can hold.
-    Count,
-    /// A constant has another value.
-    Constant,
-}
-
-impl fmt::Display for DecodeError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Truncated => "the data of the field ends too early",
-            Self::Count => "a count does not match the data that follows",
-            Self::Constant => "a constant of the field has another value",
-        })
-    }
-}
-
-/// Why a field could not be encoded.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum EncodeError {
-    /// A value is `None` although the function requires it or a later value is present.
-    Missing,
-    /// There are more elements than their counter can hold.
-    Count,
-    /// A union does not hold the member that its tag selects.
-    Tag,
-    /// It does not fit into a field, a packet or the caller's buffer.
-    Length,
-    /// The field does not belong to the descriptor set of the packet.
-    Set,
-}
-
-impl fmt::Display for EncodeError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Missing => "a value is missing",
-            Self::Count => "there are more elements than their counter can tell",
-            Self::Tag => "a union does not hold the member that its tag names",
-            Self::Length => "the bytes do not fit",
-            Self::Set => "the field does not belong to the descriptor set of the packet",
-        })
-    }
-}
-
-#[cfg(feature = "std")]
-impl std::error::Error for DecodeError {}
-
-#[cfg(feature = "std")]
-impl std::error::Error for EncodeError {}
+use crate::bits::Number;
+pub use crate::error::{DecodeError, DecodeErrorKind, EncodeError, EncodeErrorKind};
+use crate::list::Item;
+use crate::packet::MAX_FIELD_DATA;
 
 /// A value with a wire format.
 pub trait Wire: Sized {
     /// The maximum size in bytes; types of fixed size always have this size.
     const SIZE: usize;
+    /// Does it take this size whatever the bytes are? Then nothing but too few bytes can be wrong.
+    const FIXED: bool = false;
 
     /// Reads one value.
-    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError>;
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeErrorKind>;
 
     /// Writes the value.
-    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError>;
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeErrorKind>;
 }
 
 /// One of several alternatives, selected by another value, the tag.
@@ -79,84 +30,129 @@ pub trait Union: Sized {
     type Tag;
 
     /// Reads the alternative of a tag.
-    fn decode_as(tag: Self::Tag, reader: &mut Reader<'_>) -> Result<Self, DecodeError>;
+    fn decode_as(tag: Self::Tag, reader: &mut Reader<'_>) -> Result<Self, DecodeErrorKind>;
 
     /// Writes it if it is the alternative of this tag.
-    fn encode_as(&self, tag: Self::Tag, writer: &mut Writer<'_>) -> Result<(), EncodeError>;
+    fn encode_as(&self, tag: Self::Tag, writer: &mut Writer<'_>) -> Result<(), EncodeErrorKind>;
 }
 
 /// Items counted by another value. As a [`Wire`], they take the rest of the data.
 pub trait Counted: Wire {
     /// Reads this number of items.
-    fn decode_counted(count: usize, reader: &mut Reader<'_>) -> Result<Self, DecodeError>;
+    fn decode_counted(count: usize, reader: &mut Reader<'_>) -> Result<Self, DecodeErrorKind>;
 }
 
 /// Reads values from the front of a field's data.
+///
+/// It remembers what was wrong: errors inside of a field are only kinds, to be small and fast, and
+/// [`Reader::error`] tells the rest.
 #[derive(Clone, Copy, Debug)]
 pub struct Reader<'a> {
     data: &'a [u8],
+    length: usize,
     ended: bool,
+    need: usize,
+    got: usize,
 }
 
 impl<'a> Reader<'a> {
     /// Starts at the front of the data.
+    #[inline]
     #[must_use]
     pub const fn new(data: &'a [u8]) -> Self {
-        Self { data, ended: false }
+        Self { data, length: data.len(), ended: false, need: 0, got: 0 }
     }
 
     /// The number of bytes left.
+    #[inline]
     #[must_use]
     pub const fn remaining(&self) -> usize {
         self.data.len()
     }
 
+    /// The last mistake, as one of a field.
+    #[inline]
+    #[must_use]
+    pub const fn error(&self, kind: DecodeErrorKind, field: &'static str) -> DecodeError {
+        DecodeError::new(kind, field, self.need, self.got)
+    }
+
+    #[inline]
+    pub(crate) fn wrong(
+        &mut self,
+        kind: DecodeErrorKind,
+        need: usize,
+        got: usize,
+    ) -> DecodeErrorKind {
+        (self.need, self.got) = (need, got);
+        kind
+    }
+
+    /// Checks that this number of bytes is left.
+    #[inline]
+    pub fn require(&mut self, count: usize) -> Result<(), DecodeErrorKind> {
+        if count <= self.data.len() {
+            return Ok(());
+        }
+        let read = self.length.saturating_sub(self.data.len());
+        Err(self.wrong(DecodeErrorKind::Truncated, read.saturating_add(count), self.length))
+    }
+
     /// The next `count` bytes.
-    pub fn take(&mut self, count: usize) -> Result<&'a [u8], DecodeError> {
+    #[inline]
+    pub fn take(&mut self, count: usize) -> Result<&'a [u8], DecodeErrorKind> {
+        self.require(count)?;
         match (self.data.get(..count), self.data.get(count..)) {
             (Some(head), Some(tail)) => {
                 self.data = tail;
                 Ok(head)
             }
-            _ => Err(DecodeError::Truncated),
+            _ => Err(DecodeErrorKind::Truncated),
         }
     }
 
     /// The next `N` bytes.
-    pub fn bytes<const N: usize>(&mut self) -> Result<[u8; N], DecodeError> {
-        <[u8; N]>::try_from(self.take(N)?).map_err(|_| DecodeError::Truncated)
+    #[inline]
+    pub fn bytes<const N: usize>(&mut self) -> Result<[u8; N], DecodeErrorKind> {
+        <[u8; N]>::try_from(self.take(N)?).map_err(|_| DecodeErrorKind::Truncated)
     }
 
     /// The next value.
-    pub fn read<T: Wire>(&mut self) -> Result<T, DecodeError> {
+    #[inline]
+    pub fn read<T: Wire>(&mut self) -> Result<T, DecodeErrorKind> {
         T::decode_from(self)
     }
 
     /// Checks that the next value is this one.
-    pub fn constant<T: Wire + PartialEq>(&mut self, value: T) -> Result<(), DecodeError> {
-        if self.read::<T>()? == value {
-            Ok(())
-        } else {
-            Err(DecodeError::Constant)
+    #[inline]
+    #[allow(dead_code)] // few sets have constants
+    pub(crate) fn constant<T: Wire + Number>(&mut self, value: T) -> Result<(), DecodeErrorKind> {
+        let (need, got) = (value.to_bits(), self.read::<T>()?.to_bits());
+        if need == got {
+            return Ok(());
         }
+        Err(self.wrong(DecodeErrorKind::Constant, need as usize, got as usize))
     }
 
     /// The number of items that a counter gives.
-    pub fn counted<L: Counted>(&mut self, count: impl Into<u64>) -> Result<L, DecodeError> {
+    #[inline]
+    pub fn counted<L: Counted>(&mut self, count: impl Into<u64>) -> Result<L, DecodeErrorKind> {
         L::decode_counted(usize::try_from(count.into()).unwrap_or(usize::MAX), self)
     }
 
     /// The alternative of a tag.
-    pub fn union<U: Union>(&mut self, tag: U::Tag) -> Result<U, DecodeError> {
+    #[inline]
+    pub fn union<U: Union>(&mut self, tag: U::Tag) -> Result<U, DecodeErrorKind> {
         U::decode_as(tag, self)
     }
 
     /// The alternative of a tag, as a group by itself; absent without the tag.
+    #[inline]
     pub fn some_union<U: Union>(
         &mut self,
         required: bool,
         tag: impl Into<Option<U::Tag>>,
-    ) -> Result<Option<U>, DecodeError> {
+    ) -> Result<Option<U>, DecodeErrorKind> {
         match tag.into() {
             Some(tag) => self.group(required, |reader| reader.union(tag)),
             None => Ok(None),
@@ -164,18 +160,20 @@ impl<'a> Reader<'a> {
     }
 
     /// A value that is a group by itself.
-    pub fn some<T: Wire>(&mut self, required: bool) -> Result<Option<T>, DecodeError> {
+    #[inline]
+    pub fn some<T: Wire>(&mut self, required: bool) -> Result<Option<T>, DecodeErrorKind> {
         self.group(required, Self::read)
     }
 
     /// A group of values that are present or absent together: read if it is required or complete.
     ///
     /// After an absent group, all groups that may be absent are absent.
+    #[inline]
     pub fn group<T>(
         &mut self,
         required: bool,
-        read: impl FnOnce(&mut Self) -> Result<T, DecodeError>,
-    ) -> Result<Option<T>, DecodeError> {
+        read: impl FnOnce(&mut Self) -> Result<T, DecodeErrorKind>,
+    ) -> Result<Option<T>, DecodeErrorKind> {
         if required {
             return read(self).map(Some);
         }
@@ -187,7 +185,7 @@ impl<'a> Reader<'a> {
         match read(self) {
             // An empty union takes no bytes: same as absent.
             Ok(value) if self.data.len() < mark.len() => Ok(Some(value)),
-            Ok(_) | Err(DecodeError::Truncated) => {
+            Ok(_) | Err(DecodeErrorKind::Truncated) => {
                 self.data = mark;
                 self.ended = true;
                 Ok(None)
@@ -203,13 +201,44 @@ pub struct Writer<'a> {
     buffer: &'a mut [u8],
     length: usize,
     ended: bool,
+    need: usize,
+    got: usize,
 }
 
 impl<'a> Writer<'a> {
     /// Starts at the front of the buffer.
     #[must_use]
     pub fn new(buffer: &'a mut [u8]) -> Self {
-        Self { buffer, length: 0, ended: false }
+        Self { buffer, length: 0, ended: false, need: 0, got: 0 }
+    }
+
+    /// Writes no more than a field can hold.
+    #[must_use]
+    pub(crate) fn of_field(buffer: &'a mut [u8]) -> Self {
+        let most = buffer.len().min(MAX_FIELD_DATA);
+        Self::new(buffer.get_mut(..most).unwrap_or_default())
+    }
+
+    /// The number of bytes written to a field, or the last mistake as one of the field.
+    pub fn finish(
+        &self,
+        done: Result<(), EncodeErrorKind>,
+        field: &'static str,
+    ) -> Result<usize, EncodeError> {
+        match done {
+            Ok(()) => Ok(self.length),
+            Err(kind) => Err(EncodeError::new(kind, field, self.need, self.got)),
+        }
+    }
+
+    pub(crate) fn wrong(
+        &mut self,
+        kind: EncodeErrorKind,
+        need: usize,
+        got: usize,
+    ) -> EncodeErrorKind {
+        (self.need, self.got) = (need, got);
+        kind
     }
 
     /// The number of bytes written.
@@ -219,68 +248,90 @@ impl<'a> Writer<'a> {
     }
 
     /// Appends bytes.
-    pub fn put(&mut self, bytes: &[u8]) -> Result<(), EncodeError> {
-        let free = self.buffer.get_mut(self.length..).and_then(|free| free.get_mut(..bytes.len()));
-        free.ok_or(EncodeError::Length)?.copy_from_slice(bytes);
-        self.length = self.length.saturating_add(bytes.len());
+    #[inline]
+    pub fn put(&mut self, bytes: &[u8]) -> Result<(), EncodeErrorKind> {
+        let end = self.length.saturating_add(bytes.len());
+        let Some(free) = self.buffer.get_mut(self.length..end) else {
+            return Err(self.wrong(EncodeErrorKind::Length, end, self.buffer.len()));
+        };
+        free.iter_mut().zip(bytes).for_each(|(place, byte)| *place = *byte);
+        self.length = end;
         Ok(())
     }
 
     /// Appends a value.
-    pub fn write<T: Wire>(&mut self, value: &T) -> Result<(), EncodeError> {
+    #[inline]
+    pub fn write<T: Wire>(&mut self, value: &T) -> Result<(), EncodeErrorKind> {
         value.encode_to(self)
     }
 
     /// Appends an alternative.
-    pub fn union<U: Union>(&mut self, tag: U::Tag, value: &U) -> Result<(), EncodeError> {
+    #[inline]
+    pub fn union<U: Union>(&mut self, tag: U::Tag, value: &U) -> Result<(), EncodeErrorKind> {
         value.encode_as(tag, self)
     }
 
     /// Appends an alternative that is a group by itself, if it is present and allowed.
+    #[inline]
     pub fn some_union<U: Union>(
         &mut self,
         required: bool,
         tag: impl Into<Option<U::Tag>>,
         value: &Option<U>,
-    ) -> Result<(), EncodeError> {
+    ) -> Result<(), EncodeErrorKind> {
         match (self.optional(required, value)?, tag.into()) {
             (Some(value), Some(tag)) => self.union(tag, value),
-            (Some(_), None) => Err(EncodeError::Missing),
+            (Some(_), None) => Err(self.wrong(EncodeErrorKind::Missing, 1, 0)),
             (None, _) => Ok(()),
         }
     }
 
     /// Appends the number of elements that follow later.
-    pub fn count<C: Wire + TryFrom<usize>>(&mut self, count: usize) -> Result<(), EncodeError> {
-        self.write(&C::try_from(count).map_err(|_| EncodeError::Count)?)
+    #[inline]
+    pub fn count<C: Wire + TryFrom<usize>>(&mut self, count: usize) -> Result<(), EncodeErrorKind> {
+        match C::try_from(count) {
+            Ok(number) => self.write(&number),
+            Err(_) => {
+                let most = 1_usize.checked_shl(C::SIZE.saturating_mul(8) as u32).unwrap_or(0);
+                Err(self.wrong(EncodeErrorKind::Count, count, most.wrapping_sub(1)))
+            }
+        }
     }
 
     /// Decides about a group of one value: returns it if it is present and allowed.
+    #[inline]
     pub fn optional<'v, T>(
         &mut self,
         required: bool,
         value: &'v Option<T>,
-    ) -> Result<Option<&'v T>, EncodeError> {
+    ) -> Result<Option<&'v T>, EncodeErrorKind> {
         self.group(required, [value.is_some()])?;
         Ok(value.as_ref())
     }
 
     /// Appends a value that is a group by itself, if it is present and allowed.
-    pub fn some<T: Wire>(&mut self, required: bool, value: &Option<T>) -> Result<(), EncodeError> {
+    #[inline]
+    pub fn some<T: Wire>(
+        &mut self,
+        required: bool,
+        value: &Option<T>,
+    ) -> Result<(), EncodeErrorKind> {
         self.optional(required, value)?.map_or(Ok(()), |value| self.write(value))
     }
 
     /// Decides whether to write a group of values that are present or absent together.
+    #[inline]
     pub fn group<const N: usize>(
         &mut self,
         required: bool,
         present: [bool; N],
-    ) -> Result<bool, EncodeError> {
+    ) -> Result<bool, EncodeErrorKind> {
         if !self.ended && present.iter().all(|p| *p) {
             return Ok(true);
         }
         if required || present.iter().any(|p| *p) {
-            return Err(EncodeError::Missing);
+            let there = if self.ended { 0 } else { present.iter().filter(|p| **p).count() };
+            return Err(self.wrong(EncodeErrorKind::Missing, N, there));
         }
         self.ended = true;
         Ok(false)
@@ -291,38 +342,50 @@ macro_rules! numbers {
     ($($number:ty)*) => {$(
         impl Wire for $number {
             const SIZE: usize = core::mem::size_of::<Self>();
+            const FIXED: bool = true;
 
-            fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+            #[inline]
+            fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeErrorKind> {
                 reader.bytes().map(Self::from_be_bytes)
             }
 
-            fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+            #[inline]
+            fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeErrorKind> {
                 writer.put(&self.to_be_bytes())
             }
+        }
+
+        impl Item for $number {
+            const BLANK: Self = 0 as Self;
         }
     )*};
 }
 
 numbers!(u8 u16 u32 u64 i8 i16 i32 i64 f32 f64);
 
-impl<T: Wire + Copy + Default, const N: usize> Wire for [T; N] {
+impl<T: Wire + Item, const N: usize> Wire for [T; N] {
     const SIZE: usize = T::SIZE.saturating_mul(N);
+    const FIXED: bool = T::FIXED;
 
-    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let mut items = [T::default(); N];
+    #[inline]
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeErrorKind> {
+        let mut items = Self::BLANK;
         for item in &mut items {
             *item = reader.read()?;
         }
         Ok(items)
     }
 
-    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+    #[inline]
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeErrorKind> {
         self.iter().try_for_each(|item| writer.write(item))
     }
 }
 
 /// A Boolean that keeps its byte: 0 is false, anything else is true.
-#[derive(Clone, Copy, Default, PartialEq, Eq, Hash)]
+///
+/// It compares by what it means: `Bool(2) == Bool::TRUE`.
+#[derive(Clone, Copy, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(transparent))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Bool(pub u8);
@@ -341,18 +404,36 @@ impl Bool {
 }
 
 impl From<bool> for Bool {
+    #[inline]
     fn from(value: bool) -> Self {
         Self(value.into())
     }
 }
 
 impl From<Bool> for bool {
+    #[inline]
     fn from(value: Bool) -> Self {
         value.get()
     }
 }
 
+impl PartialEq for Bool {
+    #[inline]
+    fn eq(&self, other: &Self) -> bool {
+        self.get() == other.get()
+    }
+}
+
+impl Eq for Bool {}
+
+impl core::hash::Hash for Bool {
+    fn hash<H: core::hash::Hasher>(&self, state: &mut H) {
+        self.get().hash(state);
+    }
+}
+
 impl PartialEq<bool> for Bool {
+    #[inline]
     fn eq(&self, other: &bool) -> bool {
         self.get() == *other
     }
@@ -368,14 +449,21 @@ impl fmt::Debug for Bool {
     }
 }
 
+impl Item for Bool {
+    const BLANK: Self = Self::FALSE;
+}
+
 impl Wire for Bool {
     const SIZE: usize = 1;
+    const FIXED: bool = true;
 
-    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+    #[inline]
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeErrorKind> {
         reader.read().map(Self)
     }
 
-    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+    #[inline]
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeErrorKind> {
         writer.write(&self.0)
     }
 }

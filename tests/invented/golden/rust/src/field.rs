@@ -1,7 +1,7 @@
 //! The traits of fields, commands and responses.
 
-use crate::codec::{DecodeError, EncodeError, Reader, Wire, Writer};
-use crate::packet::MAX_FIELD_DATA;
+use crate::codec::{Reader, Wire, Writer};
+use crate::error::{DecodeError, DecodeErrorKind, EncodeError};
 use core::ops::RangeInclusive;
 
 /// The type of one field: one descriptor of one descriptor set.
@@ -18,34 +18,40 @@ pub trait Field: Wire {
     const SIZES: RangeInclusive<usize> = 0..=usize::MAX;
 
     /// May packets of this set hold the field?
+    #[inline]
     #[must_use]
     fn in_set(set: u8) -> bool {
         set == Self::SET
     }
 
     /// Decodes the data of a field, the bytes after its descriptor.
+    #[inline]
     fn decode(data: &[u8]) -> Result<Self, DecodeError> {
-        Self::decode_from(&mut Reader::new(data))
+        let mut reader = Reader::new(data);
+        Self::decode_from(&mut reader).map_err(|kind| reader.error(kind, Self::NAME))
     }
 
     /// Decodes, and returns the number of bytes left over, as newer firmware may append some.
+    #[inline]
     fn decode_with_trailing(data: &[u8]) -> Result<(Self, usize), DecodeError> {
         let mut reader = Reader::new(data);
-        Ok((Self::decode_from(&mut reader)?, reader.remaining()))
+        match Self::decode_from(&mut reader) {
+            Ok(value) => Ok((value, reader.remaining())),
+            Err(kind) => Err(reader.error(kind, Self::NAME)),
+        }
     }
 
     /// Encodes the data of the field to the front of the buffer and returns its length.
     fn encode(&self, buffer: &mut [u8]) -> Result<usize, EncodeError> {
-        let most = buffer.len().min(MAX_FIELD_DATA);
-        let mut writer = Writer::new(buffer.get_mut(..most).unwrap_or_default());
-        self.encode_to(&mut writer)?;
-        Ok(writer.length())
+        let mut writer = Writer::of_field(buffer);
+        let done = self.encode_to(&mut writer);
+        writer.finish(done, Self::NAME)
     }
 
     /// The data of the field in a `Vec`.
     #[cfg(feature = "alloc")]
     fn to_vec(&self) -> Result<alloc::vec::Vec<u8>, EncodeError> {
-        let mut buffer = [0; MAX_FIELD_DATA];
+        let mut buffer = [0; crate::packet::MAX_FIELD_DATA];
         let length = self.encode(&mut buffer)?;
         Ok(buffer.iter().copied().take(length).collect())
     }
@@ -110,13 +116,22 @@ impl<T: Field> Response for T {
     const DESCRIPTORS: &'static [u8] = &[T::DESCRIPTOR];
 
     fn from_field(field: &RawField<'_>) -> Option<Result<Self, DecodeError>> {
-        field.get().filter(|found| !matches!(found, Err(DecodeError::Constant)))
+        field.get().filter(|found| !is_other_layout(found))
     }
+}
+
+/// Constants tell layouts of one descriptor apart.
+fn is_other_layout<T>(decoded: &Result<T, DecodeError>) -> bool {
+    matches!(decoded, Err(error) if error.kind == DecodeErrorKind::Constant)
 }
 
 /// The role of a field.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(rename_all = "lowercase")
+)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Role {
     /// Sent to the device.
@@ -153,6 +168,7 @@ pub struct RawField<'a> {
 
 impl RawField<'_> {
     /// Is it a field of this type?
+    #[inline]
     #[must_use]
     pub fn is<T: Field>(&self) -> bool {
         T::in_set(self.set) && self.descriptor == T::DESCRIPTOR && self.has_layout_of::<T>()
@@ -160,6 +176,7 @@ impl RawField<'_> {
 
     /// Can the data have the layout of this type, as far as they reach? The constants and the size
     /// tell.
+    #[inline]
     #[must_use]
     pub fn has_layout_of<T: Field>(&self) -> bool {
         T::SIZES.contains(&self.data.len())
@@ -169,6 +186,7 @@ impl RawField<'_> {
     }
 
     /// Decodes it, if it is a field of this type.
+    #[inline]
     #[must_use]
     pub fn get<T: Field>(&self) -> Option<Result<T, DecodeError>> {
         self.is::<T>().then(|| T::decode(self.data))

@@ -1,5 +1,7 @@
 #![doc = include_str!("../README.md")]
+#![doc = include_str!("map.md")]
 #![no_std]
+#![cfg_attr(docsrs, feature(doc_cfg))]
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
 #![deny(
@@ -23,13 +25,17 @@ extern crate std;
 #[macro_use]
 mod macros;
 
-mod bits;
+pub mod bits;
 pub mod client;
 pub mod codec;
+pub mod error;
 pub mod field;
-mod list;
+pub mod list;
+#[cfg(feature = "alloc")]
+mod owned;
 pub mod packet;
 mod parser;
+mod slice;
 #[cfg(feature = "std")]
 mod stream;
 mod text;
@@ -42,16 +48,21 @@ pub mod registry;
 mod sets;
 pub mod types;
 
+#[allow(unused_imports)] // without any set
 pub use sets::*;
 
 pub use bits::Bits;
-pub use client::{Answer, Client, Event, Outcome, RequestError, Ticket};
-pub use codec::{Bool, DecodeError, EncodeError, Reader, Union, Wire, Writer};
+pub use client::{Answer, Client, CommandError, Event, Outcome, RequestError, Ticket};
+pub use codec::{Bool, Reader, Union, Wire, Writer};
+pub use error::{DecodeError, DecodeErrorKind, EncodeError, EncodeErrorKind};
 pub use field::{Command, Field, RawField, Response, ResponseCheck, ResponseOf, Role};
 pub use list::{CapacityError, List};
+#[cfg(feature = "alloc")]
+pub use owned::PacketBuf;
 pub use packet::{checksum, FieldLengthError, Packet, PacketBuilder, PacketError};
-pub use parser::Parser;
+pub use parser::{Feed, Parser};
 pub use registry::AnyField;
+pub use slice::{packets, Packets};
 #[cfg(feature = "std")]
 pub use stream::PacketReader;
 pub use text::{Text, VarText};

@@ -1,8 +1,9 @@
 //! Arrays of variable length, without a heap.
 
-use core::{fmt, ops};
+use core::{fmt, hash, ops};
 
-use crate::codec::{Counted, DecodeError, EncodeError, Reader, Wire, Writer};
+use crate::codec::{Counted, Reader, Wire, Writer};
+use crate::error::{DecodeErrorKind, EncodeErrorKind};
 
 /// At most `N` items, stored in place. It dereferences to a slice.
 ///
@@ -13,80 +14,136 @@ use crate::codec::{Counted, DecodeError, EncodeError, Reader, Wire, Writer};
 /// assert!(list.push(4).is_ok());
 /// assert!(list.push(5).is_err());
 /// assert_eq!(list.iter().sum::<u16>(), 10);
+/// assert_eq!(list, [1, 2, 3, 4]);
 /// ```
-#[derive(Clone, Copy)]
+///
+/// Slices and iterators may have more items than fit. Nothing panics then: the list holds the first
+/// `N`, knows that it [overflowed](List::overflowed), and a field that holds it is not encoded
+/// ([`EncodeErrorKind::Count`]). [`List::from_slice`] and [`List::push`] fail at once.
+///
+/// ```
+/// # use mip_protocol::List;
+/// let list: List<u16, 4> = (1..=9).collect();
+/// assert_eq!((list.as_slice(), list.overflowed()), (&[1, 2, 3, 4][..], true));
+/// ```
+#[derive(Clone)]
 pub struct List<T, const N: usize> {
     items: [T; N],
-    length: usize,
+    given: usize, // more than N if it overflowed
+}
+
+/// What a [`List`] or an array can hold: all numbers, enumerations, bitfields and structures.
+pub trait Item: Sized {
+    /// What is in the places that hold nothing yet.
+    const BLANK: Self;
+}
+
+impl<T: Item, const N: usize> Item for [T; N] {
+    const BLANK: Self = [T::BLANK; N];
+}
+
+impl<T: Item, const N: usize> Item for List<T, N> {
+    const BLANK: Self = Self::new();
+}
+
+impl<T> Item for Option<T> {
+    const BLANK: Self = None;
 }
 
 /// There are more items than the list can hold.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct CapacityError;
+#[non_exhaustive]
+pub struct CapacityError {
+    /// The number of items.
+    pub need: usize,
+    /// How many the list can hold.
+    pub got: usize,
+}
 
 impl fmt::Display for CapacityError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("there are more items than the list can hold")
+        write!(f, "there are {} items, the list can hold {}", self.need, self.got)
     }
 }
 
-#[cfg(feature = "std")]
-impl std::error::Error for CapacityError {}
+error!(CapacityError);
 
-impl<T: Copy + Default, const N: usize> List<T, N> {
+impl<T: Item, const N: usize> List<T, N> {
     /// An empty list.
+    #[inline]
     #[must_use]
-    pub fn new() -> Self {
-        Self { items: [T::default(); N], length: 0 }
+    pub const fn new() -> Self {
+        Self { items: [T::BLANK; N], given: 0 }
     }
 
     /// A list of these items.
-    pub fn from_slice(items: &[T]) -> Result<Self, CapacityError> {
-        let mut list = Self::new();
-        list.items.get_mut(..items.len()).ok_or(CapacityError)?.copy_from_slice(items);
-        list.length = items.len();
-        Ok(list)
+    pub fn from_slice(items: &[T]) -> Result<Self, CapacityError>
+    where
+        T: Clone,
+    {
+        if items.len() > N {
+            return Err(CapacityError { need: items.len(), got: N });
+        }
+        Ok(items.into())
+    }
+
+    /// Removes and returns the last item.
+    pub fn pop(&mut self) -> Option<T> {
+        let last = self.given.min(N).checked_sub(1)?;
+        self.given = last;
+        self.items.get_mut(last).map(|item| core::mem::replace(item, T::BLANK))
     }
 }
 
 impl<T, const N: usize> List<T, N> {
     /// Appends an item.
+    #[inline]
     pub fn push(&mut self, item: T) -> Result<(), CapacityError> {
-        *self.items.get_mut(self.length).ok_or(CapacityError)? = item;
-        self.length = self.length.saturating_add(1);
-        Ok(())
-    }
-
-    /// Removes and returns the last item.
-    pub fn pop(&mut self) -> Option<T>
-    where
-        T: Copy,
-    {
-        let last = self.length.checked_sub(1)?;
-        self.length = last;
-        self.items.get(last).copied()
+        match self.items.get_mut(self.given) {
+            Some(place) => {
+                *place = item;
+                self.given = self.given.saturating_add(1);
+                Ok(())
+            }
+            None => Err(CapacityError { need: self.given.saturating_add(1), got: N }),
+        }
     }
 
     /// Removes all items.
     pub fn clear(&mut self) {
-        self.length = 0;
+        self.given = 0;
+    }
+
+    /// Has it been given more items than it can hold? Then it holds the first ones.
+    #[must_use]
+    pub const fn overflowed(&self) -> bool {
+        self.given > N
+    }
+
+    /// The number of items that it can hold.
+    #[must_use]
+    pub const fn capacity(&self) -> usize {
+        N
     }
 
     /// The items.
+    #[inline]
     #[must_use]
     pub fn as_slice(&self) -> &[T] {
-        self.items.get(..self.length).unwrap_or_default()
+        self.items.get(..self.given).unwrap_or(&self.items)
     }
 
     /// The items, mutable.
+    #[inline]
     #[must_use]
     pub fn as_mut_slice(&mut self) -> &mut [T] {
-        self.items.get_mut(..self.length).unwrap_or_default()
+        let count = self.given.min(N);
+        self.items.get_mut(..count).unwrap_or_default()
     }
 }
 
-impl<T: Copy + Default, const N: usize> Default for List<T, N> {
+impl<T: Item, const N: usize> Default for List<T, N> {
     fn default() -> Self {
         Self::new()
     }
@@ -95,14 +152,28 @@ impl<T: Copy + Default, const N: usize> Default for List<T, N> {
 impl<T, const N: usize> ops::Deref for List<T, N> {
     type Target = [T];
 
+    #[inline]
     fn deref(&self) -> &[T] {
         self.as_slice()
     }
 }
 
 impl<T, const N: usize> ops::DerefMut for List<T, N> {
+    #[inline]
     fn deref_mut(&mut self) -> &mut [T] {
         self.as_mut_slice()
+    }
+}
+
+impl<T, const N: usize> AsRef<[T]> for List<T, N> {
+    fn as_ref(&self) -> &[T] {
+        self
+    }
+}
+
+impl<T, const N: usize> AsMut<[T]> for List<T, N> {
+    fn as_mut(&mut self) -> &mut [T] {
+        self
     }
 }
 
@@ -112,17 +183,36 @@ impl<T: fmt::Debug, const N: usize> fmt::Debug for List<T, N> {
     }
 }
 
+/// A list that overflowed equals none that did not.
 impl<T: PartialEq, const N: usize> PartialEq for List<T, N> {
     fn eq(&self, other: &Self) -> bool {
-        self.as_slice() == other.as_slice()
+        self.given == other.given && self.as_slice() == other.as_slice()
     }
 }
 
-impl<T: Copy + Default, const N: usize> TryFrom<&[T]> for List<T, N> {
-    type Error = CapacityError;
+impl<T: Eq, const N: usize> Eq for List<T, N> {}
 
-    fn try_from(items: &[T]) -> Result<Self, CapacityError> {
-        Self::from_slice(items)
+impl<T: hash::Hash, const N: usize> hash::Hash for List<T, N> {
+    fn hash<H: hash::Hasher>(&self, state: &mut H) {
+        self.as_slice().hash(state);
+    }
+}
+
+impl<T: PartialEq, const N: usize> PartialEq<[T]> for List<T, N> {
+    fn eq(&self, other: &[T]) -> bool {
+        self.given == other.len() && self.as_slice() == other
+    }
+}
+
+impl<T: PartialEq, const N: usize> PartialEq<&[T]> for List<T, N> {
+    fn eq(&self, other: &&[T]) -> bool {
+        *self == **other
+    }
+}
+
+impl<T: PartialEq, const M: usize, const N: usize> PartialEq<[T; M]> for List<T, N> {
+    fn eq(&self, other: &[T; M]) -> bool {
+        *self == *other.as_slice()
     }
 }
 
@@ -133,10 +223,61 @@ impl<const M: usize, const N: usize> Fits<M, N> {
     const CHECKED: () = assert!(M <= N, "more items than the list can hold");
 }
 
-impl<T: Copy + Default, const M: usize, const N: usize> From<[T; M]> for List<T, N> {
+impl<T: Item, const M: usize, const N: usize> From<[T; M]> for List<T, N> {
     fn from(items: [T; M]) -> Self {
         let () = Fits::<M, N>::CHECKED;
-        Self::from_slice(&items).unwrap_or_default()
+        items.into_iter().collect()
+    }
+}
+
+impl<T: Item + Clone, const M: usize, const N: usize> From<&[T; M]> for List<T, N> {
+    fn from(items: &[T; M]) -> Self {
+        let () = Fits::<M, N>::CHECKED;
+        items.as_slice().into()
+    }
+}
+
+/// Of a slice that is too long, the first items: see [`List::overflowed`].
+impl<T: Item + Clone, const N: usize> From<&[T]> for List<T, N> {
+    fn from(items: &[T]) -> Self {
+        items.iter().cloned().collect()
+    }
+}
+
+/// Of an iterator that gives too many, the first items: see [`List::overflowed`].
+impl<T: Item, const N: usize> FromIterator<T> for List<T, N> {
+    fn from_iter<I: IntoIterator<Item = T>>(items: I) -> Self {
+        let mut list = Self::new();
+        list.extend(items);
+        list
+    }
+}
+
+/// Items that do not fit are only counted: see [`List::overflowed`].
+impl<T, const N: usize> Extend<T> for List<T, N> {
+    fn extend<I: IntoIterator<Item = T>>(&mut self, items: I) {
+        for item in items {
+            if self.push(item).is_err() {
+                self.given = self.given.saturating_add(1);
+                return; // the others need not be asked for: it is known to be too many
+            }
+        }
+    }
+}
+
+impl<'a, T: Clone + 'a, const N: usize> Extend<&'a T> for List<T, N> {
+    fn extend<I: IntoIterator<Item = &'a T>>(&mut self, items: I) {
+        self.extend(items.into_iter().cloned());
+    }
+}
+
+impl<T, const N: usize> IntoIterator for List<T, N> {
+    type Item = T;
+    type IntoIter = core::iter::Take<core::array::IntoIter<T, N>>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        let count = self.given.min(N);
+        self.items.into_iter().take(count)
     }
 }
 
@@ -149,28 +290,41 @@ impl<'a, T, const N: usize> IntoIterator for &'a List<T, N> {
     }
 }
 
+impl<'a, T, const N: usize> IntoIterator for &'a mut List<T, N> {
+    type Item = &'a mut T;
+    type IntoIter = core::slice::IterMut<'a, T>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.iter_mut()
+    }
+}
+
 /// The items only. If they are counted, the count is another value of the field.
-impl<T: Wire + Copy + Default, const N: usize> Wire for List<T, N> {
+impl<T: Wire + Item, const N: usize> Wire for List<T, N> {
     const SIZE: usize = T::SIZE.saturating_mul(N);
 
-    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeErrorKind> {
         let count = reader.remaining().checked_div(T::SIZE).unwrap_or(0);
         Self::decode_counted(count.min(N), reader)
     }
 
-    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeErrorKind> {
+        if self.overflowed() {
+            return Err(writer.wrong(EncodeErrorKind::Count, self.given, N));
+        }
         self.iter().try_for_each(|item| writer.write(item))
     }
 }
 
-impl<T: Wire + Copy + Default, const N: usize> Counted for List<T, N> {
-    fn decode_counted(count: usize, reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+impl<T: Wire + Item, const N: usize> Counted for List<T, N> {
+    fn decode_counted(count: usize, reader: &mut Reader<'_>) -> Result<Self, DecodeErrorKind> {
         if count > N || count.saturating_mul(T::SIZE) > reader.remaining() {
-            return Err(DecodeError::Count);
+            let follow = reader.remaining().checked_div(T::SIZE).unwrap_or(N).min(N);
+            return Err(reader.wrong(DecodeErrorKind::Count, count, follow));
         }
         let mut list = Self::new();
         for _ in 0..count {
-            list.push(reader.read()?).map_err(|_| DecodeError::Count)?;
+            list.push(reader.read()?).map_err(|_| DecodeErrorKind::Count)?;
         }
         Ok(list)
     }
@@ -179,6 +333,9 @@ impl<T: Wire + Copy + Default, const N: usize> Counted for List<T, N> {
 #[cfg(feature = "serde")]
 impl<T: serde::Serialize, const N: usize> serde::Serialize for List<T, N> {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        if self.overflowed() {
+            return Err(serde::ser::Error::custom("more items than the list can hold"));
+        }
         serializer.collect_seq(self)
     }
 }
@@ -186,14 +343,14 @@ impl<T: serde::Serialize, const N: usize> serde::Serialize for List<T, N> {
 #[cfg(feature = "serde")]
 impl<'de, T, const N: usize> serde::Deserialize<'de> for List<T, N>
 where
-    T: serde::Deserialize<'de> + Copy + Default,
+    T: serde::Deserialize<'de> + Item,
 {
     fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         struct Visitor<T, const N: usize>(core::marker::PhantomData<T>);
 
         impl<'de, T, const N: usize> serde::de::Visitor<'de> for Visitor<T, N>
         where
-            T: serde::Deserialize<'de> + Copy + Default,
+            T: serde::Deserialize<'de> + Item,
         {
             type Value = List<T, N>;
 
@@ -221,7 +378,7 @@ where
 #[cfg(feature = "serde")]
 #[allow(dead_code)]
 pub(crate) mod long_array {
-    use super::List;
+    use super::{Item, List};
     use serde::{de::Error, Deserialize, Deserializer, Serialize, Serializer};
 
     pub(crate) trait Long: Sized {
@@ -231,15 +388,17 @@ pub(crate) mod long_array {
         fn from_list(list: Self::List) -> Option<Self>;
     }
 
-    impl<T: Copy + Default, const N: usize> Long for [T; N] {
+    impl<T: Item + Clone, const N: usize> Long for [T; N] {
         type List = List<T, N>;
 
         fn to_list(&self) -> Self::List {
-            List::from(*self)
+            List::from(self)
         }
 
         fn from_list(list: Self::List) -> Option<Self> {
-            Self::try_from(list.as_slice()).ok()
+            let mut items = [T::BLANK; N];
+            items.clone_from_slice(list.get(..N)?);
+            Some(items)
         }
     }
 

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::codec::EncodeError;
+use crate::error::{DecodeError, EncodeError};
 use crate::field::{Field, RawField};
 use crate::protocol::SYNC;
 
@@ -13,18 +13,23 @@ pub const MAX_PACKET: usize = MAX_PAYLOAD + OVERHEAD;
 /// The maximum size of the data of one field.
 pub const MAX_FIELD_DATA: usize = 253;
 
-const HEADER: usize = 4;
-const OVERHEAD: usize = HEADER + 2;
+pub(crate) const HEADER: usize = 4;
+pub(crate) const OVERHEAD: usize = HEADER + 2;
 const FIELD_HEADER: usize = 2;
 
 /// The two checksum bytes of a packet: sums over header and payload.
 #[must_use]
 pub fn checksum(bytes: &[u8]) -> [u8; 2] {
-    let (a, b) = bytes.iter().fold((0_u8, 0_u8), |(a, b), byte| {
-        let a = a.wrapping_add(*byte);
-        (a, b.wrapping_add(a))
-    });
-    [a, b]
+    // The second sum adds each byte as often as bytes follow it, and once more. Wide enough for the
+    // products, this is what compilers make fast; the low byte of each sum is the same as with u8.
+    let (mut a, mut b, mut left) = (0_u16, 0_u16, bytes.len() as u16);
+    for byte in bytes {
+        let byte = u16::from(*byte);
+        a = a.wrapping_add(byte);
+        b = b.wrapping_add(byte.wrapping_mul(left));
+        left = left.wrapping_sub(1);
+    }
+    [a as u8, b as u8]
 }
 
 /// Why bytes are not a packet.
@@ -121,12 +126,24 @@ impl<'a> Packet<'a> {
         Fields { set: self.set(), payload: self.payload() }
     }
 
-    /// The first field of this type, decoded.
-    ///
-    /// `None` if the packet holds none, or if it cannot be decoded.
+    /// The first field of this type, decoded; `None` if the packet holds none.
     #[must_use]
-    pub fn find<T: Field>(&self) -> Option<T> {
-        self.fields().flatten().find_map(|field| field.get()).and_then(Result::ok)
+    pub fn find<T: Field>(&self) -> Option<Result<T, DecodeError>> {
+        self.fields().flatten().find_map(|field| field.get())
+    }
+}
+
+impl AsRef<[u8]> for Packet<'_> {
+    fn as_ref(&self) -> &[u8] {
+        self.bytes
+    }
+}
+
+impl<'a> TryFrom<&'a [u8]> for Packet<'a> {
+    type Error = PacketError;
+
+    fn try_from(bytes: &'a [u8]) -> Result<Self, PacketError> {
+        Self::new(bytes)
     }
 }
 
@@ -167,23 +184,27 @@ impl core::iter::FusedIterator for Fields<'_> {}
 
 /// Builds a packet from fields. It holds a valid packet at any time.
 ///
-/// A field that does not fit is an error, and leaves the packet unchanged.
+/// A field that does not fit is an error, and leaves the packet unchanged. It is also a packet of
+/// its own memory: one that was received is copied into it by [`From`], without checking it again.
 #[derive(Clone)]
 pub struct PacketBuilder {
     bytes: [u8; MAX_PACKET],
-    payload: u8,
 }
 
 impl PacketBuilder {
-    /// A packet of this descriptor set, without fields. Set 0 is invalid and accepts no field.
+    /// A packet of this descriptor set, without fields.
+    ///
+    /// No packet has set 0, nor 0xFF, which defines fields of all data sets: they accept no field.
     #[must_use]
-    pub fn new(set: u8) -> Self {
+    pub const fn new(set: u8) -> Self {
+        let [first, second] = SYNC;
         let mut bytes = [0; MAX_PACKET];
-        let [sync_1, sync_2, number, ..] = &mut bytes;
-        (*sync_1, *sync_2, *number) = (SYNC[0], SYNC[1], set);
-        let mut builder = Self { bytes, payload: 0 };
-        builder.seal();
-        builder
+        (bytes[0], bytes[1], bytes[2]) = (first, second, set);
+        bytes[4] = first.wrapping_add(second).wrapping_add(set);
+        // Each byte as often as bytes of the header follow it, and once more.
+        let twice = first.wrapping_add(second).wrapping_add(set).wrapping_mul(2);
+        bytes[5] = twice.wrapping_add(first.wrapping_mul(2)).wrapping_add(second);
+        Self { bytes }
     }
 
     /// A packet with only this field.
@@ -195,40 +216,43 @@ impl PacketBuilder {
 
     /// The descriptor set.
     #[must_use]
-    pub fn set(&self) -> u8 {
-        self.packet().set()
+    pub const fn set(&self) -> u8 {
+        let [_, _, set, ..] = self.bytes;
+        set
     }
 
     /// Appends a field.
     pub fn push<T: Field>(&mut self, field: &T) -> Result<(), EncodeError> {
         if !T::in_set(self.set()) {
-            return Err(EncodeError::Set);
+            return Err(EncodeError::set(T::NAME, T::SET, self.set()));
         }
-        self.append(T::DESCRIPTOR, |free| field.encode(free))
+        let length = field.encode(self.free(T::NAME, T::SET)?)?;
+        self.close(T::DESCRIPTOR, length);
+        Ok(())
     }
 
     /// Appends a field from its bytes.
     pub fn push_raw(&mut self, descriptor: u8, data: &[u8]) -> Result<(), EncodeError> {
-        if self.set() == 0 {
-            return Err(EncodeError::Set);
+        let free = self.free("", self.set())?;
+        if data.len() > free.len() {
+            return Err(EncodeError::length("", data.len(), free.len()));
         }
-        self.append(descriptor, |free| {
-            free.get_mut(..data.len()).ok_or(EncodeError::Length)?.copy_from_slice(data);
-            Ok(data.len())
-        })
+        free.iter_mut().zip(data).for_each(|(place, byte)| *place = *byte);
+        self.close(descriptor, data.len());
+        Ok(())
     }
 
     /// Removes all fields.
     pub fn clear(&mut self) {
-        self.payload = 0;
+        let [_, _, _, payload, ..] = &mut self.bytes;
+        *payload = 0;
         self.seal();
     }
 
     /// The bytes to send.
     #[must_use]
     pub fn bytes(&self) -> &[u8] {
-        let length = usize::from(self.payload).saturating_add(OVERHEAD);
-        self.bytes.get(..length).unwrap_or_default()
+        self.bytes.get(..self.end().saturating_add(2)).unwrap_or_default()
     }
 
     /// The packet as it is now.
@@ -237,42 +261,65 @@ impl PacketBuilder {
         Packet { bytes: self.bytes() }
     }
 
-    fn append(
-        &mut self,
-        descriptor: u8,
-        encode: impl FnOnce(&mut [u8]) -> Result<usize, EncodeError>,
-    ) -> Result<(), EncodeError> {
-        if self.set() == 0 {
-            return Err(EncodeError::Set);
-        }
-        let start = HEADER.saturating_add(self.payload.into());
-        let most = FIELD_HEADER.saturating_add(MAX_FIELD_DATA);
-        let end = start.saturating_add(most).min(HEADER.saturating_add(MAX_PAYLOAD));
-        let done = match self.bytes.get_mut(start..end) {
-            Some([length, number, free @ ..]) => encode(free).and_then(|count| {
-                let whole = count.saturating_add(FIELD_HEADER);
-                (*length, *number) =
-                    (u8::try_from(whole).map_err(|_| EncodeError::Length)?, descriptor);
-                Ok(*length)
-            }),
-            _ => Err(EncodeError::Length),
-        };
-        if let Ok(length) = done {
-            self.payload = self.payload.saturating_add(length);
-        }
-        self.seal();
-        done.map(drop)
+    /// Where the checksum begins.
+    fn end(&self) -> usize {
+        let [_, _, _, payload, ..] = self.bytes;
+        HEADER.saturating_add(payload.into())
     }
 
-    /// Sets payload length and checksum.
-    fn seal(&mut self) {
-        let [_, _, _, length, ..] = &mut self.bytes;
-        *length = self.payload;
-        let end = HEADER.saturating_add(self.payload.into());
-        let sums = checksum(self.bytes.get(..end).unwrap_or_default());
-        for (byte, sum) in self.bytes.iter_mut().skip(end).zip(sums) {
-            *byte = sum;
+    /// The place for the data of a further field. Its head will be where the checksum is; so until
+    /// it is closed, the packet is what it was.
+    fn free(&mut self, field: &'static str, set: u8) -> Result<&mut [u8], EncodeError> {
+        if matches!(self.set(), 0 | 0xFF) {
+            return Err(EncodeError::set(field, set, self.set()));
         }
+        let payload = self.end();
+        let start = payload.saturating_add(FIELD_HEADER);
+        let end = start.saturating_add(MAX_FIELD_DATA).min(HEADER.saturating_add(MAX_PAYLOAD));
+        let left = end.saturating_sub(payload);
+        self.bytes.get_mut(start..end).ok_or(EncodeError::length(field, FIELD_HEADER, left))
+    }
+
+    /// Takes in a field whose data are in their place.
+    fn close(&mut self, descriptor: u8, length: usize) {
+        let end = self.end();
+        let whole = length.saturating_add(FIELD_HEADER) as u8;
+        if let Some([length, number, ..]) = self.bytes.get_mut(end..) {
+            (*length, *number) = (whole, descriptor);
+        }
+        let [_, _, _, payload, ..] = &mut self.bytes;
+        *payload = payload.saturating_add(whole);
+        self.seal();
+    }
+
+    /// Sets the checksum.
+    fn seal(&mut self) {
+        let end = self.end().min(MAX_PACKET);
+        let (head, tail) = self.bytes.split_at_mut(end);
+        tail.iter_mut().zip(checksum(head)).for_each(|(byte, sum)| *byte = sum);
+    }
+}
+
+impl PartialEq for PacketBuilder {
+    fn eq(&self, other: &Self) -> bool {
+        self.bytes() == other.bytes()
+    }
+}
+
+impl Eq for PacketBuilder {}
+
+impl From<Packet<'_>> for PacketBuilder {
+    fn from(packet: Packet<'_>) -> Self {
+        let mut builder = Self::new(0);
+        let places = builder.bytes.iter_mut().zip(packet.bytes);
+        places.for_each(|(place, byte)| *place = *byte);
+        builder
+    }
+}
+
+impl<'a> From<&'a PacketBuilder> for Packet<'a> {
+    fn from(builder: &'a PacketBuilder) -> Self {
+        builder.packet()
     }
 }
 

@@ -1,66 +1,83 @@
-//! Finds packets in a stream of bytes.
+//! Finds packets in a stream of bytes that arrives piece by piece.
 
-use core::ops::Range;
-
-use crate::packet::{checksum, Packet, MAX_PACKET};
+use crate::packet::{checksum, Packet, HEADER, MAX_PACKET, OVERHEAD};
 use crate::protocol::SYNC;
 
 /// Finds the packets in a stream that arrives in chunks of any size.
 ///
 /// Garbage, other protocols, false syncs and broken packets never hide a packet: after a bad
-/// candidate the search continues one byte after its sync. Nothing is allocated; only packets that
-/// span chunks are copied.
+/// candidate the search continues one byte after its sync. Nothing is allocated. A packet that lies
+/// inside a chunk is checked and handed out there; only one that is cut by its end is copied.
 ///
 /// ```
 /// use mip_protocol::Parser;
 ///
 /// let mut parser = Parser::new();
-/// let mut chunk: &[u8] = b"noise\x75\x65\x01\x02\x02\x01\xE0\xC6";
-/// while let Some(packet) = parser.next(&mut chunk) {
-///     assert_eq!(packet.set(), 1);
+/// for chunk in [&b"noise\x75\x65\x01\x02"[..], b"\x02\x01\xE0\xC6 and more"] {
+///     let mut packets = parser.feed(chunk);
+///     while let Some(packet) = packets.next() {
+///         assert_eq!(packet.set(), 1);
+///     }
 /// }
-/// assert_eq!(parser.skipped(), 5);
+/// assert_eq!(parser.skipped(), 14);
 /// ```
+///
+/// If all bytes are in memory, [`packets`](crate::packets) is simpler.
 #[derive(Clone, Debug)]
 pub struct Parser {
+    /// A candidate that the end of a chunk has cut, or the packet that was returned last.
     buffer: [u8; MAX_PACKET],
-    start: usize,
-    end: usize,
-    given: usize,
+    length: u16,
+    /// The size of the packet in the buffer that was returned last.
+    done: u16,
+    /// How many bytes it takes to judge the candidate in the buffer.
+    missing: u16,
     skipped: u64,
 }
 
 /// Where a packet is.
-pub(crate) enum Found {
-    Held(usize),
-    InInput(Range<usize>),
+pub(crate) enum Found<'i> {
+    InBuffer,
+    /// The last bytes that were removed from the input.
+    InInput(&'i [u8]),
 }
 
 /// What the bytes starting at a possible sync are.
-enum Candidate {
+pub(crate) enum Candidate {
     Whole(usize),
     Bad,
     /// Undecided until this many bytes are available.
     Open(usize),
 }
 
-fn judge(bytes: &[u8]) -> Candidate {
+#[inline]
+pub(crate) fn judge(bytes: &[u8]) -> Candidate {
     let [first, second] = SYNC;
     match *bytes {
         [a, ..] if a != first => Candidate::Bad,
         [_, b, ..] if b != second => Candidate::Bad,
         [_, _, 0, ..] => Candidate::Bad,
         [_, _, _, length, ..] => {
-            let end = usize::from(length).saturating_add(4);
-            let size = end.saturating_add(2);
-            match (bytes.get(..end), bytes.get(end..size)) {
-                (Some(head), Some(sums)) if sums == checksum(head) => Candidate::Whole(size),
-                (Some(_), Some(_)) => Candidate::Bad,
-                _ => Candidate::Open(size),
+            let size = usize::from(length).saturating_add(OVERHEAD);
+            match bytes.get(..size) {
+                Some([head @ .., a, b]) if [*a, *b] == checksum(head) => Candidate::Whole(size),
+                Some(_) => Candidate::Bad,
+                None => Candidate::Open(size),
             }
         }
-        _ => Candidate::Open(4),
+        _ => Candidate::Open(HEADER),
     }
+}
+
+/// The first byte, and those up to the next that may begin a packet.
+pub(crate) fn noise(bytes: &[u8]) -> usize {
+    let sync = bytes.iter().skip(1).position(|b| *b == SYNC[0]);
+    sync.map_or(bytes.len(), |at| at.saturating_add(1))
+}
+
+/// What is behind the first bytes.
+pub(crate) fn behind(bytes: &[u8], count: usize) -> &[u8] {
+    bytes.get(count..).unwrap_or_default()
 }
 
 impl Default for Parser {
@@ -73,7 +90,7 @@ impl Parser {
     /// A new parser.
     #[must_use]
     pub const fn new() -> Self {
-        Self { buffer: [0; MAX_PACKET], start: 0, end: 0, given: 0, skipped: 0 }
+        Self { buffer: [0; MAX_PACKET], length: 0, done: 0, missing: 0, skipped: 0 }
     }
 
     /// The number of bytes so far that belong to no packet, without those that are held back.
@@ -85,144 +102,212 @@ impl Parser {
     /// The number of bytes that are held back until more arrive.
     #[must_use]
     pub const fn pending(&self) -> usize {
-        self.end.saturating_sub(self.start).saturating_sub(self.given)
+        self.length.saturating_sub(self.done) as usize
     }
 
-    /// The next packet. Call it until it returns `None`; `input` is then empty.
-    pub fn next<'p, 'i: 'p>(&'p mut self, input: &mut &'i [u8]) -> Option<Packet<'p>> {
-        let bytes = *input;
-        let found = self.step(input)?;
-        self.packet(found, bytes)
+    /// Takes a chunk, and returns what lends its packets one after another.
+    pub fn feed<'p, 'i>(&'p mut self, chunk: &'i [u8]) -> Feed<'p, 'i> {
+        Feed { parser: self, rest: chunk }
+    }
+
+    /// The next packet that is complete in the buffer.
+    pub(crate) fn complete(&mut self) -> Option<Packet<'_>> {
+        self.step(&mut [].as_slice())?;
+        Some(self.packet())
     }
 
     /// Gives up the pending candidate only if a whole packet is behind its first bytes, and returns
     /// that packet: the candidate was noise then. Otherwise nothing changes.
     pub fn look_behind(&mut self) -> Option<Packet<'_>> {
-        let nothing: &mut &[u8] = &mut [].as_slice();
-        let mut found = self.step(nothing);
-        if found.is_none() {
+        if self.step(&mut [].as_slice()).is_none() {
             let held = self.held();
-            let whole =
-                |at: &usize| matches!(held.get(*at..).map(judge), Some(Candidate::Whole(_)));
+            let whole = |at: &usize| matches!(judge(behind(held, *at)), Candidate::Whole(_));
             let at = (1..held.len()).find(whole)?;
             self.skip(at);
-            self.start = self.start.saturating_add(at);
-            found = self.step(nothing);
+            self.drop_front(at);
+            self.missing = 0;
+            self.step(&mut [].as_slice())?;
         }
-        self.packet(found?, &[])
+        Some(self.packet())
     }
 
     /// Gives up the pending candidate, for instance at the end of a file.
     ///
     /// Packets inside it are not lost: call it until it returns `None`.
     pub fn flush(&mut self) -> Option<Packet<'_>> {
-        let found = self.flush_step()?;
-        self.packet(found, &[])
+        while self.step(&mut [].as_slice()).is_none() {
+            if self.length == 0 {
+                return None;
+            }
+            let count = noise(self.held());
+            self.skip(count);
+            self.drop_front(count);
+            self.missing = 0;
+        }
+        Some(self.packet())
     }
 
     /// Searches for a packet and removes the searched bytes from the front of the input.
-    pub(crate) fn step(&mut self, input: &mut &[u8]) -> Option<Found> {
-        let whole = input.len();
-        self.release();
-        while self.start < self.end {
-            match judge(self.held()) {
-                Candidate::Whole(size) => return Some(self.give(size)),
-                Candidate::Bad => self.drop_candidate(),
+    pub(crate) fn step<'i>(&mut self, input: &mut &'i [u8]) -> Option<Found<'i>> {
+        let given = *input;
+        if self.done > 0 {
+            self.drop_front(self.done.into());
+            (self.done, self.missing) = (0, 0);
+        }
+        loop {
+            if self.missing > 0 && !self.fill(input) {
+                return None;
+            }
+            let buffered = self.length > 0;
+            let bytes = if buffered { self.held() } else { *input };
+            match judge(bytes) {
+                Candidate::Whole(size) => {
+                    if buffered {
+                        self.done = short(size);
+                        return Some(Found::InBuffer);
+                    }
+                    let (packet, rest) = input.split_at(size.min(input.len()));
+                    *input = rest;
+                    return Some(Found::InInput(packet));
+                }
                 Candidate::Open(size) => {
-                    if !self.fill(size, input) {
+                    let known = bytes.len();
+                    if known == 0 {
                         return None;
+                    }
+                    if !buffered {
+                        self.missing = short(known);
+                        self.fill(input);
+                    }
+                    self.missing = short(size.saturating_sub(known));
+                }
+                Candidate::Bad => {
+                    let count = noise(bytes);
+                    self.skip(count);
+                    if buffered {
+                        self.drop_front(count);
+                        // What is left and has just been copied is found again where it was.
+                        let left = usize::from(self.length);
+                        let start = given.len().saturating_sub(input.len()).checked_sub(left);
+                        if let Some(start) = start {
+                            *input = behind(given, start);
+                            self.length = 0;
+                        }
+                    } else {
+                        *input = behind(input, count);
                     }
                 }
             }
         }
-        loop {
-            let noise = input.iter().position(|b| *b == SYNC[0]).unwrap_or(input.len());
-            self.skip(noise);
-            *input = input.get(noise..).unwrap_or_default();
-            match judge(input) {
-                Candidate::Whole(size) => {
-                    let start = whole.saturating_sub(input.len());
-                    *input = input.get(size..).unwrap_or_default();
-                    return Some(Found::InInput(start..start.saturating_add(size)));
-                }
-                Candidate::Bad => {
-                    self.skip(1);
-                    *input = input.get(1..).unwrap_or_default();
-                }
-                Candidate::Open(_) => {
-                    self.fill(input.len(), input);
-                    return None;
-                }
-            }
-        }
     }
 
-    pub(crate) fn flush_step(&mut self) -> Option<Found> {
-        self.release();
-        while self.start < self.end {
-            if let Candidate::Whole(size) = judge(self.held()) {
-                return Some(self.give(size));
-            }
-            self.drop_candidate();
-        }
-        None
-    }
-
-    /// The packet that a step has found in the input.
-    pub(crate) fn packet<'a>(&'a self, found: Found, input: &'a [u8]) -> Option<Packet<'a>> {
-        match found {
-            Found::Held(size) => self.held().get(..size),
-            Found::InInput(range) => input.get(range),
-        }
-        .map(Packet::trusted)
+    /// The packet in the buffer that was found last.
+    pub(crate) fn packet(&self) -> Packet<'_> {
+        Packet::trusted(self.buffer.get(..self.done.into()).unwrap_or_default())
     }
 
     fn held(&self) -> &[u8] {
-        self.buffer.get(self.start..self.end).unwrap_or_default()
+        self.buffer.get(..self.length.into()).unwrap_or_default()
     }
 
     fn skip(&mut self, count: usize) {
-        self.skipped = self.skipped.saturating_add(u64::try_from(count).unwrap_or(u64::MAX));
+        self.skipped = self.skipped.wrapping_add(count as u64);
     }
 
-    fn give(&mut self, size: usize) -> Found {
-        self.given = size;
-        Found::Held(size)
-    }
-
-    /// Drops the packet that was returned last.
-    fn release(&mut self) {
-        self.start = self.start.saturating_add(self.given).min(self.end);
-        self.given = 0;
-        if self.start == self.end {
-            (self.start, self.end) = (0, 0);
+    /// Removes bytes from the front of the buffer.
+    fn drop_front(&mut self, count: usize) {
+        let (mut from, mut to) = (count, 0);
+        while let Some(byte) = self.held().get(from).copied() {
+            if let Some(place) = self.buffer.get_mut(to) {
+                *place = byte;
+            }
+            (from, to) = (from.wrapping_add(1), to.wrapping_add(1));
         }
+        self.length = short(to);
     }
 
-    /// Continues after the candidate's sync, where the next may start.
-    fn drop_candidate(&mut self) {
-        let behind = self.held().iter().skip(1).position(|b| *b == SYNC[0]);
-        let count = behind.map_or(self.held().len(), |at| at.saturating_add(1));
-        self.skip(count);
-        self.start = self.start.saturating_add(count);
-        self.release();
-    }
-
-    /// Takes input until `size` bytes are held. Is that reached?
-    fn fill(&mut self, size: usize, input: &mut &[u8]) -> bool {
-        if self.start.saturating_add(size) > self.buffer.len() {
-            self.buffer.rotate_left(self.start.min(MAX_PACKET));
-            (self.start, self.end) = (0, self.end.saturating_sub(self.start));
-        }
-        let wanted = size.saturating_sub(self.end.saturating_sub(self.start));
-        let count = wanted.min(input.len());
+    /// Takes the missing bytes from the input. Are all of them there?
+    fn fill(&mut self, input: &mut &[u8]) -> bool {
+        let count = usize::from(self.missing).min(input.len());
         let (head, tail) = input.split_at(count);
-        let free = self.buffer.get_mut(self.end..).and_then(|free| free.get_mut(..count));
-        if let Some(free) = free {
-            free.copy_from_slice(head);
-            self.end = self.end.saturating_add(count);
+        let free = self.buffer.get_mut(self.length.into()..).unwrap_or_default();
+        match (free, head) {
+            ([place, ..], [byte]) => *place = *byte,
+            (free, head) => {
+                for (place, byte) in free.iter_mut().zip(head) {
+                    *place = *byte;
+                }
+            }
         }
         *input = tail;
-        count == wanted
+        self.length = self.length.wrapping_add(short(count));
+        self.missing = self.missing.wrapping_sub(short(count));
+        self.missing == 0
+    }
+}
+
+/// Numbers of bytes in the buffer are small.
+const fn short(count: usize) -> u16 {
+    count as u16
+}
+
+/// A chunk that a parser works through; from [`Parser::feed`].
+///
+/// ```
+/// # use mip_protocol::Parser;
+/// # let mut parser = Parser::new();
+/// # let chunk = b"\x75\x65\x01\x02\x02\x01\xE0\xC6";
+/// let mut packets = parser.feed(chunk);
+/// while let Some(packet) = packets.next() {
+///     println!("{packet:?}");
+/// }
+/// ```
+///
+/// A packet may be in the parser's buffer, which is needed for the next one: this is no `Iterator`,
+/// and a packet cannot be kept while the next is asked for. To keep it, copy it, for instance into a
+/// [`PacketBuilder`](crate::PacketBuilder) or a `PacketBuf`.
+///
+/// ```compile_fail
+/// # use mip_protocol::Parser;
+/// # let mut parser = Parser::new();
+/// # let chunk = b"\x75\x65\x01\x02\x02\x01\xE0\xC6";
+/// let mut packets = parser.feed(chunk);
+/// let first = packets.next();
+/// let second = packets.next();
+/// println!("{first:?} {second:?}");
+/// ```
+///
+/// Ask until it returns `None`. What was not reached before is not in the parser: [`Feed::rest`] is
+/// that part of the chunk, to be fed later.
+#[derive(Debug)]
+#[must_use = "it lends the packets of the chunk"]
+pub struct Feed<'p, 'i> {
+    parser: &'p mut Parser,
+    rest: &'i [u8],
+}
+
+impl<'i> Feed<'_, 'i> {
+    /// The next packet, or `None` at the end of the chunk.
+    #[allow(clippy::should_implement_trait)] // an iterator cannot lend
+    #[inline]
+    pub fn next(&mut self) -> Option<Packet<'_>> {
+        // The usual case first: nothing is held back, and a packet is next.
+        if self.parser.length == 0 {
+            if let Candidate::Whole(size) = judge(self.rest) {
+                let (packet, rest) = self.rest.split_at(size.min(self.rest.len()));
+                self.rest = rest;
+                return Some(Packet::trusted(packet));
+            }
+        }
+        match self.parser.step(&mut self.rest)? {
+            Found::InBuffer => Some(self.parser.packet()),
+            Found::InInput(bytes) => Some(Packet::trusted(bytes)),
+        }
+    }
+
+    /// The part of the chunk that was not reached yet.
+    #[must_use]
+    pub const fn rest(&self) -> &'i [u8] {
+        self.rest
     }
 }

@@ -15,13 +15,13 @@ record! {
     /// Answers one command field. A response, if there is one, follows it in the same packet.
     ///
     /// Source: guide: Acknowledge.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct Acknowledge {
         /// Descriptor of the command that is answered.
         pub command: u8,
         /// Zero acknowledges, any other value refuses.
         ///
-        /// On the Model B: values of [`types::Mode`].
+        /// On the [Model B](crate::devices::MODEL_B): values of [`types::Mode`].
         pub code: types::AckCode,
     }
 }
@@ -30,7 +30,8 @@ record! {
 impl Acknowledge {
     /// Reads `code` as [`types::Mode`].
     ///
-    /// On the Model B: values of [`types::Mode`].
+    /// On the [Model B](crate::devices::MODEL_B): values of [`types::Mode`].
+    #[inline]
     #[must_use]
     pub fn code_as_mode(&self) -> types::Mode {
         self.code.into()

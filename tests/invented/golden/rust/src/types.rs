@@ -121,7 +121,7 @@ bitfield! {
 
 record! {
     /// A place in a plane.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct Point {
         /// Eastward.
         ///
@@ -134,6 +134,7 @@ record! {
     }
 }
 
+item! { Point { x y } }
 constructors! {
     Point
 
@@ -143,7 +144,7 @@ constructors! {
 
 record! {
     /// Two places, nested.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct Segment {
         /// Begins here.
         pub from: Point,
@@ -154,6 +155,7 @@ record! {
     }
 }
 
+item! { Segment { from to weights } }
 constructors! {
     Segment
 
@@ -165,7 +167,7 @@ constructors! {
     );
 }
 
-/// On the Model B: values of [`Mode`].
+/// On the [Model B](crate::devices::MODEL_B): values of [`Mode`].
 #[rustfmt::skip]
 impl From<AckCode> for Mode {
     fn from(value: AckCode) -> Self {

@@ -177,8 +177,9 @@ pub static MODEL_B: Device = Device {
 ///
 /// Like the model A, with a radio and without a choice.
 ///
-/// Also called Model See and c. Generation 3. Model number 4713. Like the Model A, but for what is
-/// said here. No manual of it is known. Uncertain: Whether it has a model number of its own.
+/// Also called Model See and c. Generation 3. Model number 4713. Like the [Model
+/// A](crate::devices::MODEL_A), but for what is said here. No manual of it is known. Uncertain:
+/// Whether it has a model number of its own.
 ///
 /// Source: sheet: Radio.
 #[rustfmt::skip]

@@ -1,6 +1,6 @@
 //! Bitfields.
 
-/// Named bits of a number or of bytes.
+/// Named bits of a number or of bytes, with the surface of the crate `bitflags`, version 2.
 macro_rules! bitfield {
     (
         $(#[$meta:meta])*
@@ -13,7 +13,7 @@ macro_rules! bitfield {
         }
     ) => {
         $(#[$meta])*
-        #[derive(Clone, Copy, Default, PartialEq, Eq, Hash)]
+        #[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
         #[cfg_attr(
             feature = "serde",
             derive(serde::Serialize, serde::Deserialize),
@@ -35,42 +35,12 @@ macro_rules! bitfield {
                 }),*
             ];
 
-            /// No bit is set.
-            #[must_use]
-            pub fn empty() -> Self {
-                ::core::default::Default::default()
-            }
-
-            /// Is no bit set?
-            #[must_use]
-            pub fn is_empty(self) -> bool {
-                self == Self::empty()
-            }
-
-            /// Are all of these bits set?
-            #[must_use]
-            pub fn contains(self, bits: Self) -> bool {
-                $crate::bits::Storage::and(self.0, bits.0) == bits.0
-            }
-
-            /// Is any of these bits set?
-            #[must_use]
-            pub fn intersects(self, bits: Self) -> bool {
-                !Self($crate::bits::Storage::and(self.0, bits.0)).is_empty()
-            }
-
-            /// Sets these bits.
-            pub fn insert(&mut self, bits: Self) {
-                self.0 = $crate::bits::Storage::or(self.0, bits.0);
-            }
-
-            /// Clears these bits.
-            pub fn remove(&mut self, bits: Self) {
-                self.0 = $crate::bits::Storage::and_not(self.0, bits.0);
-            }
+            const NO_BITS: Self = Self($crate::bits::none!($storage));
+            const ALL_BITS: Self = Self::NO_BITS$(.union(Self::$mask))*;
 
             $(
                 $(#[$bits_meta])*
+                #[inline]
                 #[must_use]
                 pub fn $get(self) -> $value {
                     let last = $crate::bits::last!($first $(, $last)?);
@@ -79,6 +49,7 @@ macro_rules! bitfield {
 
                 /// Sets or clears it; excess bits of a number are dropped.
                 #[doc = concat!("See [`", stringify!($name), "::", stringify!($get), "`].")]
+                #[inline]
                 pub fn $set(&mut self, value: $value) {
                     let last = $crate::bits::last!($first $(, $last)?);
                     let bits = $crate::bits::Number::to_bits(value);
@@ -87,6 +58,7 @@ macro_rules! bitfield {
 
                 /// A copy with it set or cleared.
                 #[doc = concat!("See [`", stringify!($name), "::", stringify!($get), "`].")]
+                #[inline]
                 #[must_use]
                 pub fn $with(mut self, value: $value) -> Self {
                     self.$set(value);
@@ -96,35 +68,257 @@ macro_rules! bitfield {
         }
 
         newtype!($name: $storage);
-
-        impl ::core::ops::BitOr for $name {
-            type Output = Self;
-
-            fn bitor(self, other: Self) -> Self {
-                Self($crate::bits::Storage::or(self.0, other.0))
-            }
-        }
-
-        impl ::core::ops::BitAnd for $name {
-            type Output = Self;
-
-            fn bitand(self, other: Self) -> Self {
-                Self($crate::bits::Storage::and(self.0, other.0))
-            }
-        }
-
-        impl ::core::ops::BitOrAssign for $name {
-            fn bitor_assign(&mut self, other: Self) {
-                self.insert(other);
-            }
-        }
+        bit_sets!($name: $storage);
 
         impl ::core::fmt::Debug for $name {
+            #[inline]
             fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
-                f.write_str(concat!(stringify!($name), "("))?;
-                $crate::bits::debug(self.0, Self::BITS, f)?;
-                f.write_str(")")
+                let unknown = self.difference(Self::ALL_BITS);
+                $crate::bits::debug(stringify!($name), self.0, Self::BITS, unknown.0, f)
             }
         }
     };
+}
+
+/// What every bitfield can do as a set of bits; unknown bits are bits like others.
+macro_rules! bit_sets {
+    ($name:ident: $storage:tt) => {
+        impl $name {
+            /// No bit is set.
+            #[inline]
+            #[must_use]
+            pub const fn empty() -> Self {
+                Self::NO_BITS
+            }
+
+            /// All bits that have a name.
+            #[inline]
+            #[must_use]
+            pub const fn all() -> Self {
+                Self::ALL_BITS
+            }
+
+            /// The bits as they are on the wire.
+            #[inline]
+            #[must_use]
+            pub const fn bits(&self) -> $storage {
+                self.0
+            }
+
+            /// These bits; `None` if any of them has no name.
+            #[inline]
+            #[must_use]
+            pub const fn from_bits(bits: $storage) -> ::core::option::Option<Self> {
+                if Self::ALL_BITS.contains(Self(bits)) {
+                    ::core::option::Option::Some(Self(bits))
+                } else {
+                    ::core::option::Option::None
+                }
+            }
+
+            /// Those of these bits that have a name.
+            #[inline]
+            #[must_use]
+            pub const fn from_bits_truncate(bits: $storage) -> Self {
+                Self(bits).intersection(Self::ALL_BITS)
+            }
+
+            /// These bits, those without a name too.
+            #[inline]
+            #[must_use]
+            pub const fn from_bits_retain(bits: $storage) -> Self {
+                Self(bits)
+            }
+
+            /// The bit, or the bits of the number, that the specification calls so.
+            #[inline]
+            #[must_use]
+            pub fn from_name(name: &str) -> ::core::option::Option<Self> {
+                let bits = Self::BITS.iter().find(|bits| bits.name == name)?;
+                ::core::option::Option::Some(Self($crate::bits::Storage::part(
+                    Self::ALL_BITS.0,
+                    bits.first,
+                    bits.last,
+                )))
+            }
+
+            /// Is no bit set?
+            #[inline]
+            #[must_use]
+            pub const fn is_empty(&self) -> bool {
+                $crate::bits::is_none!($storage, self.0)
+            }
+
+            /// Are all bits set that have a name?
+            #[inline]
+            #[must_use]
+            pub const fn is_all(&self) -> bool {
+                self.contains(Self::ALL_BITS)
+            }
+
+            /// Are all of these bits set?
+            #[inline]
+            #[must_use]
+            pub const fn contains(&self, bits: Self) -> bool {
+                bits.difference(*self).is_empty()
+            }
+
+            /// Is any of these bits set?
+            #[inline]
+            #[must_use]
+            pub const fn intersects(&self, bits: Self) -> bool {
+                !self.intersection(bits).is_empty()
+            }
+
+            /// Sets these bits.
+            #[inline]
+            pub fn insert(&mut self, bits: Self) {
+                *self = self.union(bits);
+            }
+
+            /// Clears these bits.
+            #[inline]
+            pub fn remove(&mut self, bits: Self) {
+                *self = self.difference(bits);
+            }
+
+            /// Changes these bits.
+            #[inline]
+            pub fn toggle(&mut self, bits: Self) {
+                *self = self.symmetric_difference(bits);
+            }
+
+            /// Sets or clears these bits.
+            #[inline]
+            pub fn set(&mut self, bits: Self, value: bool) {
+                *self = if value { self.union(bits) } else { self.difference(bits) };
+            }
+
+            /// The bits that are set in any of both.
+            #[inline]
+            #[must_use]
+            pub const fn union(self, other: Self) -> Self {
+                Self($crate::bits::merge!($storage, or, self.0, other.0))
+            }
+
+            /// The bits that are set in both.
+            #[inline]
+            #[must_use]
+            pub const fn intersection(self, other: Self) -> Self {
+                Self($crate::bits::merge!($storage, and, self.0, other.0))
+            }
+
+            /// The bits that are set here but not there.
+            #[inline]
+            #[must_use]
+            pub const fn difference(self, other: Self) -> Self {
+                Self($crate::bits::merge!($storage, and_not, self.0, other.0))
+            }
+
+            /// The bits that are set in one of both.
+            #[inline]
+            #[must_use]
+            pub const fn symmetric_difference(self, other: Self) -> Self {
+                Self($crate::bits::merge!($storage, xor, self.0, other.0))
+            }
+
+            /// The named bits that are not set.
+            #[inline]
+            #[must_use]
+            pub const fn complement(self) -> Self {
+                Self::ALL_BITS.difference(self)
+            }
+
+            /// The bits that are set, one name after another; those without a name come last.
+            #[inline]
+            #[must_use]
+            pub fn iter(&self) -> $crate::bits::Iter<Self> {
+                $crate::bits::Iter::new(*self, Self::BITS)
+            }
+
+            /// The bits that are set, with their names.
+            ///
+            /// A number that is not 0 comes with its bits. Bits that came with one name do not come
+            /// with another.
+            #[inline]
+            #[must_use]
+            pub fn iter_names(&self) -> $crate::bits::IterNames<Self> {
+                $crate::bits::IterNames::new(*self, Self::BITS)
+            }
+        }
+
+        impl $crate::bits::BitSet for $name {
+            #[inline]
+            fn part(self, first: u16, last: u16) -> Self {
+                Self($crate::bits::Storage::part(self.0, first, last))
+            }
+
+            #[inline]
+            fn without(self, other: Self) -> Self {
+                self.difference(other)
+            }
+
+            #[inline]
+            fn none(self) -> bool {
+                self.is_empty()
+            }
+        }
+
+        bit_operators! { $name
+            BitOr bitor BitOrAssign bitor_assign union;
+            BitAnd bitand BitAndAssign bitand_assign intersection;
+            BitXor bitxor BitXorAssign bitxor_assign symmetric_difference;
+            Sub sub SubAssign sub_assign difference;
+        }
+
+        impl ::core::ops::Not for $name {
+            type Output = Self;
+
+            #[inline]
+            fn not(self) -> Self {
+                self.complement()
+            }
+        }
+
+        impl ::core::iter::Extend<$name> for $name {
+            fn extend<I: ::core::iter::IntoIterator<Item = Self>>(&mut self, all: I) {
+                all.into_iter().for_each(|bits| self.insert(bits));
+            }
+        }
+
+        impl ::core::iter::FromIterator<$name> for $name {
+            fn from_iter<I: ::core::iter::IntoIterator<Item = Self>>(all: I) -> Self {
+                all.into_iter().fold(Self::NO_BITS, Self::union)
+            }
+        }
+
+        impl ::core::iter::IntoIterator for $name {
+            type Item = Self;
+            type IntoIter = $crate::bits::Iter<Self>;
+
+            fn into_iter(self) -> Self::IntoIter {
+                self.iter()
+            }
+        }
+    };
+}
+
+macro_rules! bit_operators {
+    ($name:ident $($operator:ident $call:ident $assign:ident $call_assign:ident $method:ident;)*) => {$(
+        impl ::core::ops::$operator for $name {
+            type Output = Self;
+
+            #[inline]
+            fn $call(self, other: Self) -> Self {
+                self.$method(other)
+            }
+        }
+
+        impl ::core::ops::$assign for $name {
+            #[inline]
+            fn $call_assign(&mut self, other: Self) {
+                *self = self.$method(other);
+            }
+        }
+    )*};
 }

@@ -18,6 +18,7 @@ macro_rules! field {
             $(const SIZES: core::ops::RangeInclusive<usize> = $sizes;)?
 
             $(
+                #[inline]
                 fn in_set(set: u8) -> bool {
                     matches!(set, $sets)
                 }
@@ -41,12 +42,14 @@ macro_rules! command {
             type Response = $response;
             $(const TIMEOUT_MS: Option<u32> = Some($milliseconds);)?
 
+            #[inline]
             fn expects_reply(&self) -> bool {
                 true
                     $(&& !matches!(self.function, $($crate::protocol::FunctionSelector::$mute)|+))?
                     $(&& !($(self.$member == $value)&&+))?
             }
 
+            #[inline]
             fn response_check(&self) -> Option<$crate::ResponseCheck> {
                 $(
                     if true
@@ -73,9 +76,10 @@ macro_rules! responses {
         }
     ) => {
         $(#[$meta])*
-        #[derive(Clone, Copy, Debug, PartialEq)]
+        #[derive(Clone, Debug, PartialEq)]
         #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
         #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+        #[non_exhaustive]
         pub enum $name {
             $($(#[$variant_meta])* $variant($field),)*
         }
@@ -83,6 +87,7 @@ macro_rules! responses {
         impl $crate::Response for $name {
             const DESCRIPTORS: &'static [u8] = &[$(<$field as $crate::Field>::DESCRIPTOR),*];
 
+            #[inline]
             fn from_field(
                 field: &$crate::RawField<'_>,
             ) -> Option<Result<Self, $crate::DecodeError>> {

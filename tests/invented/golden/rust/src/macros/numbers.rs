@@ -25,6 +25,7 @@ macro_rules! open_enum {
             pub const VALUES: &'static [Self] = &[$(Self::$value),*];
 
             /// The name of the value in the specification, if it has one.
+            #[inline]
             #[must_use]
             pub const fn name(self) -> ::core::option::Option<&'static str> {
                 match self {
@@ -37,6 +38,7 @@ macro_rules! open_enum {
         newtype!($name: $number);
 
         impl ::core::fmt::Display for $name {
+            #[inline]
             fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
                 match self.name() {
                     ::core::option::Option::Some(name) => f.pad(name),
@@ -46,6 +48,7 @@ macro_rules! open_enum {
         }
 
         impl ::core::fmt::Debug for $name {
+            #[inline]
             fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
                 f.write_str(concat!(stringify!($name), "("))?;
                 ::core::fmt::Display::fmt(self, f)?;
@@ -54,10 +57,12 @@ macro_rules! open_enum {
         }
 
         impl $crate::bits::Number for $name {
+            #[inline]
             fn from_bits(bits: u64) -> Self {
                 Self(<$number as $crate::bits::Number>::from_bits(bits))
             }
 
+            #[inline]
             fn to_bits(self) -> u64 {
                 $crate::bits::Number::to_bits(self.0)
             }
@@ -74,8 +79,7 @@ macro_rules! vector {
         }
     ) => {
         $(#[$meta])*
-        #[derive(Clone, Copy, Debug, Default, PartialEq)]
-        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+        #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
         #[cfg_attr(feature = "defmt", derive(defmt::Format))]
         pub struct $name {
             $($(#[$element_meta])* pub $element: $number,)*
@@ -83,19 +87,26 @@ macro_rules! vector {
 
         impl $name {
             /// The elements in wire order.
+            #[inline]
             #[must_use]
             pub const fn to_array(self) -> [$number; $count] {
                 [$(self.$element),*]
             }
         }
 
+        impl $crate::list::Item for $name {
+            const BLANK: Self = Self { $($element: 0 as $number),* };
+        }
+
         impl ::core::convert::From<[$number; $count]> for $name {
+            #[inline]
             fn from([$($element),*]: [$number; $count]) -> Self {
                 Self { $($element),* }
             }
         }
 
         impl ::core::convert::From<$name> for [$number; $count] {
+            #[inline]
             fn from(value: $name) -> Self {
                 value.to_array()
             }
@@ -103,18 +114,41 @@ macro_rules! vector {
 
         impl $crate::Wire for $name {
             const SIZE: usize = <[$number; $count] as $crate::Wire>::SIZE;
+            const FIXED: bool = true;
 
+            #[inline]
             fn decode_from(
                 reader: &mut $crate::Reader<'_>,
-            ) -> ::core::result::Result<Self, $crate::DecodeError> {
+            ) -> ::core::result::Result<Self, $crate::error::DecodeErrorKind> {
                 reader.read::<[$number; $count]>().map(Self::from)
             }
 
+            #[inline]
             fn encode_to(
                 &self,
                 writer: &mut $crate::Writer<'_>,
-            ) -> ::core::result::Result<(), $crate::EncodeError> {
+            ) -> ::core::result::Result<(), $crate::error::EncodeErrorKind> {
                 writer.write(&self.to_array())
+            }
+        }
+
+        /// An array, as it is in the trees of values.
+        #[cfg(feature = "serde")]
+        impl serde::Serialize for $name {
+            fn serialize<S: serde::Serializer>(
+                &self,
+                serializer: S,
+            ) -> ::core::result::Result<S::Ok, S::Error> {
+                serde::Serialize::serialize(&self.to_array(), serializer)
+            }
+        }
+
+        #[cfg(feature = "serde")]
+        impl<'de> serde::Deserialize<'de> for $name {
+            fn deserialize<D: serde::Deserializer<'de>>(
+                deserializer: D,
+            ) -> ::core::result::Result<Self, D::Error> {
+                <[$number; $count] as serde::Deserialize>::deserialize(deserializer).map(Self::from)
             }
         }
 
@@ -140,30 +174,39 @@ macro_rules! vector {
 macro_rules! newtype {
     ($name:ident: $inner:ty) => {
         impl ::core::convert::From<$inner> for $name {
+            #[inline]
             fn from(value: $inner) -> Self {
                 Self(value)
             }
         }
 
         impl ::core::convert::From<$name> for $inner {
+            #[inline]
             fn from(value: $name) -> Self {
                 value.0
             }
         }
 
+        impl $crate::list::Item for $name {
+            const BLANK: Self = Self(<$inner as $crate::list::Item>::BLANK);
+        }
+
         impl $crate::Wire for $name {
             const SIZE: usize = <$inner as $crate::Wire>::SIZE;
+            const FIXED: bool = true;
 
+            #[inline]
             fn decode_from(
                 reader: &mut $crate::Reader<'_>,
-            ) -> ::core::result::Result<Self, $crate::DecodeError> {
+            ) -> ::core::result::Result<Self, $crate::error::DecodeErrorKind> {
                 reader.read().map(Self)
             }
 
+            #[inline]
             fn encode_to(
                 &self,
                 writer: &mut $crate::Writer<'_>,
-            ) -> ::core::result::Result<(), $crate::EncodeError> {
+            ) -> ::core::result::Result<(), $crate::error::EncodeErrorKind> {
                 writer.write(&self.0)
             }
         }

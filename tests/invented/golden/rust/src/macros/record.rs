@@ -17,12 +17,12 @@
 macro_rules! record {
     ($(#[$meta:meta])* pub struct $name:ident;) => {
         $(#[$meta])*
-        #[derive(Clone, Copy, Debug, PartialEq)]
+        #[derive(Clone, Debug, PartialEq)]
         #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
         #[cfg_attr(feature = "defmt", derive(defmt::Format))]
         pub struct $name;
 
-        wire!($name {} 0;);
+        wire!($name {} 0, true;);
     };
     (
         $(#[$meta:meta])*
@@ -31,7 +31,9 @@ macro_rules! record {
         }
     ) => {
         members!([$([$meta])*] $name $([$([$member_meta])*] $member: $type,)*);
-        wire!($name { $($member)* } 0_usize$(.saturating_add(<$type as $crate::Wire>::SIZE))*;
+        wire!($name { $($member)* }
+            0_usize$(.saturating_add(<$type as $crate::Wire>::SIZE))*,
+            true $(&& <$type as $crate::Wire>::FIXED)*;
             $([$member])*);
     };
     (
@@ -48,10 +50,11 @@ macro_rules! record {
         members!([$([$meta])*] $name
             [$([$selector_meta])*] $selector: $selector_type,
             $([$([$member_meta])*] $member: $type,)*);
-        wire!($name { $selector $($member)* } $size; [$selects selects] $([$($step)*])*);
+        wire!($name { $selector $($member)* } $size, false; [$selects selects] $([$($step)*])*);
 
         impl $name {
             /// A command that has nothing but its selector.
+            #[inline]
             fn bare($selector: $selector_type) -> Self {
                 Self { $selector, $($member: None,)* }
             }
@@ -67,7 +70,7 @@ macro_rules! record {
         }
     ) => {
         members!([$([$meta])*] $name $([$([$member_meta])*] $member: $type,)*);
-        wire!($name { $($member)* } $size; $([$($step)*])*);
+        wire!($name { $($member)* } $size, false; $([$($step)*])*);
     };
 }
 
@@ -75,7 +78,7 @@ macro_rules! record {
 macro_rules! members {
     ([$([$meta:meta])*] $name:ident $([$([$member_meta:meta])*] $member:ident: $type:ty,)*) => {
         $(#[$meta])*
-        #[derive(Clone, Copy, Debug, PartialEq)]
+        #[derive(Clone, Debug, PartialEq)]
         #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
         #[cfg_attr(feature = "defmt", derive(defmt::Format))]
         pub struct $name {
@@ -84,20 +87,26 @@ macro_rules! members {
     };
 }
 
-/// The codec of a record: its members, its maximum size, and its steps.
+/// The codec of a record: its members, its maximum size, whether it always has that, and its steps.
 macro_rules! wire {
-    ($name:ident { $($member:ident)* } $size:expr; $([$($step:tt)*])*) => {
+    ($name:ident { $($member:ident)* } $size:expr, $fixed:expr; $([$($step:tt)*])*) => {
         impl $crate::Wire for $name {
             const SIZE: usize = $size;
+            const FIXED: bool = $fixed;
 
             #[allow(unused_variables)]
-            fn decode_from(reader: &mut $crate::Reader<'_>) -> Result<Self, $crate::DecodeError> {
+            #[inline]
+            fn decode_from(reader: &mut $crate::Reader<'_>) -> Result<Self, $crate::error::DecodeErrorKind> {
+                if Self::FIXED {
+                    reader.require(Self::SIZE)?;
+                }
                 $(decode!(reader selected $($step)*);)*
                 Ok(Self { $($member),* })
             }
 
             #[allow(unused_variables)]
-            fn encode_to(&self, writer: &mut $crate::Writer<'_>) -> Result<(), $crate::EncodeError> {
+            #[inline]
+            fn encode_to(&self, writer: &mut $crate::Writer<'_>) -> Result<(), $crate::error::EncodeErrorKind> {
                 let Self { $($member),* } = self;
                 $(encode!(writer selected $($step)*);)*
                 Ok(())
@@ -123,6 +132,7 @@ macro_rules! constructors {
         impl $name {
             $(
                 $(#[$meta])*
+                #[inline]
                 #[must_use]
                 #[allow(clippy::too_many_arguments)]
                 pub fn $new($($given: $type),*) -> Self {
@@ -141,6 +151,7 @@ macro_rules! constructors {
         impl $name {
             $(
                 $(#[$meta])*
+                #[inline]
                 #[must_use]
                 #[allow(clippy::too_many_arguments, clippy::needless_update)]
                 pub fn $new($($given: $type),*) -> Self {
@@ -161,6 +172,7 @@ macro_rules! setters {
         impl $name {
             $(
                 #[doc = concat!("With `", stringify!($member), "`, which is optional.")]
+                #[inline]
                 #[must_use]
                 pub fn $with(mut self, $member: $type) -> Self {
                     self.$member = Some($member);
@@ -184,13 +196,19 @@ macro_rules! union {
         default $default:expr
     ) => {
         $(#[$meta])*
-        #[derive(Clone, Copy, Debug, PartialEq)]
+        #[derive(Clone, Debug, PartialEq)]
         #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
         #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+        #[non_exhaustive]
         pub enum $name {
             $($(#[$variant_meta])* $variant $(($type))?,)*
             /// Nothing, for a tag that the specification does not know.
+            #[cfg_attr(feature = "serde", serde(rename = "other"))]
             Other($tag),
+        }
+
+        impl $crate::list::Item for $name {
+            const BLANK: Self = Self::Other(<$tag as $crate::list::Item>::BLANK);
         }
 
         impl ::core::default::Default for $name {
@@ -201,6 +219,7 @@ macro_rules! union {
 
         impl $name {
             /// The tag that selects it.
+            #[inline]
             #[must_use]
             pub const fn tag(&self) -> $tag {
                 match self {
@@ -213,25 +232,32 @@ macro_rules! union {
         impl $crate::Union for $name {
             type Tag = $tag;
 
+            #[inline]
             fn decode_as(
                 tag: $tag,
                 reader: &mut $crate::Reader<'_>,
-            ) -> Result<Self, $crate::DecodeError> {
+            ) -> Result<Self, $crate::error::DecodeErrorKind> {
                 Ok(match tag {
                     $(<$tag>::$value => Self::$variant $((reader.read::<$type>()?))?,)*
                     other => Self::Other(other),
                 })
             }
 
+            #[inline]
             fn encode_as(
                 &self,
                 tag: $tag,
                 writer: &mut $crate::Writer<'_>,
-            ) -> Result<(), $crate::EncodeError> {
+            ) -> Result<(), $crate::error::EncodeErrorKind> {
                 match self {
-                    _ if self.tag() != tag => Err($crate::EncodeError::Tag),
+                    _ if self.tag() != tag => {
+                        let (need, got) = (tag.0 as usize, self.tag().0 as usize);
+                        Err(writer.wrong($crate::error::EncodeErrorKind::Tag, need, got))
+                    }
                     $($(Self::$variant(value) => writer.write::<$type>(value),)?)*
-                    Self::Other(tag) if tag.name().is_some() => Err($crate::EncodeError::Tag),
+                    Self::Other(tag) if tag.name().is_some() => {
+                        Err(writer.wrong($crate::error::EncodeErrorKind::Tag, tag.0 as usize, tag.0 as usize))
+                    }
                     _ => Ok(()),
                 }
             }
@@ -239,5 +265,14 @@ macro_rules! union {
 
         #[cfg(feature = "dynamic")]
         union_tree!($name $tag; $($value $variant $($text)?;)*);
+    };
+}
+
+/// Structures can be items of lists.
+macro_rules! item {
+    ($name:ident { $($member:ident)* }) => {
+        impl $crate::list::Item for $name {
+            const BLANK: Self = Self { $($member: $crate::list::Item::BLANK),* };
+        }
     };
 }

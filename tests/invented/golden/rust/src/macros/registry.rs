@@ -1,69 +1,124 @@
 //! The tables of all fields and devices.
 
-/// All fields: their descriptions, and one type that can hold any of them.
+/// All fields, by descriptor set: their descriptions, and one type that can hold any of them.
 macro_rules! registry {
     ($(
-        $(#[$meta:meta])*
-        $variant:ident($type:ty):
-        $role:ident $set:literal, $descriptor:literal, in $first:literal..=$last:literal,
-        of $layouts:literal, $name:literal, $title:literal, [$($linked:literal),*];
+        #[cfg($when:meta)]
+        $first:literal..=$last:literal {
+            $(
+                $(#[$meta:meta])*
+                $variant:ident($type:ty):
+                $role:ident $set:literal, $descriptor:literal, of $layouts:literal,
+                $name:literal, $title:literal, [$($linked:literal),*];
+            )*
+        }
     )*) => {
         /// The descriptions of all fields.
-        pub static FIELDS: &[FieldInfo] = &[$(FieldInfo {
-            set: $set,
-            descriptor: $descriptor,
-            role: Role::$role,
-            name: $name,
-            title: $title,
-            linked: &[$($linked),*],
-            sets: ($first, $last),
-        }),*];
-
-        /// The positions of the fields in [`FIELDS`].
-        #[derive(Clone, Copy)]
-        pub(super) enum Index { $($variant),* }
+        pub static FIELDS: &[FieldInfo] = &[$($(
+            #[cfg($when)]
+            <$type as Listed>::INFO,
+        )*)*];
 
         /// A field of any type.
-        #[derive(Clone, Copy, Debug, PartialEq)]
+        ///
+        /// It is as large as the largest field, some hundred bytes, so it is better borrowed than
+        /// moved. A [`Visitor`] gets each field as its own type.
+        #[derive(Clone, Debug, PartialEq)]
         #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
         #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+        #[non_exhaustive]
         pub enum AnyField {
-            $($(#[$meta])* $variant($type),)*
+            $($(
+                #[cfg($when)]
+                $(#[$meta])*
+                #[cfg_attr(feature = "serde", serde(rename = $name))]
+                $variant($type),
+            )*)*
+        }
+
+        $($(
+            #[cfg($when)]
+            impl Listed for $type {
+                #[inline]
+                fn into_any(self) -> AnyField {
+                    AnyField::$variant(self)
+                }
+
+                const INFO: FieldInfo = FieldInfo {
+                    set: $set,
+                    descriptor: $descriptor,
+                    role: Role::$role,
+                    name: $name,
+                    title: $title,
+                    linked: &[$($linked),*],
+                    sets: ($first, $last),
+                };
+            }
+
+            #[cfg($when)]
+            impl From<$type> for AnyField {
+                #[inline]
+                fn from(field: $type) -> Self {
+                    Self::$variant(field)
+                }
+            }
+        )*)*
+
+        /// Calls the visitor with the type of a field; of several layouts with the one of the data.
+        #[inline]
+        pub fn visit<V: Visitor>(field: &RawField<'_>, visitor: V) -> V::Output {
+            $(
+                #[cfg($when)]
+                {
+                    if matches!(field.set, $first..=$last) {
+                        match field.descriptor {
+                            $($descriptor if $layouts == 1 || field.has_layout_of::<$type>() => {
+                                return visitor.visit::<$type>(field);
+                            })*
+                            _ => {}
+                        }
+                    }
+                }
+            )*
+            visitor.unknown(field)
         }
 
         impl AnyField {
-            /// Decodes a field and returns the number of bytes left over; `None` if it is unknown.
-            #[must_use]
-            pub fn decode(field: &RawField<'_>) -> Option<Result<(Self, usize), DecodeError>> {
-                Some(match index(field)? {
-                    $(Index::$variant => decode(field, Self::$variant),)*
-                })
-            }
-
             /// Encodes the data of the field to the front of the buffer and returns its length.
             pub fn encode(&self, buffer: &mut [u8]) -> Result<usize, EncodeError> {
-                match self {
-                    $(Self::$variant(field) => field.encode(buffer),)*
-                }
+                let mut writer = Writer::of_field(buffer);
+                let done = match self {
+                    $($(
+                        #[cfg($when)]
+                        Self::$variant(field) => field.encode_to(&mut writer),
+                    )*)*
+                };
+                writer.finish(done, self.info().name)
             }
 
             /// Adds it to a request, if it is a command.
+            #[allow(unused_variables)] // few sets are without commands
             pub(crate) fn add_to<const N: usize>(
                 &self,
                 request: &mut Request<'_, N>,
             ) -> Option<Result<Ticket<()>, RequestError>> {
                 match self {
-                    $(Self::$variant(field) => add_to!($role, request, field),)*
+                    $($(
+                        #[cfg($when)]
+                        Self::$variant(field) => add_to!($role, request, field),
+                    )*)*
                 }
             }
 
             /// The description of the field.
             #[must_use]
-            pub fn info(&self) -> Option<&'static FieldInfo> {
-                let index = match self {
-                    $(Self::$variant(_) => Index::$variant,)*
-                };
-                FIELDS.get(index as usize)
+            pub const fn info(&self) -> &'static FieldInfo {
+                match self {
+                    $($(
+                        #[cfg($when)]
+                        Self::$variant(_) => &<$type as Listed>::INFO,
+                    )*)*
+                }
             }
 
             /// The field as a tree of values.
@@ -72,7 +127,10 @@ macro_rules! registry {
             pub fn to_value(&self) -> crate::dynamic::Value {
                 use crate::dynamic::ToValue;
                 match self {
-                    $(Self::$variant(field) => field.to_value(),)*
+                    $($(
+                        #[cfg($when)]
+                        Self::$variant(field) => field.to_value(),
+                    )*)*
                 }
             }
 
@@ -83,18 +141,13 @@ macro_rules! registry {
                 value: &crate::dynamic::Value,
             ) -> Result<Self, crate::dynamic::ValueError> {
                 match name {
-                    $($name => from_value(value, Self::$variant),)*
+                    $($(
+                        #[cfg($when)]
+                        $name => from_value::<$type>(value),
+                    )*)*
                     _ => Err(crate::dynamic::ValueError::Unknown),
                 }
             }
-        }
-
-        pub(super) fn index(field: &RawField<'_>) -> Option<Index> {
-            Some(match (field.set, field.descriptor) {
-                $(($first..=$last, $descriptor)
-                    if $layouts == 1 || field.has_layout_of::<$type>() => Index::$variant,)*
-                _ => return None,
-            })
         }
     };
 }

@@ -8,114 +8,344 @@ use crate::types;
 /// The number of the descriptor set.
 pub const SET: u8 = 0x92;
 
-/// Third acceleration (0x92,0x01).
-///
-/// A vector whose elements are valid together.
-///
-/// Has the layout of [`measurements::Accel`](crate::measurements::Accel). Sent at 100 Hz at most.
-/// May be supported by Model C.
-///
-/// Source: guide: Third acceleration.
-pub type Accel = crate::measurements::Accel;
+record! {
+    /// Third acceleration (0x92,0x01).
+    ///
+    /// A vector whose elements are valid together.
+    ///
+    /// Has the layout of [`measurements::Accel`](crate::measurements::Accel). Sent at 100 Hz at
+    /// most. May be supported by [Model C](crate::devices::MODEL_C).
+    ///
+    /// Source: guide: Third acceleration.
+    #[derive(Copy, Default)]
+    pub struct Accel {
+        /// Specific force.
+        ///
+        /// Elements: x, y, z. Unit: g. Frame: sensor. Each element is valid by its bit: x by
+        /// [`valid_flags.ready`](types::StateFlags::ready), y by
+        /// [`valid_flags.hot`](types::StateFlags::hot), z by
+        /// [`valid_flags.ready`](types::StateFlags::ready).
+        pub scaled_accel: types::Vector3f,
+        /// What is valid.
+        pub valid_flags: types::StateFlags,
+    }
+}
 
-/// Numbers (0x92,0x02).
-///
-/// One of each.
-///
-/// Has the layout of [`measurements::Numbers`](crate::measurements::Numbers). No device profile
-/// lists it. Known from the Kit of names only.
-///
-/// Source: sheet: Copied measurements.
-pub type Numbers = crate::measurements::Numbers;
+field! {
+    Accel: 0x92, 0x01, "copy.accel";
+}
 
-/// Strings (0x92,0x03).
-///
-/// Fixed, counted, and to the end.
-///
-/// Has the layout of [`measurements::Strings`](crate::measurements::Strings). No device profile
-/// lists it. Known from the Kit of names only.
-///
-/// On the wire there is also `length`: Of the name. The number of elements of `name`.
-///
-/// Source: sheet: Copied measurements.
-pub type Strings = crate::measurements::Strings;
+record! {
+    /// Numbers (0x92,0x02).
+    ///
+    /// One of each.
+    ///
+    /// Has the layout of [`measurements::Numbers`](crate::measurements::Numbers). No device profile
+    /// lists it. Known from the Kit of names only.
+    ///
+    /// Source: sheet: Copied measurements.
+    #[derive(Copy, Default)]
+    pub struct Numbers {
+        /// Unsigned.
+        pub u8: u8,
+        /// Unsigned.
+        pub u16: u16,
+        /// Unsigned.
+        pub u32: u32,
+        /// Unsigned.
+        pub u64: u64,
+        /// Signed.
+        pub s8: i8,
+        /// Signed.
+        pub s16: i16,
+        /// Signed.
+        pub s32: i32,
+        /// Signed.
+        pub s64: i64,
+        /// Four bytes.
+        ///
+        /// Unit: 1.
+        pub float: f32,
+        /// Eight bytes.
+        ///
+        /// Unit: 1.
+        pub double: f64,
+        /// True or false.
+        pub bool: crate::Bool,
+        /// One character.
+        pub char: u8,
+    }
+}
 
-/// Health (0x92,0x04).
-///
-/// The wide bitfield.
-///
-/// Deprecated: use [`measurements::Numbers`](crate::measurements::Numbers) instead. Has the layout
-/// of [`measurements::Health`](crate::measurements::Health). No device profile lists it. Known from
-/// the Kit of names only.
-///
-/// Source: sheet: Copied measurements.
-pub type Health = crate::measurements::Health;
+field! {
+    Numbers: 0x92, 0x02, "copy.numbers";
+}
 
-/// Arrays (0x92,0x05).
-///
-/// Arrays of all that can stand in one.
-///
-/// Has the layout of [`measurements::Arrays`](crate::measurements::Arrays). No device profile lists
-/// it. Known from the Kit of names only.
-///
-/// Source: sheet: Copied measurements.
-pub type Arrays = crate::measurements::Arrays;
+record! {
+    /// Strings (0x92,0x03).
+    ///
+    /// Fixed, counted, and to the end.
+    ///
+    /// Has the layout of [`measurements::Strings`](crate::measurements::Strings). No device profile
+    /// lists it. Known from the Kit of names only.
+    ///
+    /// On the wire there is also `length`: Of the name. The number of elements of
+    /// [`name`](Strings::name).
+    ///
+    /// Source: sheet: Copied measurements.
+    #[derive(Default, Eq, Hash)]
+    pub struct Strings {
+        /// Padded with spaces.
+        pub model: crate::Text<16>,
+        /// The name.
+        pub name: crate::VarText<236>,
+        /// All that follows.
+        pub rest: crate::VarText<236>,
+    }
+    wire 253 {
+        [model]
+        [length: u8 counts name]
+        [name by length]
+        [rest]
+    }
+}
 
-/// Growing (0x92,0x06).
-///
-/// Newer devices send more of it.
-///
-/// Has the layout of [`measurements::Growing`](crate::measurements::Growing). No device profile
-/// lists it. Known from the Kit of names only.
-///
-/// Source: sheet: Copied measurements.
-pub type Growing = crate::measurements::Growing;
+field! {
+    Strings: 0x92, 0x03, "copy.strings";
+}
 
-/// Radio (0x92,0x07).
-///
-/// A bool vouches for values; one source has no layout that agrees with it.
-///
-/// Has the layout of [`measurements::Radio`](crate::measurements::Radio). Also called `modem` and
-/// `rf`. No device profile lists it. Known from the Kit of names only. Uncertain: The leaflet gives
-/// the strength two bytes. Uncertain: Inferred: the strength is never positive.
-///
-/// Source: sheet: Copied measurements.
-pub type Radio = crate::measurements::Radio;
+record! {
+    /// Health (0x92,0x04).
+    ///
+    /// The wide bitfield.
+    ///
+    /// Deprecated: use [`measurements::Numbers`](crate::measurements::Numbers) instead. Has the
+    /// layout of [`measurements::Health`](crate::measurements::Health). No device profile lists it.
+    /// Known from the Kit of names only.
+    ///
+    /// Source: sheet: Copied measurements.
+    #[derive(Copy, Default, Eq, Hash)]
+    #[deprecated(note = "use `measurements.numbers` instead")]
+    pub struct Health {
+        /// The bits.
+        pub result: types::Health,
+        /// An enumeration over four bytes.
+        pub code: types::WideCode,
+    }
+}
 
-/// Cloud (0x92,0x08).
-///
-/// The count can exceed what a field holds beside the value behind the array.
-///
-/// Has the layout of [`measurements::Cloud`](crate::measurements::Cloud). No device profile lists
-/// it. Known from the Kit of names only.
-///
-/// On the wire there is also `num_points`: Number of points. The number of elements of `points`.
-///
-/// Source: sheet: Copied measurements.
-pub type Cloud = crate::measurements::Cloud;
+field! {
+    Health: 0x92, 0x04, "copy.health";
+}
 
-/// Gust (0x92,0x09).
-///
-/// One valid flag for all values but one; [`measurements::Breeze`](crate::measurements::Breeze) has
-/// the same place.
-///
-/// Has the layout of [`measurements::Gust`](crate::measurements::Gust). No device profile lists it.
-/// Known from the Kit of names only.
-///
-/// On the wire there is also `gap`: Always the same. Always 7.
-///
-/// - `speed * 3.6` is in km/h, and `valid_flags` tells whether `speed` counts; see [`types::Mode`]
-///   and [`tools::Shape`](crate::tools::Shape).
-///
-/// Source: sheet: Copied measurements.
-pub type Gust = crate::measurements::Gust;
+record! {
+    /// Arrays (0x92,0x05).
+    ///
+    /// Arrays of all that can stand in one.
+    ///
+    /// Has the layout of [`measurements::Arrays`](crate::measurements::Arrays). No device profile
+    /// lists it. Known from the Kit of names only.
+    ///
+    /// Source: sheet: Copied measurements.
+    #[derive(Copy, Default)]
+    pub struct Arrays {
+        /// Enumerations.
+        pub modes: [types::Mode; 3],
+        /// Bitfields.
+        pub flags: [types::StateFlags; 2],
+        /// Vectors.
+        ///
+        /// Elements: x, y, z. Unit: m.
+        pub vectors: [types::Vector3f; 2],
+        /// Structures.
+        ///
+        /// Unit: m.
+        pub points: [types::Point; 2],
+        /// A nested structure.
+        pub track: types::Segment,
+        /// Reserved.
+        pub offsets: [i8; 4],
+    }
+}
 
-/// Breeze (0x92,0x0A).
-///
-/// Its place is told as in [`measurements::Gust`](crate::measurements::Gust).
-///
-/// Has the layout of [`measurements::Breeze`](crate::measurements::Breeze). No device profile lists
-/// it. Known from the Kit of names only.
-///
-/// Source: sheet: Copied measurements.
-pub type Breeze = crate::measurements::Breeze;
+field! {
+    Arrays: 0x92, 0x05, "copy.arrays";
+}
+
+record! {
+    /// Growing (0x92,0x06).
+    ///
+    /// Newer devices send more of it.
+    ///
+    /// Has the layout of [`measurements::Growing`](crate::measurements::Growing). No device profile
+    /// lists it. Known from the Kit of names only.
+    ///
+    /// Source: sheet: Copied measurements.
+    #[derive(Copy, Default)]
+    pub struct Growing {
+        /// Always there.
+        pub first: u16,
+        /// From version 2 on.
+        ///
+        /// Optional.
+        pub second: Option<u16>,
+        /// From version 3 on.
+        ///
+        /// Unit: deg. Optional.
+        pub third: Option<f32>,
+    }
+    wire 8 {
+        [first]
+        [second optional]
+        [third optional]
+    }
+}
+
+field! {
+    Growing: 0x92, 0x06, "copy.growing";
+}
+
+record! {
+    /// Radio (0x92,0x07).
+    ///
+    /// A bool vouches for values; one source has no layout that agrees with it.
+    ///
+    /// Has the layout of [`measurements::Radio`](crate::measurements::Radio). Also called `modem`
+    /// and `rf`. No device profile lists it. Known from the Kit of names only. Uncertain: The
+    /// leaflet gives the strength two bytes. Uncertain: Inferred: the strength is never positive.
+    ///
+    /// Source: sheet: Copied measurements.
+    #[derive(Copy, Default)]
+    pub struct Radio {
+        /// Whether there is a connection.
+        pub connected: crate::Bool,
+        /// Of the signal.
+        ///
+        /// Range: less than 1. Valid if [`connected`](Radio::connected) is true. Uncertain: Its
+        /// unit.
+        pub strength: i32,
+        /// Never nothing.
+        ///
+        /// Unit: m. Range: greater than 0, at most 10. Valid if [`connected`](Radio::connected) is
+        /// true.
+        pub noise: f32,
+        /// Reserved.
+        ///
+        /// Reserved.
+        pub gap: f32,
+        /// Reserved.
+        pub gaps: [f64; 2],
+    }
+}
+
+field! {
+    Radio: 0x92, 0x07, "copy.radio";
+}
+
+record! {
+    /// Cloud (0x92,0x08).
+    ///
+    /// The count can exceed what a field holds beside the value behind the array.
+    ///
+    /// Has the layout of [`measurements::Cloud`](crate::measurements::Cloud). No device profile
+    /// lists it. Known from the Kit of names only.
+    ///
+    /// On the wire there is also `num_points`: Number of points. The number of elements of
+    /// [`points`](Cloud::points).
+    ///
+    /// Source: sheet: Copied measurements.
+    #[derive(Default, Eq, Hash)]
+    pub struct Cloud {
+        /// The points.
+        pub points: crate::List<types::Point, 61>,
+        /// Behind an array that fills the field.
+        pub stamp: u64,
+    }
+    wire 253 {
+        [num_points: u8 counts points]
+        [points by num_points]
+        [stamp]
+    }
+}
+
+field! {
+    Cloud: 0x92, 0x08, "copy.cloud";
+}
+
+record! {
+    /// Gust (0x92,0x09).
+    ///
+    /// One valid flag for all values but one; [`measurements::Breeze`](crate::measurements::Breeze)
+    /// has the same place.
+    ///
+    /// Has the layout of [`measurements::Gust`](crate::measurements::Gust). No device profile lists
+    /// it. Known from the Kit of names only.
+    ///
+    /// On the wire there is also `gap`: Always the same. Always 7.
+    ///
+    /// - `speed * 3.6` is in km/h, and `valid_flags` tells whether `speed` counts; see
+    ///   [`types::Mode`] and [`tools::Shape`](crate::tools::Shape).
+    ///
+    /// Source: sheet: Copied measurements.
+    #[derive(Copy, Default)]
+    pub struct Gust {
+        /// Which one.
+        pub station: u8,
+        /// Where it was measured.
+        ///
+        /// Valid if [`valid_flags.ready`](types::StateFlags::ready) is set.
+        pub place: types::Point,
+        /// Above the plane.
+        ///
+        /// Unit: m. Valid if [`valid_flags.ready`](types::StateFlags::ready) is set.
+        pub height: f32,
+        /// Of the wind.
+        ///
+        /// Elements: x, y, z. Unit: m. Range: magnitude at most 40. Valid if
+        /// [`valid_flags.ready`](types::StateFlags::ready) is set.
+        pub speed: types::Vector3f,
+        /// What is valid.
+        pub valid_flags: types::StateFlags,
+    }
+    wire 24 {
+        [station]
+        [place]
+        [height]
+        [speed]
+        [gap: u8 = 7]
+        [valid_flags]
+    }
+}
+
+field! {
+    Gust: 0x92, 0x09, "copy.gust";
+}
+
+record! {
+    /// Breeze (0x92,0x0A).
+    ///
+    /// Its place is told as in [`measurements::Gust`](crate::measurements::Gust).
+    ///
+    /// Has the layout of [`measurements::Breeze`](crate::measurements::Breeze). No device profile
+    /// lists it. Known from the Kit of names only.
+    ///
+    /// Source: sheet: Copied measurements.
+    #[derive(Copy, Default)]
+    pub struct Breeze {
+        /// Where it was measured.
+        pub place: types::Point,
+        /// Above the plane.
+        ///
+        /// Unit: m.
+        pub height: f32,
+        /// Of the vane.
+        ///
+        /// Elements: w, x, y, z. Unit: 1. Range: -1 to 1, magnitude 0.5 to 1.5. Default: 1, 0, 0,
+        /// 0.
+        pub turn: types::Quatf,
+    }
+}
+
+field! {
+    Breeze: 0x92, 0x0A, "copy.breeze";
+}

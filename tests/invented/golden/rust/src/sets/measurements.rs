@@ -11,25 +11,27 @@ record! {
     ///
     /// A vector whose elements are valid together.
     ///
-    /// Sent at 100 Hz at most. Supported by Model A, Model B and Model C.
+    /// Sent at 100 Hz at most. Supported by [Model A](crate::devices::MODEL_A), [Model
+    /// B](crate::devices::MODEL_B) and [Model C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Acceleration; leaflet: Acceleration.
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct Accel {
         /// Specific force.
         ///
         /// Elements: x, y, z. Unit: g. Frame: sensor. Each element is valid by its bit: x by
         /// [`valid_flags.ready`](types::StateFlags::ready), y by
         /// [`valid_flags.hot`](types::StateFlags::hot), z by
-        /// [`valid_flags.ready`](types::StateFlags::ready). On the Model B: unit m, m, s; frame
-        /// ned; valid by element: x by [`valid_flags.hot`](types::StateFlags::hot), y by
+        /// [`valid_flags.ready`](types::StateFlags::ready). On the [Model
+        /// B](crate::devices::MODEL_B): unit m, m, s; frame ned; valid by element: x by
+        /// [`valid_flags.hot`](types::StateFlags::hot), y by
         /// [`valid_flags.ready`](types::StateFlags::ready), z by
-        /// [`valid_flags.hot`](types::StateFlags::hot). Turned by the device. On the Model C:
-        /// nothing says whether it is valid.
+        /// [`valid_flags.hot`](types::StateFlags::hot). Turned by the device. On the [Model
+        /// C](crate::devices::MODEL_C): nothing says whether it is valid.
         pub scaled_accel: types::Vector3f,
         /// What is valid.
         ///
-        /// On the Model C: only [`ready`](types::StateFlags::ready) and
+        /// On the [Model C](crate::devices::MODEL_C): only [`ready`](types::StateFlags::ready) and
         /// [`level`](types::StateFlags::level).
         pub valid_flags: types::StateFlags,
     }
@@ -37,7 +39,6 @@ record! {
 
 field! {
     Accel: 0x80, 0x01, "measurements.accel";
-    in [0x80 | 0x81 | 0x92];
 }
 
 record! {
@@ -45,10 +46,11 @@ record! {
     ///
     /// One of each.
     ///
-    /// Supported by Model A and Model C. May be supported by Old 1 and Old 2.
+    /// Supported by [Model A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C). May
+    /// be supported by [Old 1](crate::devices::OLD_1) and [Old 2](crate::devices::OLD_2).
     ///
     /// Source: guide: Numbers.
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct Numbers {
         /// Unsigned.
         pub u8: u8,
@@ -83,7 +85,6 @@ record! {
 
 field! {
     Numbers: 0x80, 0x02, "measurements.numbers";
-    in [0x80 | 0x92];
 }
 
 record! {
@@ -91,12 +92,13 @@ record! {
     ///
     /// Fixed, counted, and to the end.
     ///
-    /// Supported by Model A and Model C.
+    /// Supported by [Model A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
     ///
-    /// On the wire there is also `length`: Of the name. The number of elements of `name`.
+    /// On the wire there is also `length`: Of the name. The number of elements of
+    /// [`name`](Strings::name).
     ///
     /// Source: guide: Strings.
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct Strings {
         /// Padded with spaces.
         pub model: crate::Text<16>,
@@ -115,7 +117,6 @@ record! {
 
 field! {
     Strings: 0x80, 0x03, "measurements.strings";
-    in [0x80 | 0x81 | 0x92];
 }
 
 record! {
@@ -123,10 +124,11 @@ record! {
     ///
     /// The wide bitfield.
     ///
-    /// Deprecated: use [`Numbers`] instead. Supported by Model A and Model C.
+    /// Deprecated: use [`Numbers`] instead. Supported by [Model A](crate::devices::MODEL_A) and
+    /// [Model C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Health.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     #[deprecated(note = "use `measurements.numbers` instead")]
     pub struct Health {
         /// The bits.
@@ -138,7 +140,6 @@ record! {
 
 field! {
     Health: 0x80, 0x04, "measurements.health";
-    in [0x80 | 0x92];
 }
 
 record! {
@@ -146,10 +147,10 @@ record! {
     ///
     /// Arrays of all that can stand in one.
     ///
-    /// Supported by Model A and Model C.
+    /// Supported by [Model A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Arrays.
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct Arrays {
         /// Enumerations.
         pub modes: [types::Mode; 3],
@@ -172,7 +173,6 @@ record! {
 
 field! {
     Arrays: 0x80, 0x05, "measurements.arrays";
-    in [0x80 | 0x92];
 }
 
 record! {
@@ -180,10 +180,10 @@ record! {
     ///
     /// Newer devices send more of it.
     ///
-    /// Supported by Model A and Model C.
+    /// Supported by [Model A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Growing.
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct Growing {
         /// Always there.
         pub first: u16,
@@ -205,7 +205,6 @@ record! {
 
 field! {
     Growing: 0x80, 0x06, "measurements.growing";
-    in [0x80 | 0x92];
 }
 
 record! {
@@ -213,23 +212,25 @@ record! {
     ///
     /// A bool vouches for values; one source has no layout that agrees with it.
     ///
-    /// Also called `modem` and `rf`. Supported by Model C. Known from the Kit of names only.
-    /// Uncertain: The leaflet gives the strength two bytes. Uncertain: Inferred: the strength is
-    /// never positive.
+    /// Also called `modem` and `rf`. Supported by [Model C](crate::devices::MODEL_C). Known from
+    /// the Kit of names only. Uncertain: The leaflet gives the strength two bytes. Uncertain:
+    /// Inferred: the strength is never positive.
     ///
     /// Source: sheet: Radio.
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct Radio {
         /// Whether there is a connection.
         pub connected: crate::Bool,
         /// Of the signal.
         ///
-        /// Range: less than 1. Valid if `connected` is true. Uncertain: Its unit.
+        /// Range: less than 1. Valid if [`connected`](Radio::connected) is true. Uncertain: Its
+        /// unit.
         pub strength: i32,
         /// Never nothing.
         ///
-        /// Unit: m. Range: greater than 0, at most 10. Valid if `connected` is true. On the Model
-        /// C: valid if `connected` is true; deprecated.
+        /// Unit: m. Range: greater than 0, at most 10. Valid if [`connected`](Radio::connected) is
+        /// true. On the [Model C](crate::devices::MODEL_C): valid if
+        /// [`connected`](Radio::connected) is true; deprecated.
         pub noise: f32,
         /// Reserved.
         ///
@@ -242,7 +243,6 @@ record! {
 
 field! {
     Radio: 0x80, 0x07, "measurements.radio";
-    in [0x80 | 0x92];
 }
 
 record! {
@@ -250,13 +250,13 @@ record! {
     ///
     /// The count can exceed what a field holds beside the value behind the array.
     ///
-    /// Supported by Model A and Model C.
+    /// Supported by [Model A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
     ///
     /// On the wire there is also `num_points`: Number of points. The number of elements of
-    /// `points`.
+    /// [`points`](Cloud::points).
     ///
     /// Source: guide: Cloud.
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct Cloud {
         /// The points.
         pub points: crate::List<types::Point, 61>,
@@ -272,7 +272,6 @@ record! {
 
 field! {
     Cloud: 0x80, 0x08, "measurements.cloud";
-    in [0x80 | 0x92];
 }
 
 record! {
@@ -288,7 +287,7 @@ record! {
     ///   [`types::Mode`] and [`tools::Shape`](crate::tools::Shape).
     ///
     /// Source: guide: Gust.
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct Gust {
         /// Which one.
         pub station: u8,
@@ -320,7 +319,6 @@ record! {
 
 field! {
     Gust: 0x80, 0x09, "measurements.gust";
-    in [0x80 | 0x92];
 }
 
 record! {
@@ -328,10 +326,10 @@ record! {
     ///
     /// Its place is told as in [`Gust`].
     ///
-    /// Supported by Model A and Model C.
+    /// Supported by [Model A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Breeze.
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct Breeze {
         /// Where it was measured.
         pub place: types::Point,
@@ -349,5 +347,4 @@ record! {
 
 field! {
     Breeze: 0x80, 0x0A, "measurements.breeze";
-    in [0x80 | 0x92];
 }

@@ -11,19 +11,22 @@ record! {
     ///
     /// Its parameters are keywords here and there.
     ///
-    /// Not acknowledged if `mode` of [`tools::Settings`](crate::tools::Settings) is
-    /// [`types::Mode::FAST`]. Supported by Model A.
+    /// Not acknowledged if [`mode`](crate::tools::Settings::mode) of
+    /// [`tools::Settings`](crate::tools::Settings) is [`types::Mode::FAST`]. Supported by [Model
+    /// A](crate::devices::MODEL_A).
     ///
     /// Source: guide: Default.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct Default {
         /// A keyword.
         pub class: u8,
         /// A keyword.
+        #[cfg_attr(feature = "serde", serde(rename = "type"))]
         pub type_: u8,
         /// A keyword.
         pub register: u8,
         /// A keyword.
+        #[cfg_attr(feature = "serde", serde(rename = "self"))]
         pub self_: u8,
         /// Used by generated code elsewhere.
         pub present: u8,

@@ -6,36 +6,76 @@ use crate::types;
 /// The number of the descriptor set.
 pub const SET: u8 = 0x81;
 
-/// Second acceleration (0x81,0x01).
-///
-/// A vector whose elements are valid together.
-///
-/// Has the layout of [`measurements::Accel`](crate::measurements::Accel). Sent at 100 Hz at most.
-/// Supported by Model A and Model C.
-///
-/// Source: guide: Second acceleration.
-pub type Accel = crate::measurements::Accel;
+record! {
+    /// Second acceleration (0x81,0x01).
+    ///
+    /// A vector whose elements are valid together.
+    ///
+    /// Has the layout of [`measurements::Accel`](crate::measurements::Accel). Sent at 100 Hz at
+    /// most. Supported by [Model A](crate::devices::MODEL_A) and [Model
+    /// C](crate::devices::MODEL_C).
+    ///
+    /// Source: guide: Second acceleration.
+    #[derive(Copy, Default)]
+    pub struct Accel {
+        /// Specific force.
+        ///
+        /// Elements: x, y, z. Unit: g. Frame: sensor. Each element is valid by its bit: x by
+        /// [`valid_flags.ready`](types::StateFlags::ready), y by
+        /// [`valid_flags.hot`](types::StateFlags::hot), z by
+        /// [`valid_flags.ready`](types::StateFlags::ready).
+        pub scaled_accel: types::Vector3f,
+        /// What is valid.
+        pub valid_flags: types::StateFlags,
+    }
+}
 
-/// Strings (0x81,0x03).
-///
-/// Fixed, counted, and to the end.
-///
-/// Has the layout of [`measurements::Strings`](crate::measurements::Strings). Supported by Model A.
-///
-/// On the wire there is also `length`: Of the name. The number of elements of `name`.
-///
-/// Source: guide: Second strings.
-pub type Strings = crate::measurements::Strings;
+field! {
+    Accel: 0x81, 0x01, "more.accel";
+}
+
+record! {
+    /// Strings (0x81,0x03).
+    ///
+    /// Fixed, counted, and to the end.
+    ///
+    /// Has the layout of [`measurements::Strings`](crate::measurements::Strings). Supported by
+    /// [Model A](crate::devices::MODEL_A).
+    ///
+    /// On the wire there is also `length`: Of the name. The number of elements of
+    /// [`name`](Strings::name).
+    ///
+    /// Source: guide: Second strings.
+    #[derive(Default, Eq, Hash)]
+    pub struct Strings {
+        /// Padded with spaces.
+        pub model: crate::Text<16>,
+        /// The name.
+        pub name: crate::VarText<236>,
+        /// All that follows.
+        pub rest: crate::VarText<236>,
+    }
+    wire 253 {
+        [model]
+        [length: u8 counts name]
+        [name by length]
+        [rest]
+    }
+}
+
+field! {
+    Strings: 0x81, 0x03, "more.strings";
+}
 
 record! {
     /// Own (0x81,0x07).
     ///
     /// Beside those that it repeats.
     ///
-    /// Supported by Model A and Model C.
+    /// Supported by [Model A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Own.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct Own {
         /// Of the second sensor.
         pub mode: types::Mode,

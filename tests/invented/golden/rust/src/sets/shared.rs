@@ -11,10 +11,10 @@ record! {
     ///
     /// When the packet was sent.
     ///
-    /// Supported by Model A and Model C.
+    /// Supported by [Model A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Timestamp.
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct Timestamp {
         /// Time of week.
         ///

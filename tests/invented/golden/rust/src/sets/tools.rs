@@ -36,7 +36,7 @@ open_enum! {
 
 record! {
     /// Two numbers.
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct Stripes {
         /// Of a stripe.
         ///
@@ -49,6 +49,7 @@ record! {
     }
 }
 
+item! { Stripes { width angle } }
 constructors! {
     Stripes
 
@@ -58,7 +59,7 @@ constructors! {
 
 record! {
     /// Ends in a union of its own.
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct Circle {
         /// The middle.
         pub center: types::Point,
@@ -66,7 +67,7 @@ record! {
         pub fill: Fill,
         /// How it is filled.
         ///
-        /// Selected by `fill`.
+        /// Selected by [`fill`](Circle::fill).
         pub filling: CircleFilling,
     }
     wire 17 {
@@ -78,23 +79,28 @@ record! {
 
 union! {
     /// The alternatives of `filling` in [`Circle`].
+    #[derive(Copy)]
     pub enum CircleFilling: Fill {
         /// Empty.
         ///
-        /// Empty if `fill` is [`Fill::EMPTY`].
+        /// Empty if [`fill`](Circle::fill) is [`Fill::EMPTY`].
+        #[cfg_attr(feature = "serde", serde(rename = "empty"))]
         EMPTY => Empty,
         /// A colour.
         ///
-        /// If `fill` is [`Fill::SOLID`].
+        /// If [`fill`](Circle::fill) is [`Fill::SOLID`].
+        #[cfg_attr(feature = "serde", serde(rename = "solid"))]
         SOLID => Solid(u32) "solid",
         /// Striped.
         ///
-        /// If `fill` is [`Fill::STRIPED`].
+        /// If [`fill`](Circle::fill) is [`Fill::STRIPED`].
+        #[cfg_attr(feature = "serde", serde(rename = "striped"))]
         STRIPED => Striped(Stripes) "striped",
     }
     default CircleFilling::Empty
 }
 
+item! { Circle { center fill filling } }
 constructors! {
     Circle
 
@@ -106,8 +112,8 @@ record! {
     /// A counted array at its end.
     ///
     /// On the wire there is also `num_points`: Number of points. The number of elements of
-    /// `points`.
-    #[derive(Default)]
+    /// [`points`](Path::points).
+    #[derive(Default, Eq, Hash)]
     pub struct Path {
         /// Does it return to its start?
         pub closed: crate::Bool,
@@ -121,6 +127,7 @@ record! {
     }
 }
 
+item! { Path { closed points } }
 constructors! {
     Path
 
@@ -162,7 +169,7 @@ open_enum! {
 
 record! {
     /// One of a list; what it is depends on what was asked for.
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct Reading {
         /// Of the reading.
         pub kind: u8,
@@ -171,6 +178,7 @@ record! {
     }
 }
 
+item! { Reading { kind value } }
 constructors! {
     Reading
 
@@ -213,10 +221,12 @@ record! {
     ///
     /// Tests the line.
     ///
-    /// Supported by Model A, Model B, Model C and Old 1. May be supported by Old 2.
+    /// Supported by [Model A](crate::devices::MODEL_A), [Model B](crate::devices::MODEL_B), [Model
+    /// C](crate::devices::MODEL_C) and [Old 1](crate::devices::OLD_1). May be supported by [Old
+    /// 2](crate::devices::OLD_2).
     ///
     /// Source: guide: Ping; leaflet: Ping.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct Ping;
 }
 
@@ -240,11 +250,18 @@ record! {
     ///
     /// Every function, and a prefix of parameters for each.
     ///
-    /// Functions: write, read, save, load, default and apply. Answered by [`SettingsResponse`].
-    /// Supported by Model A, Model B and Model C. On the Model B: write and read only. On the Model
-    /// C: write, read and save only.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD),
+    /// [default](types::FunctionSelector::DEFAULT) and [apply](types::FunctionSelector::APPLY).
+    /// Answered by [`SettingsResponse`]. Supported by [Model A](crate::devices::MODEL_A), [Model
+    /// B](crate::devices::MODEL_B) and [Model C](crate::devices::MODEL_C). On the [Model
+    /// B](crate::devices::MODEL_B): [write](types::FunctionSelector::WRITE) and
+    /// [read](types::FunctionSelector::READ) only. On the [Model C](crate::devices::MODEL_C):
+    /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ) and
+    /// [save](types::FunctionSelector::SAVE) only.
     ///
     /// Source: guide: Settings; leaflet: Settings.
+    #[derive(Copy, Eq, Hash)]
     pub struct Settings {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -254,17 +271,20 @@ record! {
         pub port: Option<u8>,
         /// What to do.
         ///
-        /// Default: [`types::Mode::FAST`]. Required for write, read and apply. On the Model C: only
-        /// [`types::Mode::DEFAULT`] and [`types::Mode::FAST`]; not deprecated.
+        /// Default: [`types::Mode::FAST`]. Required for [write](types::FunctionSelector::WRITE),
+        /// [read](types::FunctionSelector::READ) and [apply](types::FunctionSelector::APPLY). On
+        /// the [Model C](crate::devices::MODEL_C): only [`types::Mode::DEFAULT`] and
+        /// [`types::Mode::FAST`]; not deprecated.
         pub mode: Option<types::Mode>,
         /// Speed.
         ///
-        /// Unit: Bd. Default: 115200. Required for write and apply.
+        /// Unit: Bd. Default: 115200. Required for [write](types::FunctionSelector::WRITE) and
+        /// [apply](types::FunctionSelector::APPLY).
         pub baud: Option<u32>,
         /// Required by no function, not even by write.
         ///
-        /// Optional. If `mode` is [`types::Mode::FAST`]: unit s; range 1 to 10; default 5. If
-        /// `mode` is [`types::Mode::SLOW`]: unit m.
+        /// Optional. If [`mode`](Settings::mode) is [`types::Mode::FAST`]: unit s; range 1 to 10;
+        /// default 5. If [`mode`](Settings::mode) is [`types::Mode::SLOW`]: unit m.
         pub limit: Option<u16>,
         /// Reserved: send 1. Optional.
         pub reserved: Option<u8>,
@@ -330,12 +350,15 @@ record! {
     ///
     /// Two responses for one command.
     ///
-    /// Functions: write, read and apply. Answered by [`SetTimeFastResponse`] or
-    /// [`SetTimeSlowResponse`]. Supported by Model A and Model C.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ)
+    /// and [apply](types::FunctionSelector::APPLY). Answered by [`SetTimeFastResponse`] or
+    /// [`SetTimeSlowResponse`]. Supported by [Model A](crate::devices::MODEL_A) and [Model
+    /// C](crate::devices::MODEL_C).
     ///
     /// - Send it once a second.
     ///
     /// Source: guide: Set time.
+    #[derive(Copy, Eq, Hash)]
     pub struct SetTime {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -343,7 +366,8 @@ record! {
         pub part: Option<types::Mode>,
         /// The new value.
         ///
-        /// Unit: s. Required for write and apply.
+        /// Unit: s. Required for [write](types::FunctionSelector::WRITE) and
+        /// [apply](types::FunctionSelector::APPLY).
         pub value: Option<u32>,
     }
     wire 6 {
@@ -379,10 +403,13 @@ command! {
 
 responses! {
     /// What [`SetTime`] is answered with.
+    #[derive(Copy, Eq, Hash)]
     pub enum SetTimeResponses {
         /// The response [`SetTimeFastResponse`].
+        #[cfg_attr(feature = "serde", serde(rename = "set_time_fast_response"))]
         Fast(SetTimeFastResponse),
         /// The response [`SetTimeSlowResponse`].
+        #[cfg_attr(feature = "serde", serde(rename = "set_time_slow_response"))]
         Slow(SetTimeSlowResponse),
     }
 }
@@ -393,17 +420,18 @@ record! {
     /// Layouts of one response, told apart by constants and by size.
     ///
     /// For advanced use. Answered by [`StatusShort`], [`StatusLong`], [`StatusOld`] or
-    /// [`StatusFull`]. The device may take 2.5 s to answer. Supported by Model A, Model B and Model
-    /// C.
+    /// [`StatusFull`]. The device may take 2.5 s to answer. Supported by [Model
+    /// A](crate::devices::MODEL_A), [Model B](crate::devices::MODEL_B) and [Model
+    /// C](crate::devices::MODEL_C).
     ///
     /// On the wire there is also `model`: The model that the layouts belong to. Always 4711.
     ///
     /// Source: guide: Status.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct Status {
         /// Which layout.
         ///
-        /// Range: 1 to 2. On the Model C: always 2.
+        /// Range: 1 to 2. On the [Model C](crate::devices::MODEL_C): always 2.
         pub selector: u8,
     }
     wire 3 {
@@ -433,14 +461,19 @@ command! {
 
 responses! {
     /// What [`Status`] is answered with.
+    #[derive(Copy, Eq, Hash)]
     pub enum StatusResponses {
         /// The response [`StatusShort`].
+        #[cfg_attr(feature = "serde", serde(rename = "status_short"))]
         Short(StatusShort),
         /// The response [`StatusLong`].
+        #[cfg_attr(feature = "serde", serde(rename = "status_long"))]
         Long(StatusLong),
         /// The response [`StatusOld`].
+        #[cfg_attr(feature = "serde", serde(rename = "status_old"))]
         Old(StatusOld),
         /// The response [`StatusFull`].
+        #[cfg_attr(feature = "serde", serde(rename = "status_full"))]
         Full(StatusFull),
     }
 }
@@ -450,16 +483,20 @@ record! {
     ///
     /// Its response serves another command too.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`BiasVector`]. Supported by
-    /// Model A and Model C.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
+    /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`BiasVector`]. Supported by [Model
+    /// A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Bias; leaflet: Bias.
+    #[derive(Copy)]
     pub struct Bias {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Taken off the measurement.
         ///
-        /// Elements: x, y, z. Unit: g. Frame: sensor. Required for write.
+        /// Elements: x, y, z. Unit: g. Frame: sensor. Required for
+        /// [write](types::FunctionSelector::WRITE).
         pub bias: Option<types::Vector3f>,
     }
     wire 13 {
@@ -501,11 +538,12 @@ record! {
     ///
     /// Measures the bias.
     ///
-    /// Answered by [`BiasVector`]. Supported by Model A and Model C. Deprecated on the Model C: use
+    /// Answered by [`BiasVector`]. Supported by [Model A](crate::devices::MODEL_A) and [Model
+    /// C](crate::devices::MODEL_C). Deprecated on the [Model C](crate::devices::MODEL_C): use
     /// [`Bias`] instead.
     ///
     /// Source: guide: Capture bias.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct CaptureBias {
         /// How long.
         ///
@@ -535,13 +573,14 @@ record! {
     ///
     /// Counted arrays of structures and of numbers; not answered if told so.
     ///
-    /// Not acknowledged if `suppress_ack` is true. Supported by Model A and Model C.
+    /// Not acknowledged if [`suppress_ack`](Formats::suppress_ack) is true. Supported by [Model
+    /// A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
     ///
     /// On the wire there is also `num_segments`: Number of segments. The number of elements of
-    /// `segments`.
+    /// [`segments`](Formats::segments).
     ///
     /// Source: guide: Formats.
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct Formats {
         /// Send no acknowledge.
         pub suppress_ack: crate::Bool,
@@ -583,7 +622,9 @@ record! {
     ///
     /// A tagged union with an empty variant, nested unions, arrays and strings in it.
     ///
-    /// Functions: write and read. Answered by [`ChoiceResponse`]. Supported by Model A.
+    /// Functions: [write](types::FunctionSelector::WRITE) and
+    /// [read](types::FunctionSelector::READ). Answered by [`ChoiceResponse`]. Supported by [Model
+    /// A](crate::devices::MODEL_A).
     ///
     /// Source: guide: Choice.
     pub struct Choice {
@@ -593,11 +634,12 @@ record! {
         pub instance: Option<u8>,
         /// Which member follows.
         ///
-        /// Required for write.
+        /// Required for [write](types::FunctionSelector::WRITE).
         pub shape: Option<Shape>,
         /// The member.
         ///
-        /// Selected by `shape`. Required for write.
+        /// Selected by [`shape`](Choice::shape). Required for
+        /// [write](types::FunctionSelector::WRITE).
         pub parameters: Option<ChoiceParameters>,
     }
     wire 253 {
@@ -613,23 +655,28 @@ union! {
     pub enum ChoiceParameters: Shape {
         /// None.
         ///
-        /// Empty if `shape` is [`Shape::NONE`].
+        /// Empty if [`shape`](Choice::shape) is [`Shape::NONE`].
+        #[cfg_attr(feature = "serde", serde(rename = "none"))]
         NONE => None,
         /// Circle.
         ///
-        /// If `shape` is [`Shape::CIRCLE`].
+        /// If [`shape`](Choice::shape) is [`Shape::CIRCLE`].
+        #[cfg_attr(feature = "serde", serde(rename = "circle"))]
         CIRCLE => Circle(Circle) "circle",
         /// Path.
         ///
-        /// If `shape` is [`Shape::PATH`].
+        /// If [`shape`](Choice::shape) is [`Shape::PATH`].
+        #[cfg_attr(feature = "serde", serde(rename = "path"))]
         PATH => Path(Path) "path",
         /// A rotation.
         ///
-        /// If `shape` is [`Shape::TURN`]. Elements: w, x, y, z. Unit: 1.
+        /// If [`shape`](Choice::shape) is [`Shape::TURN`]. Elements: w, x, y, z. Unit: 1.
+        #[cfg_attr(feature = "serde", serde(rename = "turn"))]
         TURN => Turn(types::Quatf) "rotation",
         /// A name.
         ///
-        /// If `shape` is [`Shape::LABEL`].
+        /// If [`shape`](Choice::shape) is [`Shape::LABEL`].
+        #[cfg_attr(feature = "serde", serde(rename = "label"))]
         LABEL => Label(crate::Text<8>) "label",
     }
     default ChoiceParameters::None
@@ -659,19 +706,21 @@ record! {
     ///
     /// Optional counted array; a read may carry a zero count.
     ///
-    /// Functions: write, read and save. Answered by [`ListResponse`]. Supported by Model A and
-    /// Model C.
+    /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ)
+    /// and [save](types::FunctionSelector::SAVE). Answered by [`ListResponse`]. Supported by [Model
+    /// A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
     ///
-    /// On the wire there is also `count`: Number of items. The number of elements of `items`.
-    /// Required for write.
+    /// On the wire there is also `count`: Number of items. The number of elements of
+    /// [`items`](List::items). Required for [write](types::FunctionSelector::WRITE).
     ///
     /// Source: guide: List.
+    #[derive(Eq, Hash)]
     pub struct List {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// The items.
         ///
-        /// Required for write.
+        /// Required for [write](types::FunctionSelector::WRITE).
         pub items: Option<crate::List<u16, 125>>,
     }
     wire 252 {
@@ -710,10 +759,11 @@ record! {
     ///
     /// Answers with an array to the end of the field.
     ///
-    /// Answered by [`InventoryResponse`]. Supported by Model A and Model C.
+    /// Answered by [`InventoryResponse`]. Supported by [Model A](crate::devices::MODEL_A) and
+    /// [Model C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Inventory.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct Inventory;
 }
 
@@ -738,9 +788,12 @@ record! {
     ///
     /// The names of one number depend on another.
     ///
-    /// Functions: write and read. Answered by [`PinResponse`]. Supported by Model A and Model C.
+    /// Functions: [write](types::FunctionSelector::WRITE) and
+    /// [read](types::FunctionSelector::READ). Answered by [`PinResponse`]. Supported by [Model
+    /// A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Pin.
+    #[derive(Copy, Eq, Hash)]
     pub struct Pin {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -748,8 +801,10 @@ record! {
         pub drive: Option<Drive>,
         /// How it is used.
         ///
-        /// Required for write. If `drive` is [`Drive::PULSE`]: values of [`PulseUse`]. If `drive`
-        /// is [`Drive::SERIAL`]: values of [`SerialUse`].
+        /// Required for [write](types::FunctionSelector::WRITE). If [`drive`](Pin::drive) is
+        /// [`Drive::PULSE`]: values of [`PulseUse`]. If [`drive`](Pin::drive) is [`Drive::SERIAL`]:
+        /// values of [`SerialUse`].
+        #[cfg_attr(feature = "serde", serde(rename = "use"))]
         pub use_: Option<u8>,
     }
     wire 3 {
@@ -773,7 +828,8 @@ constructors! {
 impl Pin {
     /// Reads `use_` as [`PulseUse`].
     ///
-    /// If `drive` is [`Drive::PULSE`]: values of [`PulseUse`].
+    /// If [`drive`](Pin::drive) is [`Drive::PULSE`]: values of [`PulseUse`].
+    #[inline]
     #[must_use]
     pub fn use_as_pulse_use(&self) -> Option<PulseUse> {
         let named = matches!(self.drive, Some(Drive::PULSE));
@@ -782,7 +838,8 @@ impl Pin {
 
     /// Reads `use_` as [`SerialUse`].
     ///
-    /// If `drive` is [`Drive::SERIAL`]: values of [`SerialUse`].
+    /// If [`drive`](Pin::drive) is [`Drive::SERIAL`]: values of [`SerialUse`].
+    #[inline]
     #[must_use]
     pub fn use_as_serial_use(&self) -> Option<SerialUse> {
         let named = matches!(self.drive, Some(Drive::SERIAL));
@@ -805,9 +862,11 @@ record! {
     /// The device asks and a host answers.
     ///
     /// Also called `keep_alive`. Answered by [`HelloResponse`]. The device sends it, and the host
-    /// answers. May be supported by Model C. Known from the Kit of names only.
+    /// answers. May be supported by [Model C](crate::devices::MODEL_C). Known from the Kit of names
+    /// only.
     ///
     /// Source: sheet: Hello.
+    #[derive(Copy)]
     pub struct Hello {
         /// Reserved: send 1.0.
         pub reserved: f32,
@@ -856,10 +915,11 @@ record! {
     ///
     /// A parameter outside of a structure says how its members are read.
     ///
-    /// Answered by [`ReadingsResponse`]. Supported by Model A and Model C.
+    /// Answered by [`ReadingsResponse`]. Supported by [Model A](crate::devices::MODEL_A) and [Model
+    /// C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Readings.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct Readings {
         /// What is asked for.
         pub drive: Drive,
@@ -885,9 +945,11 @@ command! {
 record! {
     /// Settings response (0x01,0x82).
     ///
-    /// Answers [`Settings`]. Supported by Model A, Model B and Model C.
+    /// Answers [`Settings`]. Supported by [Model A](crate::devices::MODEL_A), [Model
+    /// B](crate::devices::MODEL_B) and [Model C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Settings; leaflet: Settings.
+    #[derive(Copy, Eq, Hash)]
     pub struct SettingsResponse {
         /// Number of the port, 0 for all.
         ///
@@ -903,8 +965,8 @@ record! {
         pub baud: u32,
         /// Required by no function, not even by write.
         ///
-        /// If `mode` is [`types::Mode::FAST`]: unit s; range 1 to 10; default 5. If `mode` is
-        /// [`types::Mode::SLOW`]: unit m.
+        /// If [`mode`](SettingsResponse::mode) is [`types::Mode::FAST`]: unit s; range 1 to 10;
+        /// default 5. If [`mode`](SettingsResponse::mode) is [`types::Mode::SLOW`]: unit m.
         pub limit: u16,
         /// Reserved.
         pub reserved: u8,
@@ -932,11 +994,11 @@ field! {
 record! {
     /// Set time response (0x01,0x83).
     ///
-    /// Answers [`SetTime`]. Sent if `part` is [`types::Mode::FAST`]. Supported by Model A and Model
-    /// C.
+    /// Answers [`SetTime`]. Sent if [`part`](SetTime::part) is [`types::Mode::FAST`]. Supported by
+    /// [Model A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Set time.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct SetTimeFastResponse {
         /// The fast half.
         ///
@@ -953,11 +1015,11 @@ field! {
 record! {
     /// Set time response (0x01,0x84).
     ///
-    /// Answers [`SetTime`]. Sent if `part` is [`types::Mode::SLOW`]. Supported by Model A and Model
-    /// C.
+    /// Answers [`SetTime`]. Sent if [`part`](SetTime::part) is [`types::Mode::SLOW`]. Supported by
+    /// [Model A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Set time.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct SetTimeSlowResponse {
         /// The slow half.
         ///
@@ -974,7 +1036,7 @@ field! {
 record! {
     /// Choice response (0x01,0x88).
     ///
-    /// Answers [`Choice`]. Supported by Model A.
+    /// Answers [`Choice`]. Supported by [Model A](crate::devices::MODEL_A).
     ///
     /// Source: guide: Choice.
     #[derive(Default)]
@@ -985,7 +1047,7 @@ record! {
         pub shape: Shape,
         /// The member.
         ///
-        /// Selected by `shape`.
+        /// Selected by [`shape`](ChoiceResponse::shape).
         pub parameters: ChoiceParameters,
     }
     wire 252 {
@@ -1003,12 +1065,14 @@ field! {
 record! {
     /// List response (0x01,0x89).
     ///
-    /// Answers [`List`]. Supported by Model A and Model C.
+    /// Answers [`List`]. Supported by [Model A](crate::devices::MODEL_A) and [Model
+    /// C](crate::devices::MODEL_C).
     ///
-    /// On the wire there is also `count`: Number of items. The number of elements of `items`.
+    /// On the wire there is also `count`: Number of items. The number of elements of
+    /// [`items`](ListResponse::items).
     ///
     /// Source: guide: List.
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct ListResponse {
         /// The items.
         pub items: crate::List<u16, 126>,
@@ -1027,10 +1091,11 @@ field! {
 record! {
     /// Inventory response (0x01,0x8A).
     ///
-    /// Answers [`Inventory`]. Supported by Model A and Model C.
+    /// Answers [`Inventory`]. Supported by [Model A](crate::devices::MODEL_A) and [Model
+    /// C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Inventory.
-    #[derive(Default)]
+    #[derive(Default, Eq, Hash)]
     pub struct InventoryResponse {
         /// As many as there are.
         pub descriptors: crate::List<u16, 126>,
@@ -1045,17 +1110,19 @@ field! {
 record! {
     /// Pin response (0x01,0x8B).
     ///
-    /// Answers [`Pin`]. Supported by Model A and Model C.
+    /// Answers [`Pin`]. Supported by [Model A](crate::devices::MODEL_A) and [Model
+    /// C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Pin.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct PinResponse {
         /// What drives it.
         pub drive: Drive,
         /// How it is used.
         ///
-        /// If `drive` is [`Drive::PULSE`]: values of [`PulseUse`]. If `drive` is [`Drive::SERIAL`]:
-        /// values of [`SerialUse`].
+        /// If [`drive`](PinResponse::drive) is [`Drive::PULSE`]: values of [`PulseUse`]. If
+        /// [`drive`](PinResponse::drive) is [`Drive::SERIAL`]: values of [`SerialUse`].
+        #[cfg_attr(feature = "serde", serde(rename = "use"))]
         pub use_: u8,
     }
     wire 2 {
@@ -1068,7 +1135,8 @@ record! {
 impl PinResponse {
     /// Reads `use_` as [`PulseUse`].
     ///
-    /// If `drive` is [`Drive::PULSE`]: values of [`PulseUse`].
+    /// If [`drive`](PinResponse::drive) is [`Drive::PULSE`]: values of [`PulseUse`].
+    #[inline]
     #[must_use]
     pub fn use_as_pulse_use(&self) -> Option<PulseUse> {
         let named = matches!(self.drive, Drive::PULSE);
@@ -1077,7 +1145,8 @@ impl PinResponse {
 
     /// Reads `use_` as [`SerialUse`].
     ///
-    /// If `drive` is [`Drive::SERIAL`]: values of [`SerialUse`].
+    /// If [`drive`](PinResponse::drive) is [`Drive::SERIAL`]: values of [`SerialUse`].
+    #[inline]
     #[must_use]
     pub fn use_as_serial_use(&self) -> Option<SerialUse> {
         let named = matches!(self.drive, Drive::SERIAL);
@@ -1094,10 +1163,11 @@ record! {
     /// Hello response (0x01,0x8C).
     ///
     /// Also called `keep_alive_response` and `welcome`. Answers [`Hello`]. May be supported by
-    /// Model C. Known from the Kit of names only. Uncertain: When it comes.
+    /// [Model C](crate::devices::MODEL_C). Known from the Kit of names only. Uncertain: When it
+    /// comes.
     ///
     /// Source: sheet: Hello.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct HelloResponse {
         /// When the device was seen.
         ///
@@ -1114,9 +1184,11 @@ field! {
 record! {
     /// Readings response (0x01,0x8D).
     ///
-    /// Answers [`Readings`]. Supported by Model A and Model C.
+    /// Answers [`Readings`]. Supported by [Model A](crate::devices::MODEL_A) and [Model
+    /// C](crate::devices::MODEL_C).
     ///
-    /// On the wire there is also `count`: Number of readings. The number of elements of `readings`.
+    /// On the wire there is also `count`: Number of readings. The number of elements of
+    /// [`readings`](ReadingsResponse::readings).
     ///
     /// Source: guide: Readings.
     #[derive(Default)]
@@ -1125,13 +1197,15 @@ record! {
         pub drive: Drive,
         /// The readings.
         ///
-        /// If `drive` is [`Drive::PULSE`]: `kind` has values of [`PulseUse`]. Seldom 2. If `drive`
-        /// is [`Drive::SERIAL`]: `kind` has values of [`SerialUse`].
+        /// If [`drive`](ReadingsResponse::drive) is [`Drive::PULSE`]: [`kind`](Reading::kind) has
+        /// values of [`PulseUse`]. Seldom 2. If [`drive`](ReadingsResponse::drive) is
+        /// [`Drive::SERIAL`]: [`kind`](Reading::kind) has values of [`SerialUse`].
         pub readings: crate::List<Reading, 49>,
         /// The last one.
         ///
-        /// If `drive` is [`Drive::PULSE`]: `value` has unit s; range 0 to 1. If `drive` is
-        /// [`Drive::SERIAL`]: `value`: Nothing.
+        /// If [`drive`](ReadingsResponse::drive) is [`Drive::PULSE`]: [`value`](Reading::value) has
+        /// unit s; range 0 to 1. If [`drive`](ReadingsResponse::drive) is [`Drive::SERIAL`]:
+        /// [`value`](Reading::value): Nothing.
         pub last: Reading,
     }
     wire 252 {
@@ -1150,18 +1224,21 @@ field! {
 record! {
     /// Status response (0x01,0x90).
     ///
-    /// Answers [`Status`]. Sent if `selector` is 1. Supported by Model A, Model B and Model C.
+    /// Answers [`Status`]. Sent if [`selector`](Status::selector) is 1. Supported by [Model
+    /// A](crate::devices::MODEL_A), [Model B](crate::devices::MODEL_B) and [Model
+    /// C](crate::devices::MODEL_C).
     ///
     /// On the wire there is also `model`: The model. Always 4711.
     ///
     /// On the wire there is also `selector`: The short layout. Always 1.
     ///
     /// Source: guide: Status.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct StatusShort {
         /// Faults.
         ///
-        /// On the Model A and Model C: values of [`ModelAFaults`]. On the Model B: values of
+        /// On the [Model A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C): values
+        /// of [`ModelAFaults`]. On the [Model B](crate::devices::MODEL_B): values of
         /// [`ModelBFaults`].
         pub flags: u32,
     }
@@ -1176,7 +1253,9 @@ record! {
 impl StatusShort {
     /// Reads `flags` as [`ModelAFaults`].
     ///
-    /// On the Model A and Model C: values of [`ModelAFaults`].
+    /// On the [Model A](crate::devices::MODEL_A) and [Model C](crate::devices::MODEL_C): values of
+    /// [`ModelAFaults`].
+    #[inline]
     #[must_use]
     pub fn flags_as_model_a_faults(&self) -> ModelAFaults {
         self.flags.into()
@@ -1184,7 +1263,8 @@ impl StatusShort {
 
     /// Reads `flags` as [`ModelBFaults`].
     ///
-    /// On the Model B: values of [`ModelBFaults`].
+    /// On the [Model B](crate::devices::MODEL_B): values of [`ModelBFaults`].
+    #[inline]
     #[must_use]
     pub fn flags_as_model_b_faults(&self) -> ModelBFaults {
         self.flags.into()
@@ -1201,19 +1281,21 @@ record! {
     /// Status response (0x01,0x90).
     ///
     /// Answers [`Status`]. Told from [`StatusOld`] and [`StatusFull`] by the size of its data. Sent
-    /// if `selector` is 2. Supported by Model A, Model B and Model C.
+    /// if [`selector`](Status::selector) is 2. Supported by [Model A](crate::devices::MODEL_A),
+    /// [Model B](crate::devices::MODEL_B) and [Model C](crate::devices::MODEL_C).
     ///
     /// On the wire there is also `model`: The model. Always 4711.
     ///
     /// On the wire there is also `selector`: The long layout. Always 2.
     ///
     /// Source: guide: Status.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct StatusLong {
         /// Faults.
         ///
-        /// On the Model A: values of [`ModelAFaults`]. On the Model B: values of [`ModelBFaults`].
-        /// On the Model C: values that are not known.
+        /// On the [Model A](crate::devices::MODEL_A): values of [`ModelAFaults`]. On the [Model
+        /// B](crate::devices::MODEL_B): values of [`ModelBFaults`]. On the [Model
+        /// C](crate::devices::MODEL_C): values that are not known.
         pub flags: u32,
         /// Since start.
         ///
@@ -1232,7 +1314,8 @@ record! {
 impl StatusLong {
     /// Reads `flags` as [`ModelAFaults`].
     ///
-    /// On the Model A: values of [`ModelAFaults`].
+    /// On the [Model A](crate::devices::MODEL_A): values of [`ModelAFaults`].
+    #[inline]
     #[must_use]
     pub fn flags_as_model_a_faults(&self) -> ModelAFaults {
         self.flags.into()
@@ -1240,7 +1323,8 @@ impl StatusLong {
 
     /// Reads `flags` as [`ModelBFaults`].
     ///
-    /// On the Model B: values of [`ModelBFaults`].
+    /// On the [Model B](crate::devices::MODEL_B): values of [`ModelBFaults`].
+    #[inline]
     #[must_use]
     pub fn flags_as_model_b_faults(&self) -> ModelBFaults {
         self.flags.into()
@@ -1260,14 +1344,16 @@ record! {
     /// The long layout of old devices. Its size tells it from the others.
     ///
     /// Answers [`Status`]. Told from [`StatusLong`] and [`StatusFull`] by the size of its data.
-    /// Sent if `selector` is 2. Supported by Model A, Model B and Model C.
+    /// Sent if [`selector`](Status::selector) is 2. Supported by [Model
+    /// A](crate::devices::MODEL_A), [Model B](crate::devices::MODEL_B) and [Model
+    /// C](crate::devices::MODEL_C).
     ///
     /// On the wire there is also `model`: The model. Always 4711.
     ///
     /// On the wire there is also `selector`: The long layout. Always 2.
     ///
     /// Source: guide: Status.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct StatusOld {
         /// Since start.
         ///
@@ -1292,14 +1378,15 @@ record! {
     /// Status response (0x01,0x90).
     ///
     /// Answers [`Status`]. Told from [`StatusLong`] and [`StatusOld`] by the size of its data. Sent
-    /// if `selector` is 2. Supported by Model A, Model B and Model C.
+    /// if [`selector`](Status::selector) is 2. Supported by [Model A](crate::devices::MODEL_A),
+    /// [Model B](crate::devices::MODEL_B) and [Model C](crate::devices::MODEL_C).
     ///
     /// On the wire there is also `model`: The model. Always 4711.
     ///
     /// On the wire there is also `selector`: The long layout. Always 2.
     ///
     /// Source: guide: Status.
-    #[derive(Default)]
+    #[derive(Copy, Default, Eq, Hash)]
     pub struct StatusFull {
         /// Where it is.
         pub place: types::Point,
@@ -1329,10 +1416,11 @@ field! {
 record! {
     /// Bias response (0x01,0x9B).
     ///
-    /// Answers [`Bias`] and [`CaptureBias`]. Supported by Model A and Model C.
+    /// Answers [`Bias`] and [`CaptureBias`]. Supported by [Model A](crate::devices::MODEL_A) and
+    /// [Model C](crate::devices::MODEL_C).
     ///
     /// Source: guide: Bias; leaflet: Bias.
-    #[derive(Default)]
+    #[derive(Copy, Default)]
     pub struct BiasVector {
         /// Taken off the measurement.
         ///

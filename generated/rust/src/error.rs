@@ -1,0 +1,163 @@
+//! What can go wrong in the codec: the kind of the mistake, the field, and what was needed.
+
+use core::fmt;
+
+/// Why the data of a field could not be decoded.
+///
+/// ```
+/// use mip_protocol::{error::DecodeErrorKind, protocol::Acknowledge, Field};
+///
+/// let error = Acknowledge::decode(&[1]).unwrap_err();
+/// assert_eq!((error.kind, error.need, error.got), (DecodeErrorKind::Truncated, 2, 1));
+/// assert_eq!(error.to_string(), "protocol.acknowledge: it needs 2 bytes and has 1");
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub struct DecodeError {
+    /// What is wrong.
+    pub kind: DecodeErrorKind,
+    /// The name of the field in the specification, `set.field`.
+    pub field: &'static str,
+    /// What is needed, as the kind says.
+    pub need: usize,
+    /// What there is instead.
+    pub got: usize,
+}
+
+/// What is wrong with the data of a field.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum DecodeErrorKind {
+    /// The data end before the last required value: it needs and has so many bytes.
+    Truncated,
+    /// A count exceeds the number of elements that follow, or that a field can hold: the count, and
+    /// how many there can be.
+    Count,
+    /// A constant has another value: the value that it must have, and the one that it has.
+    Constant,
+}
+
+/// Why a field could not be encoded.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub struct EncodeError {
+    /// What is wrong.
+    pub kind: EncodeErrorKind,
+    /// The name of the field in the specification, `set.field`; empty if only its bytes are known.
+    pub field: &'static str,
+    /// What is needed, as the kind says.
+    pub need: usize,
+    /// What there is instead.
+    pub got: usize,
+}
+
+/// What is wrong with the values of a field, or with the place that they should be written to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum EncodeErrorKind {
+    /// A value is `None` although the function requires it or a later value is present: the number
+    /// of values that belong together, and of those that are there.
+    Missing,
+    /// There are more elements than a list or their counter can hold: how many, and how many fit.
+    Count,
+    /// A union does not hold the member that its tag selects.
+    Tag,
+    /// It does not fit into a field, a packet or the caller's buffer: the bytes needed, at least, and
+    /// those that are free.
+    Length,
+    /// The field does not belong to the descriptor set of the packet: its set, and that of the packet.
+    Set,
+}
+
+impl DecodeError {
+    /// The same mistake in a field.
+    #[must_use]
+    pub(crate) const fn new(
+        kind: DecodeErrorKind,
+        field: &'static str,
+        need: usize,
+        got: usize,
+    ) -> Self {
+        Self { kind, field, need, got }
+    }
+}
+
+impl EncodeError {
+    #[must_use]
+    pub(crate) const fn new(
+        kind: EncodeErrorKind,
+        field: &'static str,
+        need: usize,
+        got: usize,
+    ) -> Self {
+        Self { kind, field, need, got }
+    }
+
+    /// Bytes that do not fit.
+    #[must_use]
+    pub(crate) const fn length(field: &'static str, need: usize, got: usize) -> Self {
+        Self::new(EncodeErrorKind::Length, field, need, got)
+    }
+
+    /// A field of one set, and a packet of another.
+    #[must_use]
+    pub(crate) const fn set(field: &'static str, need: u8, got: u8) -> Self {
+        Self::new(EncodeErrorKind::Set, field, need as usize, got as usize)
+    }
+}
+
+impl fmt::Display for DecodeErrorKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Truncated => "the data end too early",
+            Self::Count => "a count does not match the data that follow",
+            Self::Constant => "a constant has another value",
+        })
+    }
+}
+
+impl fmt::Display for EncodeErrorKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Missing => "a value is missing",
+            Self::Count => "there are more elements than can be counted",
+            Self::Tag => "a union does not hold the member that its tag names",
+            Self::Length => "the bytes do not fit",
+            Self::Set => "the field does not belong to the descriptor set of the packet",
+        })
+    }
+}
+
+impl fmt::Display for DecodeError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { kind, field, need, got } = self;
+        write!(f, "{field}: ")?;
+        match kind {
+            DecodeErrorKind::Truncated => write!(f, "it needs {need} bytes and has {got}"),
+            DecodeErrorKind::Count => write!(f, "{need} elements are counted, {got} can follow"),
+            DecodeErrorKind::Constant => write!(f, "a constant is {got:#x} and not {need:#x}"),
+        }
+    }
+}
+
+impl fmt::Display for EncodeError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { kind, field, need, got } = self;
+        if !field.is_empty() {
+            write!(f, "{field}: ")?;
+        }
+        match kind {
+            EncodeErrorKind::Missing => write!(f, "{got} of {need} required values are there"),
+            EncodeErrorKind::Count => write!(f, "there are {need} elements, {got} fit"),
+            EncodeErrorKind::Tag => write!(f, "{kind}"),
+            EncodeErrorKind::Length => write!(f, "it needs {need} bytes, {got} are free"),
+            EncodeErrorKind::Set => write!(f, "set {need:#04x} in a packet of set {got:#04x}"),
+        }
+    }
+}
+
+error!(DecodeError DecodeErrorKind EncodeError EncodeErrorKind);

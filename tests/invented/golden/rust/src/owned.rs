@@ -1,0 +1,97 @@
+//! Packets on the heap.
+
+use alloc::boxed::Box;
+use alloc::vec::Vec;
+use core::fmt;
+
+use crate::packet::{Packet, PacketBuilder, PacketError};
+
+/// A packet with memory of its own, as long as its bytes; to keep packets, or to send them to
+/// another thread.
+///
+/// What is a packet already is not checked again:
+///
+/// ```
+/// use mip_protocol::{packets, Packet, PacketBuf};
+///
+/// let log = b"\x75\x65\x01\x02\x02\x01\xE0\xC6\x75\x65\x01\x02\x02\x01\xE0\xC6";
+/// let kept: Vec<PacketBuf> = packets(log).map(PacketBuf::from).collect();
+/// let packet: Packet<'_> = (&kept[0]).into();
+/// assert_eq!((packet.set(), kept[1].packet().fields().count()), (1, 1));
+/// ```
+#[derive(Clone, PartialEq, Eq, Hash)]
+pub struct PacketBuf {
+    bytes: Box<[u8]>,
+}
+
+impl PacketBuf {
+    /// All bytes of the packet.
+    #[must_use]
+    pub fn bytes(&self) -> &[u8] {
+        &self.bytes
+    }
+
+    /// The packet, to look into it.
+    #[must_use]
+    pub fn packet(&self) -> Packet<'_> {
+        Packet::trusted(&self.bytes)
+    }
+}
+
+impl From<Packet<'_>> for PacketBuf {
+    fn from(packet: Packet<'_>) -> Self {
+        Self { bytes: packet.bytes().into() }
+    }
+}
+
+impl From<&PacketBuilder> for PacketBuf {
+    fn from(builder: &PacketBuilder) -> Self {
+        builder.packet().into()
+    }
+}
+
+impl From<PacketBuilder> for PacketBuf {
+    fn from(builder: PacketBuilder) -> Self {
+        builder.packet().into()
+    }
+}
+
+impl From<&PacketBuf> for PacketBuilder {
+    fn from(packet: &PacketBuf) -> Self {
+        packet.packet().into()
+    }
+}
+
+impl<'a> From<&'a PacketBuf> for Packet<'a> {
+    fn from(packet: &'a PacketBuf) -> Self {
+        packet.packet()
+    }
+}
+
+impl From<PacketBuf> for Vec<u8> {
+    fn from(packet: PacketBuf) -> Self {
+        packet.bytes.into()
+    }
+}
+
+/// Checks the bytes, and keeps them where they are.
+impl TryFrom<Vec<u8>> for PacketBuf {
+    type Error = PacketError;
+
+    fn try_from(bytes: Vec<u8>) -> Result<Self, PacketError> {
+        Packet::new(&bytes)?;
+        Ok(Self { bytes: bytes.into() })
+    }
+}
+
+impl AsRef<[u8]> for PacketBuf {
+    fn as_ref(&self) -> &[u8] {
+        &self.bytes
+    }
+}
+
+impl fmt::Debug for PacketBuf {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.packet().fmt(f)
+    }
+}

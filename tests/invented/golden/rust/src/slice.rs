@@ -1,0 +1,82 @@
+//! Finds packets in bytes that are all there.
+
+use core::iter::FusedIterator;
+
+use crate::packet::Packet;
+use crate::parser::{behind, judge, noise, Candidate};
+
+/// The packets in these bytes, for instance of a log that was read as a whole.
+///
+/// They are those that a [`Parser`](crate::Parser) would find, with a
+/// [`flush`](crate::Parser::flush) at the end, and borrow the bytes; nothing is copied.
+///
+/// ```
+/// use mip_protocol::{packets, Packet};
+///
+/// let log = b"noise\x75\x65\x01\x02\x02\x01\xE0\xC6\x75\x65\x01\x02\x02";
+/// let mut found = packets(log);
+/// let all: Vec<Packet<'_>> = found.by_ref().collect();
+/// assert_eq!(all[0].bytes(), &log[5..13]);
+/// assert_eq!((all.len(), found.skipped(), found.remainder()), (1, 5, &log[13..]));
+/// ```
+pub const fn packets(bytes: &[u8]) -> Packets<'_> {
+    Packets { rest: bytes, open: &[], skipped: 0 }
+}
+
+/// The packets in a slice; from [`packets`].
+#[derive(Clone, Debug)]
+#[must_use = "iterators do nothing unless they are asked"]
+pub struct Packets<'a> {
+    rest: &'a [u8],
+    /// What begins with the first candidate that the end cuts, unless a packet was found behind it.
+    open: &'a [u8],
+    skipped: usize,
+}
+
+impl<'a> Packets<'a> {
+    /// The number of bytes so far that belong to no packet, without those of the remainder.
+    #[must_use]
+    pub const fn skipped(&self) -> usize {
+        self.skipped
+    }
+
+    /// The bytes that have not been looked at yet; at the end, those of a packet of which only the
+    /// first part is there.
+    #[must_use]
+    pub const fn remainder(&self) -> &'a [u8] {
+        if self.open.is_empty() {
+            self.rest
+        } else {
+            self.open
+        }
+    }
+}
+
+impl<'a> Iterator for Packets<'a> {
+    type Item = Packet<'a>;
+
+    fn next(&mut self) -> Option<Packet<'a>> {
+        let (mut rest, given) = (self.rest, self.rest.len());
+        let mut open: &[u8] = &[];
+        while !rest.is_empty() {
+            match judge(rest) {
+                Candidate::Whole(size) => {
+                    let (packet, behind) = rest.split_at(size.min(rest.len()));
+                    self.skipped = self.skipped.wrapping_add(given.wrapping_sub(rest.len()));
+                    self.rest = behind;
+                    return Some(Packet::trusted(packet));
+                }
+                Candidate::Open(_) if open.is_empty() => open = rest,
+                _ => {}
+            }
+            rest = behind(rest, noise(rest));
+        }
+        if given > 0 {
+            self.skipped = self.skipped.wrapping_add(given.wrapping_sub(open.len()));
+            (self.rest, self.open) = (&[], open);
+        }
+        None
+    }
+}
+
+impl FusedIterator for Packets<'_> {}

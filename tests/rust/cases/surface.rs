@@ -1,0 +1,230 @@
+//! What people expect of lists, bitfields, errors and the registry.
+
+use std::collections::hash_map::DefaultHasher;
+use std::collections::HashSet;
+use std::hash::{Hash, Hasher};
+
+use mip_protocol::registry::{visit, Listed, Visitor};
+use mip_protocol::types::{Health, Mode, StateFlags};
+use mip_protocol::{
+    measurements, tools, AnyField, Bool, Command, DecodeErrorKind, EncodeErrorKind, Field, List,
+    Packet, PacketBuilder, RawField, VarText,
+};
+
+// ------------------------------------------------------------------------------------------ lists
+
+static EMPTY: List<u16, 4> = List::new();
+
+#[test]
+fn lists_are_collections() {
+    let mut list: List<u16, 4> = [1, 2].into_iter().collect();
+    list.extend([3]);
+    list.extend(&[4]);
+    assert_eq!(list, [1, 2, 3, 4]);
+    assert_eq!((list == [1, 2, 3][..], list == &[1, 2, 3, 4][..]), (false, true));
+    for item in &mut list {
+        *item *= 2;
+    }
+    assert_eq!((&list).into_iter().copied().max(), Some(8));
+    assert_eq!(list.clone().into_iter().rev().collect::<Vec<_>>(), [8, 6, 4, 2]);
+    assert_eq!((list.pop(), list.len(), list.as_ref().len()), (Some(8), 3, 3));
+    list.clear();
+    assert_eq!((list.pop(), list), (None, EMPTY.clone()));
+    let set: HashSet<List<u16, 4>> = [[1, 2].into(), [1, 2].into(), EMPTY.clone()].into();
+    assert_eq!(set.len(), 2);
+    assert_eq!(VarText::<3>::new("abc"), VarText::new("abc"));
+}
+
+#[test]
+fn a_list_that_overflowed_is_never_encoded() {
+    let four: List<u16, 4> = [1, 2, 3, 4].as_slice().into();
+    let mut five: List<u16, 4> = (1..=5).collect();
+    assert!(!four.overflowed() && five.overflowed());
+    assert_eq!((five.as_slice(), five.len()), (&[1, 2, 3, 4][..], 4));
+    assert!(five != four && five != [1, 2, 3, 4]);
+    assert_eq!(five.clone().into_iter().count(), 4);
+    assert!(five.push(6).is_err());
+    let error = List::<u16, 4>::from_slice(&[0; 7]).unwrap_err();
+    assert_eq!((error.need, error.got), (7, 4));
+    assert_eq!(error.to_string(), "there are 7 items, the list can hold 4");
+    assert_eq!((five.pop(), five.overflowed(), five.len()), (Some(4), false, 3));
+    let most = tools::List::write([0; 0]).items.unwrap().capacity();
+    for length in 0..=300 {
+        let command = tools::List::write(vec![7; length].as_slice());
+        match command.to_vec() {
+            Ok(data) => assert!(length <= most && data.len() == 2 * length + 2),
+            Err(error) => {
+                assert!(length > most);
+                assert_eq!((error.kind, error.got), (EncodeErrorKind::Count, most));
+                assert_eq!(error.field, "tools.list");
+            }
+        }
+    }
+    assert_eq!(tools::List::write(&[1, 2]), tools::List::write([1, 2]));
+}
+
+// -------------------------------------------------------------------------------------- bitfields
+
+const BOTH: StateFlags = StateFlags::READY.union(StateFlags::HOT);
+
+#[test]
+fn bitfields_are_sets_of_bits() {
+    let unknown = StateFlags::from_bits_retain(!StateFlags::all().bits());
+    assert!(!unknown.is_empty() && StateFlags::empty().is_empty());
+    assert_eq!(StateFlags::from_bits(unknown.bits()), None);
+    assert_eq!(StateFlags::from_bits(BOTH.bits()), Some(BOTH));
+    assert_eq!(StateFlags::from_bits_truncate(u16::MAX), StateFlags::all());
+    assert_eq!(StateFlags::from_bits_retain(u16::MAX).0, u16::MAX);
+    assert!(StateFlags(u16::MAX).is_all() && StateFlags::all().is_all() && !BOTH.is_all());
+    assert_eq!(StateFlags::from_name("hot"), Some(StateFlags::HOT));
+    assert_eq!(StateFlags::from_name("cold"), None);
+    let mut flags = StateFlags::READY;
+    flags.toggle(BOTH);
+    assert_eq!(flags, StateFlags::HOT);
+    flags.set(StateFlags::READY, true);
+    flags.set(StateFlags::HOT, false);
+    assert_eq!(flags, StateFlags::READY);
+    flags |= StateFlags::HOT;
+    flags ^= StateFlags::READY;
+    flags &= BOTH;
+    assert_eq!(flags, StateFlags::HOT);
+    flags -= BOTH;
+    assert_eq!(flags, StateFlags::default());
+    assert_eq!(BOTH - StateFlags::HOT, BOTH.difference(StateFlags::HOT));
+    assert_eq!(BOTH ^ StateFlags::HOT, BOTH.symmetric_difference(StateFlags::HOT));
+    assert_eq!(BOTH & StateFlags::HOT, BOTH.intersection(StateFlags::HOT));
+    assert_eq!(!BOTH, BOTH.complement());
+    assert_eq!((!BOTH).bits(), StateFlags::all().bits() & !BOTH.bits());
+    assert_eq!([StateFlags::READY, StateFlags::HOT].into_iter().collect::<StateFlags>(), BOTH);
+    flags.extend(BOTH);
+    assert_eq!(flags, BOTH);
+}
+
+#[test]
+fn bitfields_name_their_bits() {
+    let flags = StateFlags(0x8051);
+    let names: Vec<_> = flags.iter_names().map(|(name, bits)| (name, bits.0)).collect();
+    assert_eq!(names, [("ready", 0x0001), ("level", 0x0050)]); // `any` has no bit that is left
+    assert_eq!(flags.iter().map(|bits| bits.0).collect::<Vec<_>>(), [1, 0x50, 0x8000]);
+    assert_eq!(flags.into_iter().fold(StateFlags::empty(), |a, b| a | b), flags);
+    assert_eq!(format!("{:?}", StateFlags(0x8000)), "StateFlags(0x8000)");
+    assert_eq!(format!("{:?}", StateFlags(0)), "StateFlags()");
+}
+
+#[test]
+fn bitfields_of_bytes_are_sets_too() {
+    let all = Health::all();
+    assert!(all.contains(Health::CLOCK | Health::LAST) && !Health::CLOCK.is_all());
+    assert_eq!(Health::from_bits([0xFF; 16]), None);
+    assert_eq!(Health::from_bits_truncate([0xFF; 16]), all);
+    let mut health = Health::from_name("clock").unwrap();
+    health.toggle(Health::CLOCK | Health::POWER);
+    assert_eq!((health, !health & Health::POWER), (Health::POWER, Health::empty()));
+    let mut unknown = [0; 16];
+    (unknown[0], unknown[7]) = (1, 0x0A);
+    assert_eq!(format!("{:?}", Health(unknown)), "Health(clock | 0xa00000000000000)");
+    assert_eq!(Health(unknown).iter().count(), 2);
+}
+
+// -------------------------------------------------------------------------------- truth, Eq, Hash
+
+fn hash<T: Hash>(value: &T) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    value.hash(&mut hasher);
+    hasher.finish()
+}
+
+#[test]
+fn whatever_is_not_zero_is_true() {
+    assert_eq!(Bool(2), Bool::TRUE);
+    assert_ne!(Bool(2), Bool::FALSE);
+    assert_eq!(hash(&Bool(2)), hash(&Bool(1)));
+    // A command that is silent if a value is true.
+    let mut command = tools::Formats::new(true, 0, []);
+    assert!(!command.expects_reply());
+    command.suppress_ack = Bool(2);
+    assert!(!command.expects_reply());
+    assert_eq!(command.to_vec().unwrap()[0], 2);
+}
+
+#[test]
+fn values_without_floats_are_keys() {
+    let commands = [tools::Settings::write(1, Mode::FAST, 9600), tools::Settings::read(1, Mode(9))];
+    assert_eq!(commands.into_iter().chain(commands).collect::<HashSet<_>>().len(), 2);
+    assert_ne!(hash(&tools::List::write([1])), hash(&tools::List::write([2])));
+}
+
+// ----------------------------------------------------------------------------------------- errors
+
+#[test]
+fn errors_tell_the_field_and_what_it_needs() {
+    let error = measurements::Numbers::decode(&[0; 40]).unwrap_err();
+    assert_eq!((error.kind, error.need, error.got), (DecodeErrorKind::Truncated, 44, 40));
+    assert_eq!(error.to_string(), "measurements.numbers: it needs 44 bytes and has 40");
+    let error = tools::Status::decode(&[0x12, 0x68, 2]).unwrap_err();
+    assert_eq!((error.need, error.got), (0x1267, 0x1268));
+    assert_eq!(error.to_string(), "tools.status: a constant is 0x1268 and not 0x1267");
+    let error = tools::List::decode(&[2, 9, 0]).unwrap_err();
+    assert_eq!(error.to_string(), "tools.list: 9 elements are counted, 0 can follow");
+    let error = tools::Settings::default_write().to_vec().unwrap_err();
+    assert_eq!(error.to_string(), "tools.settings: 0 of 1 required values are there");
+    let error = measurements::Numbers::default().encode(&mut [0; 43]).unwrap_err();
+    assert_eq!((error.kind, error.need, error.got), (EncodeErrorKind::Length, 44, 43));
+    let error = PacketBuilder::new(0x80).push(&tools::Ping).unwrap_err();
+    assert_eq!(error.to_string(), "tools.ping: set 0x01 in a packet of set 0x80");
+    let error: Box<dyn std::error::Error> = Box::new(error.kind);
+    assert_eq!(error.to_string(), "the field does not belong to the descriptor set of the packet");
+}
+
+trait DefaultWrite {
+    fn default_write() -> Self;
+}
+
+impl DefaultWrite for tools::Settings {
+    fn default_write() -> Self {
+        let mut settings = Self::write(1, Mode::FAST, 1);
+        settings.port = None;
+        settings
+    }
+}
+
+#[test]
+fn an_absent_field_is_no_broken_one() {
+    let mut builder = PacketBuilder::new(measurements::SET);
+    builder.push_raw(measurements::Numbers::DESCRIPTOR, &[0; 3]).unwrap();
+    let packet: Packet<'_> = builder.packet();
+    let broken = packet.find::<measurements::Numbers>().unwrap().unwrap_err();
+    assert_eq!(broken.kind, DecodeErrorKind::Truncated);
+    assert_eq!(packet.find::<measurements::Accel>(), None);
+}
+
+// --------------------------------------------------------------------------------------- registry
+
+/// Title and encoded length of a field.
+struct Look;
+
+impl Visitor for Look {
+    type Output = Option<(&'static str, usize)>;
+
+    fn visit<T: Listed>(self, field: &RawField<'_>) -> Self::Output {
+        let value = T::decode(field.data).ok()?;
+        let length = value.to_vec().ok()?.len();
+        assert_eq!(T::INFO, *value.into_any().info());
+        Some((T::INFO.title, length))
+    }
+
+    fn unknown(self, _: &RawField<'_>) -> Self::Output {
+        None
+    }
+}
+
+#[test]
+fn a_visitor_gets_each_field_as_its_own_type() {
+    let raw = |set, descriptor, data| RawField { set, descriptor, data };
+    assert_eq!(visit(&raw(0x01, 0x01, &[]), Look), Some(("Ping", 0)));
+    assert_eq!(visit(&raw(0x81, 0x01, &[0; 14]), Look), Some(("Second acceleration", 14)));
+    assert_eq!(visit(&raw(0x01, 0xF1, &[1, 0]), Look).unwrap().1, 2);
+    assert_eq!(visit(&raw(0x9F, 0xD3, &[0; 10]), Look).unwrap().1, 10);
+    assert_eq!(visit(&raw(0x9F, 0x01, &[]), Look), None);
+    assert_eq!(AnyField::from(tools::Ping).info().name, "tools.ping");
+}
