@@ -110,16 +110,17 @@ static size_t count(struct stream *s, uint8_t *counter, size_t size, size_t capa
 }
 
 /** Begins parameters that are present together or not at all. False if they are not. */
-static bool group(struct stream *s, uint8_t first, uint8_t last) {
+static bool group(struct stream *s, unsigned count) {
+    const uint8_t before = s->last;
+    const uint8_t last = (uint8_t)(before + count);
+    s->last = last;
     if (s->writing) {
-        s->last = last;
-        if (s->present >= first && s->present < last) {
+        if (s->present > before && s->present < last) {
             return fail(s, MIP_ERROR_MISSING);
         }
         s->stopped = s->present < last;
     } else {
-        s->present = (uint8_t)(first - 1);
-        s->last = last;
+        s->present = before;
         s->mark = s->at;
         s->optional = last > s->required;
         s->stopped = s->optional && s->at == s->end;
@@ -197,20 +198,17 @@ static bool run(struct stream *s, const uint8_t *p, uint8_t *base) {
                     return false;
                 }
                 move(wire, base + 1, 1, 1, s->writing);
-                s->required = base[1] < functions ? p[base[1]] : 0;
+                const uint8_t index = (uint8_t)(base[1] - 1U);
+                s->required = index < functions ? p[index] : 0;
                 p += functions;
+            } else {
+                s->last = *p++;
             }
             if (s->writing) {
                 s->present = base[0] > s->required ? base[0] : s->required;
             }
             break;
         }
-        case MIP_STEP_GROUP:
-            if (!group(s, p[0], p[1])) {
-                return false;
-            }
-            p += 2;
-            break;
         case MIP_STEP_CONSTANT:
             if (!constant(s, p + 1, p[0])) {
                 return false;
@@ -251,8 +249,12 @@ static bool run(struct stream *s, const uint8_t *p, uint8_t *base) {
             }
             break;
         }
-        default: /* MIP_STEP_END */
+        case MIP_STEP_END:
             return true;
+        default: /* a group */
+            if (!group(s, step > MIP_STEP_GROUP ? step - MIP_STEP_GROUP : *p++)) {
+                return false;
+            }
         }
     }
 }
