@@ -227,7 +227,7 @@ open_enum! {
     /// of triggers.
     EventTriggerType: u8 {
         /// The slot is free. It is never active and cannot be enabled.
-        NONE_ = 0, "none";
+        NONE = 0, "none";
         /// Watches a GPIO pin.
         GPIO = 1, "gpio";
         /// Compares one value of a data field with thresholds.
@@ -244,7 +244,7 @@ open_enum! {
     /// actions.
     EventActionType: u8 {
         /// The slot is free.
-        NONE_ = 0, "none";
+        NONE = 0, "none";
         /// Controls a GPIO pin.
         GPIO = 1, "gpio";
         /// Sends a data packet.

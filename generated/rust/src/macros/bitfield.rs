@@ -35,8 +35,8 @@ macro_rules! bitfield {
                 }),*
             ];
 
-            const NONE: Self = Self($crate::bits::none!($storage));
-            const ALL: Self = Self::NONE$(.union(Self::$mask))*;
+            const NO_BITS: Self = Self($crate::bits::none!($storage));
+            const ALL_BITS: Self = Self::NO_BITS$(.union(Self::$mask))*;
 
             $(
                 $(#[$bits_meta])*
@@ -73,7 +73,7 @@ macro_rules! bitfield {
         impl ::core::fmt::Debug for $name {
             #[inline]
             fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
-                let unknown = self.difference(Self::ALL);
+                let unknown = self.difference(Self::ALL_BITS);
                 $crate::bits::debug(stringify!($name), self.0, Self::BITS, unknown.0, f)
             }
         }
@@ -88,14 +88,14 @@ macro_rules! bit_sets {
             #[inline]
             #[must_use]
             pub const fn empty() -> Self {
-                Self::NONE
+                Self::NO_BITS
             }
 
             /// All bits that have a name.
             #[inline]
             #[must_use]
             pub const fn all() -> Self {
-                Self::ALL
+                Self::ALL_BITS
             }
 
             /// The bits as they are on the wire.
@@ -109,7 +109,7 @@ macro_rules! bit_sets {
             #[inline]
             #[must_use]
             pub const fn from_bits(bits: $storage) -> ::core::option::Option<Self> {
-                if Self::ALL.contains(Self(bits)) {
+                if Self::ALL_BITS.contains(Self(bits)) {
                     ::core::option::Option::Some(Self(bits))
                 } else {
                     ::core::option::Option::None
@@ -120,7 +120,7 @@ macro_rules! bit_sets {
             #[inline]
             #[must_use]
             pub const fn from_bits_truncate(bits: $storage) -> Self {
-                Self(bits).intersection(Self::ALL)
+                Self(bits).intersection(Self::ALL_BITS)
             }
 
             /// These bits, those without a name too.
@@ -136,7 +136,7 @@ macro_rules! bit_sets {
             pub fn from_name(name: &str) -> ::core::option::Option<Self> {
                 let bits = Self::BITS.iter().find(|bits| bits.name == name)?;
                 ::core::option::Option::Some(Self($crate::bits::Storage::part(
-                    Self::ALL.0,
+                    Self::ALL_BITS.0,
                     bits.first,
                     bits.last,
                 )))
@@ -153,7 +153,7 @@ macro_rules! bit_sets {
             #[inline]
             #[must_use]
             pub const fn is_all(&self) -> bool {
-                self.contains(Self::ALL)
+                self.contains(Self::ALL_BITS)
             }
 
             /// Are all of these bits set?
@@ -226,7 +226,7 @@ macro_rules! bit_sets {
             #[inline]
             #[must_use]
             pub const fn complement(self) -> Self {
-                Self::ALL.difference(self)
+                Self::ALL_BITS.difference(self)
             }
 
             /// The bits that are set, one name after another; those without a name come last.
@@ -288,7 +288,7 @@ macro_rules! bit_sets {
 
         impl ::core::iter::FromIterator<$name> for $name {
             fn from_iter<I: ::core::iter::IntoIterator<Item = Self>>(all: I) -> Self {
-                all.into_iter().fold(Self::NONE, Self::union)
+                all.into_iter().fold(Self::NO_BITS, Self::union)
             }
         }
 

@@ -89,7 +89,7 @@ open_enum! {
     /// mip-sdk-4: Heading Source (0x0D,0x18).
     HeadingUpdateSource: u8 {
         /// No heading updates.
-        NONE_ = 0, "none";
+        NONE = 0, "none";
         /// The magnetometer.
         MAG = 1, "mag";
         /// The velocity that the GNSS receiver measures.
@@ -103,7 +103,7 @@ open_enum! {
         /// Magnetometer and the messages of the user.
         MAG_AND_EXTERNAL = 6, "mag_and_external";
         /// All three.
-        ALL_ = 7, "all";
+        ALL = 7, "all";
     }
 }
 
@@ -138,7 +138,7 @@ open_enum! {
     /// Where the declination, the inclination or the magnitude of the magnetic field comes from.
     MagParameterSource: u8 {
         /// No source. Uncertain: What the device does without a source.
-        NONE_ = 1, "none";
+        NONE = 1, "none";
         /// The World Magnetic Model, at the estimated position.
         WMM = 2, "wmm";
         /// The value that the command gives.
@@ -164,7 +164,7 @@ open_enum! {
     /// Source: mip-sdk-4: Altitude Aiding (0x0D,0x47).
     AltitudeAidingSource: u8 {
         /// No aiding.
-        NONE_ = 0, "none";
+        NONE = 0, "none";
         /// The pressure sensor.
         PRESSURE = 1, "pressure";
     }
@@ -174,7 +174,7 @@ open_enum! {
     /// What aids pitch and roll.
     PitchRollAidingSource: u8 {
         /// No aiding.
-        NONE_ = 0, "none";
+        NONE = 0, "none";
         /// The measured gravity vector.
         GRAVITY_VECTOR = 1, "gravity_vector";
     }
@@ -202,7 +202,7 @@ open_enum! {
         /// Velocity in the vehicle that the user sends.
         BODY_FRAME_VELOCITY = 8, "body_frame_velocity";
         /// All sources, for save, load and default.
-        ALL_ = 65535, "all";
+        ALL = 65535, "all";
     }
 }
 
@@ -212,7 +212,7 @@ open_enum! {
     /// Source: mip-sdk-4: Kinematic Constraint (0x0D,0x51).
     AccelConstraint: u8 {
         /// Nothing.
-        NONE_ = 0, "none";
+        NONE = 0, "none";
         /// It is zero.
         ZERO_ACCEL = 1, "zero_accel";
     }
@@ -224,7 +224,7 @@ open_enum! {
     /// Source: mip-sdk-4: Kinematic Constraint (0x0D,0x51).
     VelocityConstraint: u8 {
         /// Nothing.
-        NONE_ = 0, "none";
+        NONE = 0, "none";
         /// It is zero.
         ZERO_VELOCITY = 1, "zero_velocity";
         /// It is that of a wheeled vehicle.
@@ -238,7 +238,7 @@ open_enum! {
     /// Source: mip-sdk-4: Kinematic Constraint (0x0D,0x51).
     AngularConstraint: u8 {
         /// Nothing.
-        NONE_ = 0, "none";
+        NONE = 0, "none";
         /// It is zero.
         ZERO_ANGULAR_RATE = 1, "zero_angular_rate";
     }
@@ -1012,16 +1012,16 @@ record! {
         ///
         /// Required for [write](types::FunctionSelector::WRITE). On the
         /// [3DM-CL5-15](crate::devices::CL5_15), [3DM-CV5-15](crate::devices::CV5_15) and
-        /// [3DM-GX5-15](crate::devices::GX5_15): only [`HeadingUpdateSource::NONE_`] and
+        /// [3DM-GX5-15](crate::devices::GX5_15): only [`HeadingUpdateSource::NONE`] and
         /// [`HeadingUpdateSource::EXTERNAL`]. On the [3DM-CL5-25](crate::devices::CL5_25),
         /// [3DM-CV5-25](crate::devices::CV5_25), [3DM-GX4-25](crate::devices::GX4_25) and
-        /// [3DM-GX5-25](crate::devices::GX5_25): only [`HeadingUpdateSource::NONE_`],
+        /// [3DM-GX5-25](crate::devices::GX5_25): only [`HeadingUpdateSource::NONE`],
         /// [`HeadingUpdateSource::MAG`] and [`HeadingUpdateSource::EXTERNAL`]. On the
         /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45) and
-        /// [3DM-GX4-45](crate::devices::GX4_45): only [`HeadingUpdateSource::NONE_`],
+        /// [3DM-GX4-45](crate::devices::GX4_45): only [`HeadingUpdateSource::NONE`],
         /// [`HeadingUpdateSource::MAG`], [`HeadingUpdateSource::GNSS_VELOCITY`] and
         /// [`HeadingUpdateSource::EXTERNAL`]. On the [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-        /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): only [`HeadingUpdateSource::NONE_`],
+        /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): only [`HeadingUpdateSource::NONE`],
         /// [`HeadingUpdateSource::GNSS_VELOCITY`] and [`HeadingUpdateSource::EXTERNAL`].
         pub source: Option<HeadingUpdateSource>,
     }
@@ -2903,9 +2903,9 @@ record! {
         /// The source; `all` is for save, load and default.
         ///
         /// On the [3DM-CV7-AHRS](crate::devices::CV7_AHRS): only [`AidingSource::MAG`],
-        /// [`AidingSource::EXTERNAL_HEADING`] and [`AidingSource::ALL_`]. On the
+        /// [`AidingSource::EXTERNAL_HEADING`] and [`AidingSource::ALL`]. On the
         /// [3DM-CV7-AR](crate::devices::CV7_AR): only [`AidingSource::EXTERNAL_HEADING`] and
-        /// [`AidingSource::ALL_`].
+        /// [`AidingSource::ALL`].
         pub aiding_source: Option<AidingSource>,
         /// Whether the filter uses the source.
         ///
@@ -2965,17 +2965,17 @@ record! {
         pub function: types::FunctionSelector,
         /// Assumption about the acceleration.
         ///
-        /// Default: [`AccelConstraint::NONE_`]. Required for
+        /// Default: [`AccelConstraint::NONE`]. Required for
         /// [write](types::FunctionSelector::WRITE).
         pub accel_constraint: Option<AccelConstraint>,
         /// Assumption about the velocity.
         ///
-        /// Default: [`VelocityConstraint::NONE_`]. Required for
+        /// Default: [`VelocityConstraint::NONE`]. Required for
         /// [write](types::FunctionSelector::WRITE).
         pub velocity_constraint: Option<VelocityConstraint>,
         /// Assumption about the angular rate.
         ///
-        /// Default: [`AngularConstraint::NONE_`]. Required for
+        /// Default: [`AngularConstraint::NONE`]. Required for
         /// [write](types::FunctionSelector::WRITE).
         pub angular_constraint: Option<AngularConstraint>,
     }
@@ -4524,15 +4524,15 @@ record! {
     pub struct KinematicConstraintResponse {
         /// Assumption about the acceleration.
         ///
-        /// Default: [`AccelConstraint::NONE_`].
+        /// Default: [`AccelConstraint::NONE`].
         pub accel_constraint: AccelConstraint,
         /// Assumption about the velocity.
         ///
-        /// Default: [`VelocityConstraint::NONE_`].
+        /// Default: [`VelocityConstraint::NONE`].
         pub velocity_constraint: VelocityConstraint,
         /// Assumption about the angular rate.
         ///
-        /// Default: [`AngularConstraint::NONE_`].
+        /// Default: [`AngularConstraint::NONE`].
         pub angular_constraint: AngularConstraint,
     }
 }

@@ -100,7 +100,7 @@ open_enum! {
     /// How SPARTN corrections come.
     SpartnConnection: u8 {
         /// No connection.
-        NONE_ = 0, "none";
+        NONE = 0, "none";
         /// By a network.
         NETWORK = 1, "network";
         /// By satellite in the L band.

@@ -468,7 +468,7 @@ open_enum! {
         /// Not known.
         UNKNOWN = 0, "unknown";
         /// Not at all.
-        NONE_ = 1, "none";
+        NONE = 1, "none";
         /// In part.
         PARTIAL = 2, "partial";
         /// Badly.
@@ -482,7 +482,7 @@ open_enum! {
         /// Not known.
         UNKNOWN = 0, "unknown";
         /// Not at all.
-        NONE_ = 1, "none";
+        NONE = 1, "none";
         /// In part.
         PARTIAL = 2, "partial";
         /// Badly.
@@ -542,7 +542,7 @@ open_enum! {
     /// How well a signal is tracked.
     SignalQuality: u8 {
         /// No signal.
-        NONE_ = 0, "none";
+        NONE = 0, "none";
         /// The signal is searched.
         SEARCHING = 1, "searching";
         /// The signal is acquired.

@@ -139,7 +139,7 @@ open_enum! {
     /// Source: mip-sdk-4: Gnss Assisted Fix (0x0C,0x23).
     AssistedFixOption: u8 {
         /// The receiver starts without it.
-        NONE_ = 0, "none";
+        NONE = 0, "none";
         /// The receiver starts from its last fix.
         ENABLED = 1, "enabled";
     }
@@ -268,7 +268,7 @@ open_enum! {
     /// Source: 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52).
     SensorRangeType: u8 {
         /// All sensors; for save, load and default only.
-        ALL_ = 0, "all";
+        ALL = 0, "all";
         /// Accelerometer.
         ACCEL = 1, "accel";
         /// Gyroscope.
@@ -1385,9 +1385,9 @@ record! {
         pub function: types::FunctionSelector,
         /// Assisted fix.
         ///
-        /// Default: [`AssistedFixOption::NONE_`]. Required for
+        /// Default: [`AssistedFixOption::NONE`]. Required for
         /// [write](types::FunctionSelector::WRITE). On the [3DM-GX5-35](crate::devices::GX5_35):
-        /// default [`AssistedFixOption::NONE_`].
+        /// default [`AssistedFixOption::NONE`].
         pub option: Option<AssistedFixOption>,
         /// Reserved: send 255. Required for [write](types::FunctionSelector::WRITE). On the
         /// [3DM-GX5-35](crate::devices::GX5_35): default 255.
@@ -1747,7 +1747,7 @@ record! {
         pub instance: Option<u8>,
         /// Kind of trigger.
         ///
-        /// Default: [`types::EventTriggerType::NONE_`]. Required for
+        /// Default: [`types::EventTriggerType::NONE`]. Required for
         /// [write](types::FunctionSelector::WRITE).
         #[cfg_attr(feature = "serde", serde(rename = "type"))]
         pub type_: Option<types::EventTriggerType>,
@@ -1771,9 +1771,9 @@ union! {
     pub enum EventTriggerConfigParameters: types::EventTriggerType {
         /// The slot is free. It is never active and cannot be enabled.
         ///
-        /// Empty if [`type_`](EventTriggerConfig::type_) is [`types::EventTriggerType::NONE_`].
+        /// Empty if [`type_`](EventTriggerConfig::type_) is [`types::EventTriggerType::NONE`].
         #[cfg_attr(feature = "serde", serde(rename = "none"))]
-        NONE_ => None,
+        NONE => None,
         /// Watches a GPIO pin.
         ///
         /// If [`type_`](EventTriggerConfig::type_) is [`types::EventTriggerType::GPIO`].
@@ -1849,7 +1849,7 @@ record! {
         pub trigger: Option<u8>,
         /// Kind of action.
         ///
-        /// Default: [`types::EventActionType::NONE_`]. Required for
+        /// Default: [`types::EventActionType::NONE`]. Required for
         /// [write](types::FunctionSelector::WRITE).
         #[cfg_attr(feature = "serde", serde(rename = "type"))]
         pub type_: Option<types::EventActionType>,
@@ -1874,9 +1874,9 @@ union! {
     pub enum EventActionConfigParameters: types::EventActionType {
         /// The slot is free.
         ///
-        /// Empty if [`type_`](EventActionConfig::type_) is [`types::EventActionType::NONE_`].
+        /// Empty if [`type_`](EventActionConfig::type_) is [`types::EventActionType::NONE`].
         #[cfg_attr(feature = "serde", serde(rename = "none"))]
-        NONE_ => None,
+        NONE => None,
         /// Controls a GPIO pin.
         ///
         /// If [`type_`](EventActionConfig::type_) is [`types::EventActionType::GPIO`].
@@ -4942,7 +4942,7 @@ record! {
     pub struct GnssAssistedFixResponse {
         /// Assisted fix.
         ///
-        /// Default: [`AssistedFixOption::NONE_`].
+        /// Default: [`AssistedFixOption::NONE`].
         pub option: AssistedFixOption,
         /// Reserved.
         pub flags: u8,
@@ -5216,7 +5216,7 @@ record! {
         pub instance: u8,
         /// Kind of trigger.
         ///
-        /// Default: [`types::EventTriggerType::NONE_`].
+        /// Default: [`types::EventTriggerType::NONE`].
         #[cfg_attr(feature = "serde", serde(rename = "type"))]
         pub type_: types::EventTriggerType,
         /// The condition.
@@ -5251,7 +5251,7 @@ record! {
         pub trigger: u8,
         /// Kind of action.
         ///
-        /// Default: [`types::EventActionType::NONE_`].
+        /// Default: [`types::EventActionType::NONE`].
         #[cfg_attr(feature = "serde", serde(rename = "type"))]
         pub type_: types::EventActionType,
         /// The effect.

@@ -55,7 +55,7 @@ open_enum! {
     /// Source: mip-sdk-4: Led Control (0x0F,0x21).
     LedAction: u8 {
         /// No pattern.
-        NONE_ = 0, "none";
+        NONE = 0, "none";
         /// Flashing.
         FLASH = 1, "flash";
         /// Pulsating.

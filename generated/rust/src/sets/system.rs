@@ -14,7 +14,7 @@ open_enum! {
     /// Source: mip-sdk-4: Interface Control (0x7F,0x02).
     CommInterface: u8 {
         /// All ports.
-        ALL_ = 0, "all";
+        ALL = 0, "all";
         /// The main port: USB while it is connected, else the main UART.
         MAIN = 1, "main";
         /// The first port that is a UART or can be one.

@@ -10,7 +10,7 @@ open_enum! {
     /// Which member the union has.
     Shape: u8 {
         /// None.
-        NONE_ = 0, "none";
+        NONE = 0, "none";
         /// Circle.
         CIRCLE = 1, "circle";
         /// Path.
@@ -655,9 +655,9 @@ union! {
     pub enum ChoiceParameters: Shape {
         /// None.
         ///
-        /// Empty if [`shape`](Choice::shape) is [`Shape::NONE_`].
+        /// Empty if [`shape`](Choice::shape) is [`Shape::NONE`].
         #[cfg_attr(feature = "serde", serde(rename = "none"))]
-        NONE_ => None,
+        NONE => None,
         /// Circle.
         ///
         /// If [`shape`](Choice::shape) is [`Shape::CIRCLE`].
