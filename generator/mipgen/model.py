@@ -444,6 +444,14 @@ class Condition:
     label: str  # the value as the specification writes it
     command: str | None = None  # "aiding.echo_control": another command, whose setting it is
 
+    @property
+    def boolean(self) -> bool:
+        return self.label in ("true", "false")
+
+    def holds(self, value: object) -> bool:
+        """Of a Boolean, everything but 0 is true."""
+        return bool(value) == bool(self.value) if self.boolean and value is not None else value == self.value
+
 
 @dataclass(frozen=True)
 class Field:

@@ -170,7 +170,7 @@ class Client:
 def is_silent(command: m.Field, values: dict[str, Any]) -> bool:
     function = next((f for f in command.functions if f.value == values["function"]), None)
     conditions = command.silent_when
-    told = bool(conditions) and all(values.get(c.parameter) == c.value for c in conditions)
+    told = bool(conditions) and all(c.holds(values.get(c.parameter)) for c in conditions)
     return told or (function is not None and not function.reply)
 
 
@@ -189,7 +189,7 @@ def wanted_responses(of: m.Model, command: m.Field, values: dict[str, Any]) -> l
         return []
     conditions = {f.full_name: f.when if f.command == command.name else () for f in responses(of, command)}
     for found in conditions.values():
-        if all(values.get(c.parameter) == c.value for c in found):
+        if all(c.holds(values.get(c.parameter)) for c in found):
             return [f for f in responses(of, command) if conditions[f.full_name] == found]
     return []
 

@@ -23,6 +23,7 @@ import pytest
 from mipgen import model as m
 from mipgen import render
 from mipgen.resolve import load_model
+from mipgen.targets.rust import names
 from support import BUILD, ROOT, SPECS, heavy, locked, model, need
 from support import driver as conformance_driver
 
@@ -87,7 +88,12 @@ def bare(spec: str) -> Path:
 
 
 def project(
-    spec: str, name: str, targets: str, features: str = '"std", "dynamic"', files: dict[str, bytes] | None = None
+    spec: str,
+    name: str,
+    targets: str,
+    features: str = '"std", "dynamic"',
+    files: dict[str, bytes] | None = None,
+    default: bool = True,
 ) -> Path:
     """A package that uses the crate."""
     manifest = f"""[package]
@@ -98,7 +104,7 @@ publish = false
 autotests = false
 
 [dependencies]
-mip-protocol = {{ path = "../mip-protocol", features = [{features}] }}
+mip-protocol = {{ path = "../mip-protocol", features = [{features}], default-features = {str(default).lower()} }}
 
 {targets}
 [profile.release]
@@ -262,8 +268,79 @@ def test_formatted(spec: str) -> None:
 @each
 def test_lints(spec: str) -> None:
     """clippy also says where something is newer than the oldest Rust that the manifest promises."""
-    for features in ("", "alloc", "std", "dynamic", "std,dynamic") if spec == "invented" else ("", "std,dynamic"):
+    for features in (
+        ("", "alloc", "std", "dynamic", "std,dynamic", "core-error,dynamic")
+        if spec == "invented"
+        else ("", "std,dynamic")
+    ):
         passes(bare(spec), "clippy", "--quiet", "--offline", "--features", features, "--", "-D", "warnings")
+
+
+@each
+def test_each_set_alone_builds(spec: str) -> None:
+    """A descriptor set is a feature that brings the sets whose types it needs, and nothing warns without the others."""
+    lint = ("clippy", "--quiet", "--offline", "--no-default-features")
+    for name in ("", *(names.feature(s) for s in specification(spec).sets)):
+        passes(bare(spec), *lint, "--features", name, "--", "-D", "warnings")
+    manifest = rendered(spec)["Cargo.toml"].decode("utf-8")
+    default = manifest.partition("default = [\n")[2].partition("]")[0]
+    assert default.split() == [f'"{names.feature(s)}",' for s in specification(spec).sets]
+
+
+def test_the_registry_lists_the_sets_that_are_there() -> None:
+    own = [f for s in specification("invented").sets if s.name == "tools" for f in s.fields]
+    code = f"""
+#[test]
+fn test() {{
+    assert_eq!(mip_protocol::registry::FIELDS.len(), {len(own)} + 1); // and the acknowledge field
+    let field = mip_protocol::RawField {{ set: 0x80, descriptor: 0x01, data: &[0; 14] }};
+    assert!(mip_protocol::AnyField::decode(&field).is_none());
+    let field = mip_protocol::RawField {{ set: 0x01, descriptor: 0x01, data: &[] }};
+    assert!(mip_protocol::AnyField::decode(&field).is_some());
+}}
+"""
+    target = '[[test]]\nname = "few"\npath = "few.rs"\n'
+    folder = project("invented", "few", target, '"tools"', {"few.rs": code.encode()}, default=False)
+    passes(folder, "test", "--offline", "--quiet", "--test", "few")
+
+
+def test_errors_are_errors_without_std() -> None:
+    """The feature `core-error`; without it and `std` they are none, which the oldest compilers need."""
+    code = b"""#![no_std]
+fn error<E: core::error::Error>() {}
+pub fn all() {
+    error::<mip_protocol::DecodeError>();
+    error::<mip_protocol::EncodeErrorKind>();
+    error::<mip_protocol::list::CapacityError>();
+}
+"""
+    folder = project("invented", "core-error", "", '"core-error"', {"src/lib.rs": code})
+    passes(folder, "check", "--offline", "--quiet")
+    folder = project("invented", "no-error", "", "", {"src/lib.rs": code})
+    done = cargo(folder, "check", "--offline", "--quiet")
+    assert done.returncode != 0 and "the trait bound" in done.stderr
+
+
+def test_documentation_tells_which_feature_brings_an_item() -> None:
+    """As docs.rs builds it. The badges need a feature of the compiler that is not stable yet."""
+    environment = {"RUSTC_BOOTSTRAP": "1", "RUSTDOCFLAGS": "--cfg docsrs -D warnings"}
+    doc = ("doc", "--quiet", "--offline", "--no-deps", "--features", "std,dynamic")
+    passes(bare("invented"), *doc, **environment)
+    pages = WORK / "target" / "doc" / "mip_protocol"
+    for page, feature in (("dynamic/index", "dynamic"), ("tools/struct.Ping", "tools"), ("struct.PacketReader", "std")):
+        text = re.sub(r"<[^>]+>", "", (pages / f"{page}.html").read_text("utf-8"))
+        assert f"Available on crate feature {feature} only" in text, page
+    assert 'rustdoc-args = ["--cfg", "docsrs"]' in rendered("invented")["Cargo.toml"].decode("utf-8")
+
+
+@each
+def test_the_front_page_lists_the_modules(spec: str) -> None:
+    """Every public module, so that nobody has to search."""
+    page = rendered(spec)["src/map.md"].decode("utf-8")
+    lib = rendered(spec)["src/lib.rs"].decode("utf-8")
+    sets = [names.module(s.name) for s in specification(spec).sets]
+    for name in (*re.findall(r"^pub mod (\w+);", lib, re.MULTILINE), *sets):
+        assert name == "dynamic" or f"[`{name}`]" in page, name
 
 
 @each

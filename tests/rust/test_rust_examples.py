@@ -69,9 +69,7 @@ class _Writer:
                 return f"{everything.path(op.type)}({value})"
             case m.TextOp():
                 octets = everything.data_literal(value.encode("latin-1"))
-                return (
-                    f"Text(*{octets})" if op.count is not None else f"VarText(List::from({octets}))"
-                )
+                return f"Text(*{octets})" if op.count is not None else f"VarText(List::from({octets}))"
             case m.ArrayOp():
                 array = f"[{', '.join(self.value(op.item, record, v, {}) for v in value)}]"
                 if op.vector is not None:

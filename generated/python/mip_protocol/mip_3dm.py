@@ -3263,7 +3263,7 @@ class PollImuData(Command):
 
     @property
     def answered(self) -> bool:
-        return self.suppress_ack != 1
+        return not self.suppress_ack
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PollImuData, int]:
@@ -3321,7 +3321,7 @@ class PollGnssData(Command):
 
     @property
     def answered(self) -> bool:
-        return self.suppress_ack != 1
+        return not self.suppress_ack
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PollGnssData, int]:
@@ -3374,7 +3374,7 @@ class PollFilterData(Command):
 
     @property
     def answered(self) -> bool:
-        return self.suppress_ack != 1
+        return not self.suppress_ack
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PollFilterData, int]:
@@ -3428,7 +3428,7 @@ class PollNmeaData(Command):
 
     @property
     def answered(self) -> bool:
-        return self.suppress_ack != 1
+        return not self.suppress_ack
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PollNmeaData, int]:
@@ -3980,7 +3980,7 @@ class PollData(Command):
 
     @property
     def answered(self) -> bool:
-        return self.suppress_ack != 1
+        return not self.suppress_ack
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PollData, int]:

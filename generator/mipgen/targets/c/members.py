@@ -101,12 +101,19 @@ def takes_enum(p: m.Parameter) -> bool:
     return p.length is None and is_enum(p.element)
 
 
+def holding(c: m.Condition) -> str:
+    """A condition on the structure `v` of a command; of a Boolean everything but 0 is true."""
+    if c.boolean:
+        return f"v->{member(c.parameter)} {'!=' if c.value else '=='} 0"
+    return f"v->{member(c.parameter)} == {c.value}"
+
+
 def silent(f: m.Field) -> str:
     """When a command is not acknowledged, as a condition on its structure `v`; empty if it always is."""
     selector = macro("mip_function_selector")
     tests = [f"v->function == {selector}_{macro(x.name)}" for x in f.functions if not x.reply]
     if f.silent_when:
-        tests.append(" && ".join(f"v->{member(c.parameter)} == {c.value}" for c in f.silent_when))
+        tests.append(" && ".join(map(holding, f.silent_when)))
     return " || ".join(f"({t})" if "&&" in t and len(tests) > 1 else t for t in tests)
 
 
@@ -116,7 +123,7 @@ def responses(f: m.Field, model: m.Model) -> list[tuple[str, tuple[m.Field, ...]
     for reply in model.replies(f):
         functions = [f"v->function == {macro('mip_function_selector')}_{macro(x.name)}" for x in reply.functions]
         tests = [" || ".join(functions)] if functions else []
-        tests += [f"v->{member(c.parameter)} == {c.value}" for c in reply.when]
+        tests += map(holding, reply.when)
         condition = " && ".join(f"({t})" if "||" in t and len(tests) > 1 else t for t in tests)
         found.append((condition, reply.layouts))
     return found

@@ -137,11 +137,19 @@ def groups(f: m.Field) -> tuple[tuple[int, tuple[str, ...], bool], ...]:
     )
 
 
+def holding(c: m.Condition, negated: bool = False) -> str:
+    """A condition on the members of a command, or that it does not hold; of a Boolean everything but 0 is true."""
+    value = f"self.{member(c.parameter)}"
+    if c.boolean:
+        return value if bool(c.value) != negated else f"not {value}"
+    return f"{value} {'!=' if negated else '=='} {c.value}"
+
+
 def answered(f: m.Field) -> str:
     """When the device sends an acknowledge, as a condition on the members; empty if it always sends one."""
     tests = [f"self.function != FunctionSelector.{constant(x.name)}" for x in f.functions if not x.reply]
     if f.silent_when:
-        tests.append(f"({' or '.join(f'self.{member(c.parameter)} != {c.value}' for c in f.silent_when)})")
+        tests.append(f"({' or '.join(holding(c, negated=True) for c in f.silent_when)})")
     return " and ".join(tests)
 
 
@@ -152,7 +160,7 @@ def expected(f: m.Field, model: m.Model) -> list[tuple[str, list[str]]]:
     for reply in model.replies(f):
         functions = [f"self.function == FunctionSelector.{constant(x.name)}" for x in reply.functions]
         tests = [" or ".join(functions)] if functions else []
-        tests += [f"self.{member(c.parameter)} == {c.value}" for c in reply.when]
+        tests += [holding(c) for c in reply.when]
         condition = " and ".join(f"({t})" if " or " in t and len(tests) > 1 else t for t in tests)
         found.append((condition or "True", [reference(layout, home(f)) for layout in reply.layouts]))
     return found if any(condition != "True" for condition, _ in found) else []

@@ -233,7 +233,8 @@ class Records:
 
     def needs(self, s: m.Set) -> list[str]:
         """The features of the sets whose types the fields of a set have."""
-        used = [t for record in (*s.fields, *structs(s.types)) for t in self._types(record)]
+        records: list[Record] = [*s.fields, *structs(s.types)]
+        used = [t for record in records for t in self._types(record)]
         used += [b.enum for t in (*s.types, *used) if isinstance(t, m.Bitfield) for b in t.bits if b.enum]
         return sorted({home(t) for t in used} - {"types", home(s.fields[0])} if s.fields else set())
 

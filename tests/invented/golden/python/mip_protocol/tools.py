@@ -1355,7 +1355,7 @@ class Formats(Command):
 
     @property
     def answered(self) -> bool:
-        return self.suppress_ack != 1
+        return not self.suppress_ack
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Formats, int]:
