@@ -251,7 +251,9 @@ impl<'a> Writer<'a> {
     #[inline]
     pub fn put(&mut self, bytes: &[u8]) -> Result<(), EncodeErrorKind> {
         let end = self.length.saturating_add(bytes.len());
-        let Some(free) = self.buffer.get_mut(self.length..end) else {
+        // Exactly as long as the bytes, which spares a check that could panic.
+        let free = self.buffer.get_mut(self.length..).and_then(|free| free.get_mut(..bytes.len()));
+        let Some(free) = free else {
             return Err(self.wrong(EncodeErrorKind::Length, end, self.buffer.len()));
         };
         free.iter_mut().zip(bytes).for_each(|(place, byte)| *place = *byte);

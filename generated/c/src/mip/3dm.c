@@ -19,7 +19,7 @@ const struct mip_codec mip_3dm_poll_imu_data_codec = {
 
 static bool silent_poll_imu_data(const void *value) {
     const struct mip_3dm_poll_imu_data *v = (const struct mip_3dm_poll_imu_data *)value;
-    return v->suppress_ack == 1;
+    return v->suppress_ack != 0;
 }
 
 const struct mip_command mip_3dm_poll_imu_data_command = {&mip_3dm_poll_imu_data_codec,
@@ -41,7 +41,7 @@ const struct mip_codec mip_3dm_poll_gnss_data_codec = {
 
 static bool silent_poll_gnss_data(const void *value) {
     const struct mip_3dm_poll_gnss_data *v = (const struct mip_3dm_poll_gnss_data *)value;
-    return v->suppress_ack == 1;
+    return v->suppress_ack != 0;
 }
 
 const struct mip_command mip_3dm_poll_gnss_data_command = {&mip_3dm_poll_gnss_data_codec,
@@ -63,7 +63,7 @@ const struct mip_codec mip_3dm_poll_filter_data_codec = {
 
 static bool silent_poll_filter_data(const void *value) {
     const struct mip_3dm_poll_filter_data *v = (const struct mip_3dm_poll_filter_data *)value;
-    return v->suppress_ack == 1;
+    return v->suppress_ack != 0;
 }
 
 const struct mip_command mip_3dm_poll_filter_data_command = {&mip_3dm_poll_filter_data_codec,
@@ -85,7 +85,7 @@ const struct mip_codec mip_3dm_poll_nmea_data_codec = {
 
 static bool silent_poll_nmea_data(const void *value) {
     const struct mip_3dm_poll_nmea_data *v = (const struct mip_3dm_poll_nmea_data *)value;
-    return v->suppress_ack == 1;
+    return v->suppress_ack != 0;
 }
 
 const struct mip_command mip_3dm_poll_nmea_data_command = {&mip_3dm_poll_nmea_data_codec,
@@ -423,7 +423,7 @@ const struct mip_codec mip_3dm_poll_data_codec = {
 
 static bool silent_poll_data(const void *value) {
     const struct mip_3dm_poll_data *v = (const struct mip_3dm_poll_data *)value;
-    return v->suppress_ack == 1;
+    return v->suppress_ack != 0;
 }
 
 const struct mip_command mip_3dm_poll_data_command = {&mip_3dm_poll_data_codec, silent_poll_data,

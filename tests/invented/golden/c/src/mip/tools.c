@@ -266,7 +266,7 @@ const struct mip_codec mip_tools_formats_codec = {
 
 static bool silent_formats(const void *value) {
     const struct mip_tools_formats *v = (const struct mip_tools_formats *)value;
-    return v->suppress_ack == 1;
+    return v->suppress_ack != 0;
 }
 
 const struct mip_command mip_tools_formats_command = {&mip_tools_formats_codec, silent_formats,
