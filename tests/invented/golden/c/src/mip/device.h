@@ -2,7 +2,7 @@
  * @file
  * A device at a port: one call for each command, and handlers for its data.
  *
- * The caller gives three functions: read, write, and a clock. Then a call of mip/<set>_commands.h
+ * The caller gives three functions: read, write, and a clock. Then a call of mip/..._commands.h
  * sends a command, waits for its answer, and returns what became of it:
  *
  *     mip_device_init(&device, &port, handlers, sizeof(handlers) / sizeof(handlers[0]));
