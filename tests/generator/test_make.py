@@ -85,6 +85,7 @@ def test_heavy_tests_need_more(machine: Path) -> None:
         "clang++",
         "x86_64-w64-mingw32-gcc",
         "arduino-builder",
+        "doxygen",
         "node",
         "npm",
         "Python 3.10",
