@@ -21,5 +21,9 @@
 #define MIP_MAX_FIELD_DATA 253
 /** At least as many bytes as the largest structure of a field has, on any machine. */
 #define MIP_MAX_VALUE_SIZE 408
+/** The descriptor of the acknowledge, in all command sets. */
+#define MIP_ACKNOWLEDGE_DESCRIPTOR 0xF1
+/** The first descriptor of the fields that all data sets share. */
+#define MIP_FIRST_SHARED 0xD0
 
 #endif

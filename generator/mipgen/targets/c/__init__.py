@@ -7,6 +7,7 @@ from typing import Any
 
 from ... import formatting, resources
 from ... import model as m
+from ...checks import SHARED_DESCRIPTORS
 from ...render import File
 from . import calls, direct, literals, members, names, programs, sizes, tables
 from .comments import Comments, comment
@@ -40,7 +41,11 @@ def files(model: m.Model) -> Iterator[File]:
 
 def code(model: m.Model) -> Iterator[File]:
     """Headers and sources."""
-    yield File("src/mip/constants.h", "constants.h.j2", {"max_field_data": m.MAX_FIELD_DATA})
+    yield File(
+        "src/mip/constants.h",
+        "constants.h.j2",
+        {"first_shared": SHARED_DESCRIPTORS.start, "max_field_data": m.MAX_FIELD_DATA},
+    )
     for name in ("names", "profiles", "protocol", "types"):
         yield File(f"src/mip/{name}.h", f"{name}.h.j2")
     for name in ("names", "profiles", "protocol", "reflection", "registry"):

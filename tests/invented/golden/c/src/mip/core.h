@@ -24,8 +24,6 @@ extern "C" {
 #define MIP_HEADER_SIZE 4
 /** Bytes after the payload. */
 #define MIP_CHECKSUM_SIZE 2
-/** The first descriptor of fields that all data sets share. */
-#define MIP_FIRST_SHARED 0xD0
 /** Maximum size of a packet. */
 #define MIP_MAX_PACKET (MIP_HEADER_SIZE + MIP_MAX_PAYLOAD + MIP_CHECKSUM_SIZE)
 
@@ -147,7 +145,7 @@ static inline bool mip_walk_next(struct mip_walk *walk, struct mip_field *field)
 static inline uint16_t mip_field_key(const struct mip_field *field) {
     uint32_t set = field->descriptor_set;
     if (field->descriptor >= MIP_FIRST_SHARED) {
-        set = set >= 0x80 ? 0xFF : field->descriptor == 0xF1 ? 0 : set;
+        set = set >= 0x80 ? 0xFF : field->descriptor == MIP_ACKNOWLEDGE_DESCRIPTOR ? 0 : set;
     }
     return (uint16_t)(set << 8 | field->descriptor);
 }
