@@ -50,7 +50,8 @@ class Described:
     def __init_subclass__(cls) -> None:
         slots = cls.__dict__.get("__slots__")
         if slots:
-            cls.__slots__ = _Help(cls, (slots,) if isinstance(slots, str) else slots)
+            names = (slots,) if isinstance(slots, str) else slots
+            cls.__slots__ = _Help(cls, names)  # type: ignore[assignment]
 
     def is_valid(self, name: str, device: str | None = None) -> bool:
         """Is a value valid according to its flags? One that nothing vouches for is.
