@@ -730,7 +730,13 @@ def test_folder_alone_installs_and_runs(tmp_path: Path) -> None:
         capture_output=True, text=True,
     )  # fmt: skip
     assert done.returncode == 0, done.stderr
-    shutil.rmtree(copy / "mip_protocol")
+    package = copy / "mip_protocol"
+    assert {p.relative_to(package) for p in package.rglob("*") if p.suffix in (".py", ".typed")} == {
+        p.relative_to(site / "mip_protocol")
+        for p in (site / "mip_protocol").rglob("*")
+        if p.suffix in (".py", ".typed")
+    }
+    shutil.rmtree(package)
     version = model("real").protocol.version
     assert user(site, "import mip_protocol; print(mip_protocol.__version__)") == f"{version}\n"
     taste = (REAL / "taste.py").read_text("utf-8")
@@ -738,6 +744,8 @@ def test_folder_alone_installs_and_runs(tmp_path: Path) -> None:
     (metadata,) = site.glob("*.dist-info/METADATA")
     said = metadata.read_text("utf-8").partition("\n\n")[0].splitlines()
     assert {f"Version: {version}", "License-Expression: MIT", "License-File: LICENSE"} <= set(said)
+    assert "Requires-Python: >=3.10" in said and not [x for x in said if x.startswith("Classifier: License")]
+    assert [x for x in said if x.startswith("Keywords: ")] and "Classifier: Typing :: Typed" in said
     assert next(site.glob("*.dist-info/licenses/LICENSE")).read_bytes() == (ROOT / "LICENSE").read_bytes()
 
 
