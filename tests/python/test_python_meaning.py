@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import json
 import math
 import pickle
@@ -285,6 +286,15 @@ def test_flags_suit_whole_columns() -> None:
     assert flag("ok", "ok", 0).holds(Column([0, 1, 2])) == [False, True, True]
 
 
+def test_flags_may_differ_by_device_where_nothing_else_does() -> None:
+    status = mip.tools.StatusShort
+    flag, other = mip.reflection.Flag("flags.a", "flags", 1), mip.reflection.Flag("flags.a", "flags", 2)
+    p = dataclasses.replace(status.INFO["flags"], variants=(), flags=(flag,), flags_on={"model-b": (other,)})
+    value = status(2)
+    assert p.of(value).flags == (flag,) and p.on("model-b").flags == (other,) and p.on("model-a").flags == (flag,)
+    assert mip.text._here(p, value, "model-b", None).flags == (other,)
+
+
 def test_elements_have_their_own_flags() -> None:
     position = real.aiding.EcefPosition
     holder = empty(real, model("real").field("aiding.ecef_position"))  # type: ignore[arg-type]
@@ -419,7 +429,8 @@ def test_numbers_of_four_bytes_are_short_and_exact() -> None:
         (number,) = pack.unpack(chance.randbytes(4))
         if math.isfinite(number):
             text = form((number,) * 3).partition("=")[2].partition(",")[0]
-            assert pack.pack(float(text)) == pack.pack(number) and len(text) <= 20
+            digits = next(d for d in range(6, 10) if pack.pack(float(f"{number:.{d}g}")) == pack.pack(number))
+            assert text == repr(float(f"{number:.{digits}g}"))
     assert form((1e300, math.inf, math.nan)) == "(x=1e+300, y=inf, z=nan) g"
 
 
@@ -496,6 +507,8 @@ def test_names_of_the_vendor() -> None:
     assert find("data_sensor::ScaledAccel") is real.sensor.ScaledAccel
     assert find("commands_base::ContinuousBit") is real.base.ContinuousBuiltInTest
     assert find("mip_filter_status_data") is real.filter_data.Status
+    assert find("mip_accel_bias_data") is real.filter_data.AccelBias
+    assert find("commands_3dm::AccelBias") is find("mip_3dm_accel_bias_command") is real.mip_3dm.AccelBias
     assert find("0x80,0x04") is find("(0x80, 0x04)") is real.sensor.ScaledAccel
 
 
