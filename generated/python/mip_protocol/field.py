@@ -17,16 +17,19 @@ S = TypeVar("S", bound="Structure")
 H = TypeVar("H", bound="Shared")
 
 
-class _DataclassFields:
+class _OfDataclass:
     """What `dataclasses` asks a class for, made when it asks."""
 
-    def __get__(self, instance: object, owner: type[Structure]) -> dict[str, Any]:
-        kind: Any = owner
-        return _dataclass_fields(kind)
+    def __set_name__(self, owner: type, name: str) -> None:
+        self._name = name
+
+    def __get__(self, instance: object, owner: Any) -> Any:
+        return getattr(_as_dataclass(owner), self._name)
 
 
 @cache
-def _dataclass_fields(kind: Any) -> dict[str, Any]:
+def _as_dataclass(kind: Any) -> type:
+    """A data class with the same members."""
     import dataclasses
     import inspect
 
@@ -34,13 +37,11 @@ def _dataclass_fields(kind: Any) -> dict[str, Any]:
         given = {} if p.default is p.empty else {"default": p.default}
         return dataclasses.field(kw_only=p.kind is p.KEYWORD_ONLY, **given)
 
-    parameters = inspect.signature(kind).parameters
-    members = [(name, str(parameters[name].annotation)) for name in kind._MEMBERS]
-    made: Any = dataclasses.make_dataclass(
-        kind.__name__, [(name, hint, described(parameters[name])) for name, hint in members]
+    parameters = inspect.signature(kind).parameters if kind._MEMBERS else {}
+    members = [(name, parameters[name]) for name in kind._MEMBERS]
+    return dataclasses.make_dataclass(
+        kind.__name__, [(name, str(p.annotation), described(p)) for name, p in members]
     )
-    found: dict[str, Any] = made.__dataclass_fields__
-    return found
 
 
 class VectorMember:
@@ -88,7 +89,8 @@ class Structure:
     if TYPE_CHECKING:
         __dataclass_fields__: ClassVar[dict[str, dataclasses.Field[Any]]]
     else:
-        __dataclass_fields__ = _DataclassFields()
+        __dataclass_fields__ = _OfDataclass()
+        __dataclass_params__ = _OfDataclass()
 
     #: Numbers whose type depends on another value: name -> (the other, {its value: type}).
     READINGS: ClassVar[dict[str, tuple[str, dict[object, type]]]] = {}

@@ -338,7 +338,7 @@ def _numbers(value: Any) -> Sequence[Any] | None:
     found = _listed(value)
     if not isinstance(found, Sequence):
         return None
-    if any(isinstance(v, Collection) for v in found):
+    if any(hasattr(v, "__len__") for v in found):
         rows = [_listed(v) for v in found]
         if not all(isinstance(row, Sequence) for row in rows):
             return None
