@@ -96,7 +96,6 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "hex": "0x{:02X}".format,
         "letters": m.letters,
         "by_descriptor": tables.by_descriptor,
-        "element": names.element,
         # what is known at run time
         "field_info": partial(info.of_field, model=model),
         "parameter_info": lambda p, record, case, union: info.of_parameter(p, record, model, case, union),
