@@ -4,6 +4,11 @@ One module for each descriptor set, as `registry.MODULES` lists them; `registry`
 any field, `devices` holds device profiles.
 """
 
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
 from .client import Answer, Client, Received, TimedOut
 from .errors import DecodeError, EncodeError, MipError, MissingResponse, PacketError, Truncated
 from .field import Command, Data, Field, Response
@@ -11,7 +16,20 @@ from .packet import Packet, PacketBuilder, RawField, checksum
 from .parser import Parser
 from .protocol import VERSION, AckCode, Acknowledge, FunctionSelector
 
+if TYPE_CHECKING:
+    from .columns import read_log
+
 __version__ = VERSION
+
+#: Names that are imported when they are first used -> their modules.
+_LAZY = {"read_log": "columns"}
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _LAZY:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(f".{_LAZY[name]}", __package__), name)
+
 
 __all__ = [
     "AckCode",
@@ -36,4 +54,5 @@ __all__ = [
     "TimedOut",
     "Truncated",
     "checksum",
+    "read_log",
 ]
