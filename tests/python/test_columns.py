@@ -549,6 +549,7 @@ def test_a_missing_library_is_named_with_its_extra(missing: str) -> None:
 import sys
 sys.modules[{missing!r}] = None
 import mip_protocol
+from mip_protocol import *
 assert "numpy" not in sys.modules or sys.modules["numpy"] is None
 try:
     mip_protocol.read_log(b"").frame("sensor.scaled_accel", library={missing!r})

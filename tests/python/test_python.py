@@ -33,6 +33,7 @@ class Package:
         self.folder = folder
         self.modules: dict[str, ModuleType] = {}
         self._call("registry", lambda registry: registry.all_types())
+        self._call("top", lambda top: [getattr(top, name) for name in top.__all__])
 
     def __getattr__(self, name: str) -> Any:
         return self._call(name, lambda module: module)
