@@ -29,7 +29,7 @@ def files(model: m.Model) -> Iterator[File]:
         "device": known.id if known else "DEVICE",  # the one that shows most
     }
     yield File("README.md", "README.md.j2", shown)
-    for name in ("_sets", "types", "protocol", "devices", "reflection"):
+    for name in ("_clocks", "_sets", "types", "protocol", "devices", "reflection"):
         yield File(f"{PACKAGE}/{name}.py", f"{name}.py.j2")
     yield File(f"{PACKAGE}/simulator/_facts.py", "simulator.py.j2")
     for s in model.sets:
