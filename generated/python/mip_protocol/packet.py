@@ -103,8 +103,8 @@ class PacketBuilder:
     """
 
     def __init__(self, set: int) -> None:
-        if not 1 <= set <= 255:
-            raise EncodeError("range", f"{set} is not a descriptor set; use 1 to 255")
+        if not 1 <= set <= 254:
+            raise EncodeError("range", f"no packet has descriptor set {set}; use 1 to 254")
         self._set = set
         self._payload = bytearray()
 
