@@ -149,7 +149,10 @@ fn sets_take_their_own_and_the_shared_fields() {
     let error = PacketBuilder::with(&stamp).unwrap_err();
     assert_eq!((error.kind, error.got), (EncodeErrorKind::Set, 0xFF));
     for none in [0, 0xFF] {
-        assert_eq!(PacketBuilder::new(none).push_raw(1, &[]).map_err(kind), Err(EncodeErrorKind::Set));
+        assert_eq!(
+            PacketBuilder::new(none).push_raw(1, &[]).map_err(kind),
+            Err(EncodeErrorKind::Set)
+        );
     }
     assert_eq!(PacketBuilder::new(0x7F).push(&stamp).map_err(kind), Err(EncodeErrorKind::Set));
     let accel = measurements::Accel::default();
