@@ -75,6 +75,7 @@ fn decode(request: &Json) -> Answer {
         PacketError::Sync => "sync",
         PacketError::Length => "length",
         PacketError::Checksum => "checksum",
+        _ => "request",
     })?;
     let fields = packet.fields().map(|field| match field {
         Ok(field) => decode_field(&field),
