@@ -120,7 +120,7 @@ docs: $(VENV)/development.stamp ## build the reference as a searchable site in b
 	@echo "$(BUILD)/site/index.html"
 
 .PHONY: bench
-bench: tools $(VENV)/development.stamp ## measure size and speed; make bench README=1 writes the table of the README for C
+bench: tools $(VENV)/development.stamp ## measure size and speed; make bench README=1 writes the tables of the READMEs for C and Rust
 	@PYTHONPATH=generator $(RUN) tests/bench/bench.py $(if $(README),--readme)
 
 .PHONY: conformance-driver
