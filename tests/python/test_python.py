@@ -257,8 +257,9 @@ def test_builder_refuses_and_stays_valid() -> None:
     with pytest.raises(mip.errors.EncodeError, match="length"):
         builder.add(1, bytes(2))
     assert len(builder.add(1, b"\x00").build().payload) == 255
-    with pytest.raises(mip.errors.EncodeError):
-        mip.packet.PacketBuilder(0)
+    for no_set in (0, 0xFF, 256):
+        with pytest.raises(mip.errors.EncodeError, match="range"):
+            mip.packet.PacketBuilder(no_set)
 
 
 def test_packet_keeps_its_own_bytes() -> None:

@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from . import types as types
     from ._sets import *  # noqa: F403
     from .client import Answer, Client, Received, TimedOut
+    from .columns import read_log as read_log  # not in __all__, as it needs NumPy
     from .decoder import Decoder
 
 __version__ = VERSION
@@ -42,6 +43,7 @@ _LAZY = {
     "Decoder": "decoder",
     "Received": "client",
     "TimedOut": "client",
+    "read_log": "columns",
 }
 
 
