@@ -10,10 +10,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from enum import IntFlag
+from typing import Any
 
 from . import codec, types
 from .errors import Truncated
-from .field import Command, Field, Response, ResponseClasses, Structure
+from .field import ClassOf, Command, Field, R, Response, ResponseClasses, Structure
 from .protocol import FunctionSelector
 
 _POLL_ENTRY_0 = codec.Block("BH", "descriptor", "reserved")
@@ -3235,7 +3236,7 @@ _POLL_IMU_DATA_0 = codec.Block("BB", "suppress_ack", "num_descriptors")
 
 
 @dataclass(slots=True)
-class PollImuData(Command):
+class PollImuData(Command[None]):
     """Poll IMU Data (0x0C,0x01).
 
     Asks for one sensor data packet (0x80) with the fields listed, in their order.
@@ -3289,7 +3290,7 @@ _POLL_GNSS_DATA_0 = codec.Block("BB", "suppress_ack", "num_descriptors")
 
 
 @dataclass(slots=True)
-class PollGnssData(Command):
+class PollGnssData(Command[None]):
     """Poll GNSS Data (0x0C,0x02).
 
     Asks for one GNSS data packet with the fields listed, in their order.
@@ -3347,7 +3348,7 @@ _POLL_FILTER_DATA_0 = codec.Block("BB", "suppress_ack", "num_descriptors")
 
 
 @dataclass(slots=True)
-class PollFilterData(Command):
+class PollFilterData(Command[None]):
     """Poll Estimation Filter Data (0x0C,0x03).
 
     Asks for one filter data packet (0x82) with the fields listed, in their order.
@@ -3400,7 +3401,7 @@ _POLL_NMEA_DATA_0 = codec.Block("BB", "suppress_ack", "count")
 
 
 @dataclass(slots=True)
-class PollNmeaData(Command):
+class PollNmeaData(Command[None]):
     """Poll NMEA Data (0x0C,0x04).
 
     Asks for the NMEA sentences listed, once.
@@ -3453,7 +3454,7 @@ class PollNmeaData(Command):
 
 
 @dataclass(slots=True)
-class GetImuBaseRate(Command):
+class GetImuBaseRate(Command[GetImuBaseRateResponse]):
     """Get IMU Data Base Rate (0x0C,0x06).
 
     Asks for the rate that the decimations of the IMU message format divide.
@@ -3479,7 +3480,7 @@ class GetImuBaseRate(Command):
 
 
 @dataclass(slots=True)
-class GetGnssBaseRate(Command):
+class GetGnssBaseRate(Command[GetGnssBaseRateResponse]):
     """Get GNSS Data Base Rate (0x0C,0x07).
 
     Asks for the rate that the decimations of the GNSS message format divide.
@@ -3511,7 +3512,7 @@ _IMU_MESSAGE_FORMAT_GROUPS = ((2, ("descriptors",), False),)
 
 
 @dataclass(slots=True)
-class ImuMessageFormat(Command):
+class ImuMessageFormat(Command[R]):
     """IMU Message Format (0x0C,0x08).
 
     Fields of the sensor data packets (0x80), in order, with their decimations.
@@ -3542,27 +3543,29 @@ class ImuMessageFormat(Command):
     """Fields and decimations. Required for `write`."""
 
     @classmethod
-    def write(cls, descriptors: tuple[types.DescriptorRate, ...]) -> ImuMessageFormat:
+    def write(
+        cls: ClassOf[ImuMessageFormat[Any]], descriptors: tuple[types.DescriptorRate, ...]
+    ) -> ImuMessageFormat[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, descriptors=descriptors)
 
     @classmethod
-    def read(cls) -> ImuMessageFormat:
+    def read(cls: ClassOf[ImuMessageFormat[Any]]) -> ImuMessageFormat[ImuMessageFormatResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> ImuMessageFormat:
+    def save(cls: ClassOf[ImuMessageFormat[Any]]) -> ImuMessageFormat[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> ImuMessageFormat:
+    def load(cls: ClassOf[ImuMessageFormat[Any]]) -> ImuMessageFormat[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> ImuMessageFormat:
+    def default(cls: ClassOf[ImuMessageFormat[Any]]) -> ImuMessageFormat[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -3573,7 +3576,7 @@ class ImuMessageFormat(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ImuMessageFormat, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[ImuMessageFormat[R], int]:
         descriptors: tuple[types.DescriptorRate, ...] | None = None
         v = _IMU_MESSAGE_FORMAT_0.read(raw, at)
         at += 1
@@ -3615,7 +3618,7 @@ _GNSS_MESSAGE_FORMAT_GROUPS = ((2, ("descriptors",), False),)
 
 
 @dataclass(slots=True)
-class GnssMessageFormat(Command):
+class GnssMessageFormat(Command[R]):
     """GNSS Message Format (0x0C,0x09).
 
     Fields of the GNSS data packets, in order, with their decimations.
@@ -3646,27 +3649,29 @@ class GnssMessageFormat(Command):
     """Fields and decimations. Required for `write`."""
 
     @classmethod
-    def write(cls, descriptors: tuple[types.DescriptorRate, ...]) -> GnssMessageFormat:
+    def write(
+        cls: ClassOf[GnssMessageFormat[Any]], descriptors: tuple[types.DescriptorRate, ...]
+    ) -> GnssMessageFormat[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, descriptors=descriptors)
 
     @classmethod
-    def read(cls) -> GnssMessageFormat:
+    def read(cls: ClassOf[GnssMessageFormat[Any]]) -> GnssMessageFormat[GnssMessageFormatResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> GnssMessageFormat:
+    def save(cls: ClassOf[GnssMessageFormat[Any]]) -> GnssMessageFormat[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> GnssMessageFormat:
+    def load(cls: ClassOf[GnssMessageFormat[Any]]) -> GnssMessageFormat[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> GnssMessageFormat:
+    def default(cls: ClassOf[GnssMessageFormat[Any]]) -> GnssMessageFormat[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -3677,7 +3682,7 @@ class GnssMessageFormat(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssMessageFormat, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GnssMessageFormat[R], int]:
         descriptors: tuple[types.DescriptorRate, ...] | None = None
         v = _GNSS_MESSAGE_FORMAT_0.read(raw, at)
         at += 1
@@ -3719,7 +3724,7 @@ _FILTER_MESSAGE_FORMAT_GROUPS = ((2, ("descriptors",), False),)
 
 
 @dataclass(slots=True)
-class FilterMessageFormat(Command):
+class FilterMessageFormat(Command[R]):
     """Estimation Filter Message Format (0x0C,0x0A).
 
     Fields of the filter data packets (0x82), in order, with their decimations.
@@ -3750,27 +3755,31 @@ class FilterMessageFormat(Command):
     """Fields and decimations. Required for `write`."""
 
     @classmethod
-    def write(cls, descriptors: tuple[types.DescriptorRate, ...]) -> FilterMessageFormat:
+    def write(
+        cls: ClassOf[FilterMessageFormat[Any]], descriptors: tuple[types.DescriptorRate, ...]
+    ) -> FilterMessageFormat[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, descriptors=descriptors)
 
     @classmethod
-    def read(cls) -> FilterMessageFormat:
+    def read(
+        cls: ClassOf[FilterMessageFormat[Any]],
+    ) -> FilterMessageFormat[FilterMessageFormatResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> FilterMessageFormat:
+    def save(cls: ClassOf[FilterMessageFormat[Any]]) -> FilterMessageFormat[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> FilterMessageFormat:
+    def load(cls: ClassOf[FilterMessageFormat[Any]]) -> FilterMessageFormat[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> FilterMessageFormat:
+    def default(cls: ClassOf[FilterMessageFormat[Any]]) -> FilterMessageFormat[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -3781,7 +3790,7 @@ class FilterMessageFormat(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[FilterMessageFormat, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[FilterMessageFormat[R], int]:
         descriptors: tuple[types.DescriptorRate, ...] | None = None
         v = _FILTER_MESSAGE_FORMAT_0.read(raw, at)
         at += 1
@@ -3818,7 +3827,7 @@ class FilterMessageFormat(Command):
 
 
 @dataclass(slots=True)
-class GetFilterBaseRate(Command):
+class GetFilterBaseRate(Command[GetFilterBaseRateResponse]):
     """Get Estimation Filter Data Base Rate (0x0C,0x0B).
 
     Asks for the rate that the decimations of the estimation filter message format divide.
@@ -3849,7 +3858,7 @@ _NMEA_MESSAGE_FORMAT_GROUPS = ((2, ("format_entries",), False),)
 
 
 @dataclass(slots=True)
-class NmeaMessageFormat(Command):
+class NmeaMessageFormat(Command[R]):
     """NMEA Message Format (0x0C,0x0C).
 
     NMEA sentences that the device streams.
@@ -3878,27 +3887,29 @@ class NmeaMessageFormat(Command):
     """Sentences to stream. Required for `write`."""
 
     @classmethod
-    def write(cls, format_entries: tuple[types.NmeaMessage, ...]) -> NmeaMessageFormat:
+    def write(
+        cls: ClassOf[NmeaMessageFormat[Any]], format_entries: tuple[types.NmeaMessage, ...]
+    ) -> NmeaMessageFormat[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, format_entries=format_entries)
 
     @classmethod
-    def read(cls) -> NmeaMessageFormat:
+    def read(cls: ClassOf[NmeaMessageFormat[Any]]) -> NmeaMessageFormat[NmeaMessageFormatResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> NmeaMessageFormat:
+    def save(cls: ClassOf[NmeaMessageFormat[Any]]) -> NmeaMessageFormat[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> NmeaMessageFormat:
+    def load(cls: ClassOf[NmeaMessageFormat[Any]]) -> NmeaMessageFormat[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> NmeaMessageFormat:
+    def default(cls: ClassOf[NmeaMessageFormat[Any]]) -> NmeaMessageFormat[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -3909,7 +3920,7 @@ class NmeaMessageFormat(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[NmeaMessageFormat, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[NmeaMessageFormat[R], int]:
         format_entries: tuple[types.NmeaMessage, ...] | None = None
         v = _NMEA_MESSAGE_FORMAT_0.read(raw, at)
         at += 1
@@ -3951,7 +3962,7 @@ _POLL_DATA_0 = codec.Block("BBB", "descriptor_set", "suppress_ack", "num_descrip
 
 
 @dataclass(slots=True)
-class PollData(Command):
+class PollData(Command[None]):
     """Poll Data (0x0C,0x0D).
 
     Asks for one data packet of the descriptor set with the fields listed, in their order.
@@ -4010,7 +4021,7 @@ _GET_BASE_RATE_0 = codec.Block("B", "descriptor_set")
 
 
 @dataclass(slots=True)
-class GetBaseRate(Command):
+class GetBaseRate(Command[GetBaseRateResponse]):
     """Get Data Base Rate (0x0C,0x0E).
 
     Asks for the rate that the decimations of a descriptor set divide.
@@ -4048,7 +4059,7 @@ _MESSAGE_FORMAT_GROUPS = ((1, ("descriptor_set",), False), (3, ("descriptors",),
 
 
 @dataclass(slots=True)
-class MessageFormat(Command):
+class MessageFormat(Command[R]):
     """Message Format (0x0C,0x0F).
 
     Fields of the data packets of a descriptor set, in order, with their decimations.
@@ -4081,28 +4092,32 @@ class MessageFormat(Command):
 
     @classmethod
     def write(
-        cls, descriptor_set: int, descriptors: tuple[types.DescriptorRate, ...]
-    ) -> MessageFormat:
+        cls: ClassOf[MessageFormat[Any]],
+        descriptor_set: int,
+        descriptors: tuple[types.DescriptorRate, ...],
+    ) -> MessageFormat[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, descriptor_set=descriptor_set, descriptors=descriptors)
 
     @classmethod
-    def read(cls, descriptor_set: int) -> MessageFormat:
+    def read(
+        cls: ClassOf[MessageFormat[Any]], descriptor_set: int
+    ) -> MessageFormat[MessageFormatResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, descriptor_set=descriptor_set)
 
     @classmethod
-    def save(cls, descriptor_set: int) -> MessageFormat:
+    def save(cls: ClassOf[MessageFormat[Any]], descriptor_set: int) -> MessageFormat[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, descriptor_set=descriptor_set)
 
     @classmethod
-    def load(cls, descriptor_set: int) -> MessageFormat:
+    def load(cls: ClassOf[MessageFormat[Any]], descriptor_set: int) -> MessageFormat[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, descriptor_set=descriptor_set)
 
     @classmethod
-    def default(cls, descriptor_set: int) -> MessageFormat:
+    def default(cls: ClassOf[MessageFormat[Any]], descriptor_set: int) -> MessageFormat[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, descriptor_set=descriptor_set)
 
@@ -4113,7 +4128,7 @@ class MessageFormat(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MessageFormat, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[MessageFormat[R], int]:
         descriptor_set: int | None = None
         descriptors: tuple[types.DescriptorRate, ...] | None = None
         v = _MESSAGE_FORMAT_0.read(raw, at)
@@ -4162,7 +4177,7 @@ _FACTORY_STREAMING_0 = codec.Block("BB", "action", "reserved")
 
 
 @dataclass(slots=True)
-class FactoryStreaming(Command):
+class FactoryStreaming(Command[None]):
     """Factory Streaming (0x0C,0x10).
 
     Sets all message formats to those that technical support wants to have recorded.
@@ -4202,7 +4217,7 @@ _DATA_STREAM_CONTROL_GROUPS = ((1, ("descriptor_set",), False), (2, ("enable",),
 
 
 @dataclass(slots=True)
-class DataStreamControl(Command):
+class DataStreamControl(Command[R]):
     """Data Stream Control (0x0C,0x11).
 
     Switches a data stream on or off.
@@ -4277,27 +4292,33 @@ class DataStreamControl(Command):
     """Whether the stream is sent. Default: true. Required for `write`."""
 
     @classmethod
-    def write(cls, descriptor_set: int, enable: bool) -> DataStreamControl:
+    def write(
+        cls: ClassOf[DataStreamControl[Any]], descriptor_set: int, enable: bool
+    ) -> DataStreamControl[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, descriptor_set=descriptor_set, enable=enable)
 
     @classmethod
-    def read(cls, descriptor_set: int) -> DataStreamControl:
+    def read(
+        cls: ClassOf[DataStreamControl[Any]], descriptor_set: int
+    ) -> DataStreamControl[DataStreamControlResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, descriptor_set=descriptor_set)
 
     @classmethod
-    def save(cls, descriptor_set: int) -> DataStreamControl:
+    def save(cls: ClassOf[DataStreamControl[Any]], descriptor_set: int) -> DataStreamControl[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, descriptor_set=descriptor_set)
 
     @classmethod
-    def load(cls, descriptor_set: int) -> DataStreamControl:
+    def load(cls: ClassOf[DataStreamControl[Any]], descriptor_set: int) -> DataStreamControl[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, descriptor_set=descriptor_set)
 
     @classmethod
-    def default(cls, descriptor_set: int) -> DataStreamControl:
+    def default(
+        cls: ClassOf[DataStreamControl[Any]], descriptor_set: int
+    ) -> DataStreamControl[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, descriptor_set=descriptor_set)
 
@@ -4308,7 +4329,7 @@ class DataStreamControl(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[DataStreamControl, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[DataStreamControl[R], int]:
         descriptor_set: int | None = None
         enable: bool | None = None
         v = _DATA_STREAM_CONTROL_0.read(raw, at)
@@ -4353,7 +4374,7 @@ _CONSTELLATION_SETTINGS_GROUPS = ((1, ("max_channels",), False), (3, ("settings"
 
 
 @dataclass(slots=True)
-class ConstellationSettings(Command):
+class ConstellationSettings(Command[R]):
     """Constellation Settings (0x0C,0x21).
 
     Constellations that the GNSS receiver tracks, and how its tracking channels are shared.
@@ -4394,28 +4415,32 @@ class ConstellationSettings(Command):
 
     @classmethod
     def write(
-        cls, max_channels: int, settings: tuple[ConstellationSettingsEntry, ...]
-    ) -> ConstellationSettings:
+        cls: ClassOf[ConstellationSettings[Any]],
+        max_channels: int,
+        settings: tuple[ConstellationSettingsEntry, ...],
+    ) -> ConstellationSettings[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, max_channels=max_channels, settings=settings)
 
     @classmethod
-    def read(cls) -> ConstellationSettings:
+    def read(
+        cls: ClassOf[ConstellationSettings[Any]],
+    ) -> ConstellationSettings[ConstellationSettingsResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> ConstellationSettings:
+    def save(cls: ClassOf[ConstellationSettings[Any]]) -> ConstellationSettings[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> ConstellationSettings:
+    def load(cls: ClassOf[ConstellationSettings[Any]]) -> ConstellationSettings[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> ConstellationSettings:
+    def default(cls: ClassOf[ConstellationSettings[Any]]) -> ConstellationSettings[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -4426,7 +4451,7 @@ class ConstellationSettings(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ConstellationSettings, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[ConstellationSettings[R], int]:
         max_channels: int | None = None
         settings: tuple[ConstellationSettingsEntry, ...] | None = None
         v = _CONSTELLATION_SETTINGS_0.read(raw, at)
@@ -4481,7 +4506,7 @@ _GNSS_SBAS_SETTINGS_GROUPS = (
 
 
 @dataclass(slots=True)
-class GnssSbasSettings(Command):
+class GnssSbasSettings(Command[R]):
     """GNSS SBAS Settings (0x0C,0x22).
 
     How the GNSS receivers use satellite based augmentation.
@@ -4519,8 +4544,11 @@ class GnssSbasSettings(Command):
 
     @classmethod
     def write(
-        cls, enable_sbas: int, sbas_options: SbasOptions, included_prns: tuple[int, ...]
-    ) -> GnssSbasSettings:
+        cls: ClassOf[GnssSbasSettings[Any]],
+        enable_sbas: int,
+        sbas_options: SbasOptions,
+        included_prns: tuple[int, ...],
+    ) -> GnssSbasSettings[None]:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE,
@@ -4530,22 +4558,22 @@ class GnssSbasSettings(Command):
         )
 
     @classmethod
-    def read(cls) -> GnssSbasSettings:
+    def read(cls: ClassOf[GnssSbasSettings[Any]]) -> GnssSbasSettings[GnssSbasSettingsResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> GnssSbasSettings:
+    def save(cls: ClassOf[GnssSbasSettings[Any]]) -> GnssSbasSettings[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> GnssSbasSettings:
+    def load(cls: ClassOf[GnssSbasSettings[Any]]) -> GnssSbasSettings[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> GnssSbasSettings:
+    def default(cls: ClassOf[GnssSbasSettings[Any]]) -> GnssSbasSettings[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -4556,7 +4584,7 @@ class GnssSbasSettings(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssSbasSettings, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GnssSbasSettings[R], int]:
         enable_sbas: int | None = None
         sbas_options: SbasOptions | None = None
         included_prns: tuple[int, ...] | None = None
@@ -4618,7 +4646,7 @@ _GNSS_ASSISTED_FIX_GROUPS = ((1, ("option",), False), (2, ("flags",), False))
 
 
 @dataclass(slots=True)
-class GnssAssistedFix(Command):
+class GnssAssistedFix(Command[R]):
     """GNSS Assisted Fix (0x0C,0x23).
 
     Whether the GNSS receiver keeps the data of its last fix to start from at the next power-up.
@@ -4656,27 +4684,29 @@ class GnssAssistedFix(Command):
     """
 
     @classmethod
-    def write(cls, option: AssistedFixOption) -> GnssAssistedFix:
+    def write(
+        cls: ClassOf[GnssAssistedFix[Any]], option: AssistedFixOption
+    ) -> GnssAssistedFix[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, option=option, flags=255)
 
     @classmethod
-    def read(cls) -> GnssAssistedFix:
+    def read(cls: ClassOf[GnssAssistedFix[Any]]) -> GnssAssistedFix[GnssAssistedFixResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> GnssAssistedFix:
+    def save(cls: ClassOf[GnssAssistedFix[Any]]) -> GnssAssistedFix[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> GnssAssistedFix:
+    def load(cls: ClassOf[GnssAssistedFix[Any]]) -> GnssAssistedFix[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> GnssAssistedFix:
+    def default(cls: ClassOf[GnssAssistedFix[Any]]) -> GnssAssistedFix[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -4687,7 +4717,7 @@ class GnssAssistedFix(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssAssistedFix, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GnssAssistedFix[R], int]:
         option: AssistedFixOption | None = None
         flags: int | None = None
         v = _GNSS_ASSISTED_FIX_0.read(raw, at)
@@ -4737,7 +4767,7 @@ _GNSS_TIME_ASSISTANCE_GROUPS = (
 
 
 @dataclass(slots=True)
-class GnssTimeAssistance(Command):
+class GnssTimeAssistance(Command[R]):
     """GNSS Time Assistance (0x0C,0x24).
 
     Tells the GNSS receiver the present GPS time.
@@ -4767,12 +4797,16 @@ class GnssTimeAssistance(Command):
     """Accuracy of the time. Unit: s. Required for `write`."""
 
     @classmethod
-    def write(cls, tow: float, week_number: int, accuracy: float) -> GnssTimeAssistance:
+    def write(
+        cls: ClassOf[GnssTimeAssistance[Any]], tow: float, week_number: int, accuracy: float
+    ) -> GnssTimeAssistance[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, tow=tow, week_number=week_number, accuracy=accuracy)
 
     @classmethod
-    def read(cls) -> GnssTimeAssistance:
+    def read(
+        cls: ClassOf[GnssTimeAssistance[Any]],
+    ) -> GnssTimeAssistance[GnssTimeAssistanceResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
@@ -4783,7 +4817,7 @@ class GnssTimeAssistance(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssTimeAssistance, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GnssTimeAssistance[R], int]:
         tow: float | None = None
         week_number: int | None = None
         accuracy: float | None = None
@@ -4836,7 +4870,7 @@ _PPS_SOURCE_CONTROL_GROUPS = ((1, ("source",), False),)
 
 
 @dataclass(slots=True)
-class PpsSourceControl(Command):
+class PpsSourceControl(Command[R]):
     """PPS Source Control (0x0C,0x28).
 
     Where the device takes its pulse per second from.
@@ -4868,27 +4902,27 @@ class PpsSourceControl(Command):
     """
 
     @classmethod
-    def write(cls, source: PpsSource) -> PpsSourceControl:
+    def write(cls: ClassOf[PpsSourceControl[Any]], source: PpsSource) -> PpsSourceControl[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, source=source)
 
     @classmethod
-    def read(cls) -> PpsSourceControl:
+    def read(cls: ClassOf[PpsSourceControl[Any]]) -> PpsSourceControl[PpsSourceControlResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> PpsSourceControl:
+    def save(cls: ClassOf[PpsSourceControl[Any]]) -> PpsSourceControl[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> PpsSourceControl:
+    def load(cls: ClassOf[PpsSourceControl[Any]]) -> PpsSourceControl[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> PpsSourceControl:
+    def default(cls: ClassOf[PpsSourceControl[Any]]) -> PpsSourceControl[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -4899,7 +4933,7 @@ class PpsSourceControl(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[PpsSourceControl, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[PpsSourceControl[R], int]:
         source: PpsSource | None = None
         v = _PPS_SOURCE_CONTROL_0.read(raw, at)
         at += 1
@@ -4932,7 +4966,7 @@ _GET_EVENT_SUPPORT_0 = codec.Block("B", "query")
 
 
 @dataclass(slots=True)
-class GetEventSupport(Command):
+class GetEventSupport(Command[GetEventSupportResponse]):
     """Get Supported Events (0x0C,0x2A).
 
     Asks which types of event triggers or actions there are and how many of each.
@@ -4970,7 +5004,7 @@ _EVENT_CONTROL_GROUPS = ((1, ("instance",), False), (2, ("mode",), False))
 
 
 @dataclass(slots=True)
-class EventControl(Command):
+class EventControl(Command[R]):
     """Event Control (0x0C,0x2B).
 
     Enables, disables or tests an event trigger.
@@ -4999,27 +5033,29 @@ class EventControl(Command):
     """New mode. Default: `types.EventTriggerMode.DISABLED`. Required for `write`."""
 
     @classmethod
-    def write(cls, instance: int, mode: types.EventTriggerMode) -> EventControl:
+    def write(
+        cls: ClassOf[EventControl[Any]], instance: int, mode: types.EventTriggerMode
+    ) -> EventControl[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, instance=instance, mode=mode)
 
     @classmethod
-    def read(cls, instance: int) -> EventControl:
+    def read(cls: ClassOf[EventControl[Any]], instance: int) -> EventControl[EventControlResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, instance=instance)
 
     @classmethod
-    def save(cls, instance: int) -> EventControl:
+    def save(cls: ClassOf[EventControl[Any]], instance: int) -> EventControl[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, instance=instance)
 
     @classmethod
-    def load(cls, instance: int) -> EventControl:
+    def load(cls: ClassOf[EventControl[Any]], instance: int) -> EventControl[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, instance=instance)
 
     @classmethod
-    def default(cls, instance: int) -> EventControl:
+    def default(cls: ClassOf[EventControl[Any]], instance: int) -> EventControl[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, instance=instance)
 
@@ -5030,7 +5066,7 @@ class EventControl(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EventControl, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[EventControl[R], int]:
         instance: int | None = None
         mode: types.EventTriggerMode | None = None
         v = _EVENT_CONTROL_0.read(raw, at)
@@ -5072,7 +5108,7 @@ _GET_EVENT_TRIGGER_STATUS_0 = codec.Block("B", "requested_count")
 
 
 @dataclass(slots=True)
-class GetEventTriggerStatus(Command):
+class GetEventTriggerStatus(Command[GetEventTriggerStatusResponse]):
     """Get Event Trigger Status (0x0C,0x2C).
 
     Asks for the type and the state of event triggers.
@@ -5119,7 +5155,7 @@ _GET_EVENT_ACTION_STATUS_0 = codec.Block("B", "requested_count")
 
 
 @dataclass(slots=True)
-class GetEventActionStatus(Command):
+class GetEventActionStatus(Command[GetEventActionStatusResponse]):
     """Get Event Action Status (0x0C,0x2D).
 
     Asks for the type and the trigger of event actions.
@@ -5173,7 +5209,7 @@ _EVENT_TRIGGER_CONFIG_GROUPS = (
 
 
 @dataclass(slots=True)
-class EventTriggerConfig(Command):
+class EventTriggerConfig(Command[R]):
     """Event Trigger Configuration (0x0C,0x2E).
 
     Kind and condition of an event trigger.
@@ -5213,34 +5249,36 @@ class EventTriggerConfig(Command):
 
     @classmethod
     def write(
-        cls,
+        cls: ClassOf[EventTriggerConfig[Any]],
         instance: int,
         type: types.EventTriggerType,
         parameters: types.EventTriggerGpio
         | types.EventTriggerThreshold
         | types.EventTriggerCombination
         | None,
-    ) -> EventTriggerConfig:
+    ) -> EventTriggerConfig[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, instance=instance, type=type, parameters=parameters)
 
     @classmethod
-    def read(cls, instance: int) -> EventTriggerConfig:
+    def read(
+        cls: ClassOf[EventTriggerConfig[Any]], instance: int
+    ) -> EventTriggerConfig[EventTriggerConfigResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, instance=instance)
 
     @classmethod
-    def save(cls, instance: int) -> EventTriggerConfig:
+    def save(cls: ClassOf[EventTriggerConfig[Any]], instance: int) -> EventTriggerConfig[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, instance=instance)
 
     @classmethod
-    def load(cls, instance: int) -> EventTriggerConfig:
+    def load(cls: ClassOf[EventTriggerConfig[Any]], instance: int) -> EventTriggerConfig[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, instance=instance)
 
     @classmethod
-    def default(cls, instance: int) -> EventTriggerConfig:
+    def default(cls: ClassOf[EventTriggerConfig[Any]], instance: int) -> EventTriggerConfig[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, instance=instance)
 
@@ -5251,7 +5289,7 @@ class EventTriggerConfig(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EventTriggerConfig, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[EventTriggerConfig[R], int]:
         instance: int | None = None
         type: types.EventTriggerType | None = None
         parameters: (
@@ -5332,7 +5370,7 @@ _EVENT_ACTION_CONFIG_GROUPS = (
 
 
 @dataclass(slots=True)
-class EventActionConfig(Command):
+class EventActionConfig(Command[R]):
     """Event Action Configuration (0x0C,0x2F).
 
     Trigger and effect of an event action.
@@ -5371,12 +5409,12 @@ class EventActionConfig(Command):
 
     @classmethod
     def write(
-        cls,
+        cls: ClassOf[EventActionConfig[Any]],
         instance: int,
         trigger: int,
         type: types.EventActionType,
         parameters: types.EventActionGpio | types.EventActionMessage | None,
-    ) -> EventActionConfig:
+    ) -> EventActionConfig[None]:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE,
@@ -5387,22 +5425,24 @@ class EventActionConfig(Command):
         )
 
     @classmethod
-    def read(cls, instance: int) -> EventActionConfig:
+    def read(
+        cls: ClassOf[EventActionConfig[Any]], instance: int
+    ) -> EventActionConfig[EventActionConfigResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, instance=instance)
 
     @classmethod
-    def save(cls, instance: int) -> EventActionConfig:
+    def save(cls: ClassOf[EventActionConfig[Any]], instance: int) -> EventActionConfig[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, instance=instance)
 
     @classmethod
-    def load(cls, instance: int) -> EventActionConfig:
+    def load(cls: ClassOf[EventActionConfig[Any]], instance: int) -> EventActionConfig[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, instance=instance)
 
     @classmethod
-    def default(cls, instance: int) -> EventActionConfig:
+    def default(cls: ClassOf[EventActionConfig[Any]], instance: int) -> EventActionConfig[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, instance=instance)
 
@@ -5413,7 +5453,7 @@ class EventActionConfig(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EventActionConfig, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[EventActionConfig[R], int]:
         instance: int | None = None
         trigger: int | None = None
         type: types.EventActionType | None = None
@@ -5483,7 +5523,7 @@ _DEVICE_SETTINGS_0 = codec.Block("B", "function")
 
 
 @dataclass(slots=True)
-class DeviceSettings(Command):
+class DeviceSettings(Command[None]):
     """Device Start Up Settings (0x0C,0x30).
 
     Saves, loads or resets all settings of the device at once.
@@ -5547,7 +5587,7 @@ _SENSOR_TO_VEHICLE_TRANSFORM_EULER_GROUPS = (
 
 
 @dataclass(slots=True)
-class SensorToVehicleTransformEuler(Command):
+class SensorToVehicleTransformEuler(Command[R]):
     """Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31).
 
     Mounting of the sensor in the vehicle as Euler angles.
@@ -5584,27 +5624,37 @@ class SensorToVehicleTransformEuler(Command):
     """Rotation about the z axis. Unit: rad. Required for `write`."""
 
     @classmethod
-    def write(cls, roll: float, pitch: float, yaw: float) -> SensorToVehicleTransformEuler:
+    def write(
+        cls: ClassOf[SensorToVehicleTransformEuler[Any]], roll: float, pitch: float, yaw: float
+    ) -> SensorToVehicleTransformEuler[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, roll=roll, pitch=pitch, yaw=yaw)
 
     @classmethod
-    def read(cls) -> SensorToVehicleTransformEuler:
+    def read(
+        cls: ClassOf[SensorToVehicleTransformEuler[Any]],
+    ) -> SensorToVehicleTransformEuler[SensorToVehicleTransformEulerResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> SensorToVehicleTransformEuler:
+    def save(
+        cls: ClassOf[SensorToVehicleTransformEuler[Any]],
+    ) -> SensorToVehicleTransformEuler[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> SensorToVehicleTransformEuler:
+    def load(
+        cls: ClassOf[SensorToVehicleTransformEuler[Any]],
+    ) -> SensorToVehicleTransformEuler[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> SensorToVehicleTransformEuler:
+    def default(
+        cls: ClassOf[SensorToVehicleTransformEuler[Any]],
+    ) -> SensorToVehicleTransformEuler[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -5615,7 +5665,7 @@ class SensorToVehicleTransformEuler(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleTransformEuler, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleTransformEuler[R], int]:
         roll: float | None = None
         pitch: float | None = None
         yaw: float | None = None
@@ -5668,7 +5718,7 @@ _SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_GROUPS = ((1, ("q",), False),)
 
 
 @dataclass(slots=True)
-class SensorToVehicleTransformQuaternion(Command):
+class SensorToVehicleTransformQuaternion(Command[R]):
     """Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32).
 
     Mounting of the sensor in the vehicle as a quaternion.
@@ -5701,27 +5751,37 @@ class SensorToVehicleTransformQuaternion(Command):
     """
 
     @classmethod
-    def write(cls, q: types.Quatf) -> SensorToVehicleTransformQuaternion:
+    def write(
+        cls: ClassOf[SensorToVehicleTransformQuaternion[Any]], q: types.Quatf
+    ) -> SensorToVehicleTransformQuaternion[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, q=q)
 
     @classmethod
-    def read(cls) -> SensorToVehicleTransformQuaternion:
+    def read(
+        cls: ClassOf[SensorToVehicleTransformQuaternion[Any]],
+    ) -> SensorToVehicleTransformQuaternion[SensorToVehicleTransformQuaternionResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> SensorToVehicleTransformQuaternion:
+    def save(
+        cls: ClassOf[SensorToVehicleTransformQuaternion[Any]],
+    ) -> SensorToVehicleTransformQuaternion[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> SensorToVehicleTransformQuaternion:
+    def load(
+        cls: ClassOf[SensorToVehicleTransformQuaternion[Any]],
+    ) -> SensorToVehicleTransformQuaternion[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> SensorToVehicleTransformQuaternion:
+    def default(
+        cls: ClassOf[SensorToVehicleTransformQuaternion[Any]],
+    ) -> SensorToVehicleTransformQuaternion[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -5732,7 +5792,7 @@ class SensorToVehicleTransformQuaternion(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleTransformQuaternion, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleTransformQuaternion[R], int]:
         q: types.Quatf | None = None
         v = _SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_0.read(raw, at)
         at += 1
@@ -5767,7 +5827,7 @@ _SENSOR_TO_VEHICLE_TRANSFORM_DCM_GROUPS = ((1, ("dcm",), False),)
 
 
 @dataclass(slots=True)
-class SensorToVehicleTransformDcm(Command):
+class SensorToVehicleTransformDcm(Command[R]):
     """Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33).
 
     Mounting of the sensor in the vehicle as a direction cosine matrix.
@@ -5798,27 +5858,33 @@ class SensorToVehicleTransformDcm(Command):
     """
 
     @classmethod
-    def write(cls, dcm: types.Matrix3f) -> SensorToVehicleTransformDcm:
+    def write(
+        cls: ClassOf[SensorToVehicleTransformDcm[Any]], dcm: types.Matrix3f
+    ) -> SensorToVehicleTransformDcm[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, dcm=dcm)
 
     @classmethod
-    def read(cls) -> SensorToVehicleTransformDcm:
+    def read(
+        cls: ClassOf[SensorToVehicleTransformDcm[Any]],
+    ) -> SensorToVehicleTransformDcm[SensorToVehicleTransformDcmResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> SensorToVehicleTransformDcm:
+    def save(cls: ClassOf[SensorToVehicleTransformDcm[Any]]) -> SensorToVehicleTransformDcm[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> SensorToVehicleTransformDcm:
+    def load(cls: ClassOf[SensorToVehicleTransformDcm[Any]]) -> SensorToVehicleTransformDcm[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> SensorToVehicleTransformDcm:
+    def default(
+        cls: ClassOf[SensorToVehicleTransformDcm[Any]],
+    ) -> SensorToVehicleTransformDcm[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -5829,7 +5895,7 @@ class SensorToVehicleTransformDcm(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleTransformDcm, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleTransformDcm[R], int]:
         dcm: types.Matrix3f | None = None
         v = _SENSOR_TO_VEHICLE_TRANSFORM_DCM_0.read(raw, at)
         at += 1
@@ -5864,7 +5930,7 @@ _ACCEL_BIAS_GROUPS = ((1, ("bias",), False),)
 
 
 @dataclass(slots=True)
-class AccelBias(Command):
+class AccelBias(Command[R]):
     """Accelerometer Bias Configuration (0x0C,0x37).
 
     Bias that is subtracted from the scaled acceleration.
@@ -5893,32 +5959,32 @@ class AccelBias(Command):
     """
 
     @classmethod
-    def write(cls, bias: types.Vector3f) -> AccelBias:
+    def write(cls: ClassOf[AccelBias[Any]], bias: types.Vector3f) -> AccelBias[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, bias=bias)
 
     @classmethod
-    def read(cls) -> AccelBias:
+    def read(cls: ClassOf[AccelBias[Any]]) -> AccelBias[AccelBiasResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> AccelBias:
+    def save(cls: ClassOf[AccelBias[Any]]) -> AccelBias[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> AccelBias:
+    def load(cls: ClassOf[AccelBias[Any]]) -> AccelBias[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> AccelBias:
+    def default(cls: ClassOf[AccelBias[Any]]) -> AccelBias[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @classmethod
-    def apply(cls, bias: types.Vector3f) -> AccelBias:
+    def apply(cls: ClassOf[AccelBias[Any]], bias: types.Vector3f) -> AccelBias[None]:
         """Apply the new setting and send no acknowledge (5-series devices)."""
         return cls(FunctionSelector.APPLY, bias=bias)
 
@@ -5933,7 +5999,7 @@ class AccelBias(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AccelBias, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[AccelBias[R], int]:
         bias: types.Vector3f | None = None
         v = _ACCEL_BIAS_0.read(raw, at)
         at += 1
@@ -5968,7 +6034,7 @@ _GYRO_BIAS_GROUPS = ((1, ("bias",), False),)
 
 
 @dataclass(slots=True)
-class GyroBias(Command):
+class GyroBias(Command[R]):
     """Gyroscope Bias Configuration (0x0C,0x38).
 
     Bias that is subtracted from the scaled angular rate.
@@ -5999,32 +6065,32 @@ class GyroBias(Command):
     """
 
     @classmethod
-    def write(cls, bias: types.Vector3f) -> GyroBias:
+    def write(cls: ClassOf[GyroBias[Any]], bias: types.Vector3f) -> GyroBias[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, bias=bias)
 
     @classmethod
-    def read(cls) -> GyroBias:
+    def read(cls: ClassOf[GyroBias[Any]]) -> GyroBias[GyroBiasResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> GyroBias:
+    def save(cls: ClassOf[GyroBias[Any]]) -> GyroBias[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> GyroBias:
+    def load(cls: ClassOf[GyroBias[Any]]) -> GyroBias[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> GyroBias:
+    def default(cls: ClassOf[GyroBias[Any]]) -> GyroBias[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @classmethod
-    def apply(cls, bias: types.Vector3f) -> GyroBias:
+    def apply(cls: ClassOf[GyroBias[Any]], bias: types.Vector3f) -> GyroBias[None]:
         """Apply the new setting and send no acknowledge (5-series devices)."""
         return cls(FunctionSelector.APPLY, bias=bias)
 
@@ -6039,7 +6105,7 @@ class GyroBias(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GyroBias, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GyroBias[R], int]:
         bias: types.Vector3f | None = None
         v = _GYRO_BIAS_0.read(raw, at)
         at += 1
@@ -6072,7 +6138,7 @@ _CAPTURE_GYRO_BIAS_0 = codec.Block("H", "averaging_time_ms")
 
 
 @dataclass(slots=True)
-class CaptureGyroBias(Command):
+class CaptureGyroBias(Command[GyroBiasResponse]):
     """Capture Gyroscope Bias (0x0C,0x39).
 
     Averages the angular rate of the device at rest and takes the result as the gyroscope bias.
@@ -6117,7 +6183,7 @@ _MAG_HARD_IRON_OFFSET_GROUPS = ((1, ("offset",), False),)
 
 
 @dataclass(slots=True)
-class MagHardIronOffset(Command):
+class MagHardIronOffset(Command[R]):
     """Magnetometer Hard Iron Offset (0x0C,0x3A).
 
     Offset that corrects the scaled magnetic field for hard iron.
@@ -6152,32 +6218,36 @@ class MagHardIronOffset(Command):
     """
 
     @classmethod
-    def write(cls, offset: types.Vector3f) -> MagHardIronOffset:
+    def write(
+        cls: ClassOf[MagHardIronOffset[Any]], offset: types.Vector3f
+    ) -> MagHardIronOffset[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, offset=offset)
 
     @classmethod
-    def read(cls) -> MagHardIronOffset:
+    def read(cls: ClassOf[MagHardIronOffset[Any]]) -> MagHardIronOffset[MagHardIronOffsetResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> MagHardIronOffset:
+    def save(cls: ClassOf[MagHardIronOffset[Any]]) -> MagHardIronOffset[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> MagHardIronOffset:
+    def load(cls: ClassOf[MagHardIronOffset[Any]]) -> MagHardIronOffset[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> MagHardIronOffset:
+    def default(cls: ClassOf[MagHardIronOffset[Any]]) -> MagHardIronOffset[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @classmethod
-    def apply(cls, offset: types.Vector3f) -> MagHardIronOffset:
+    def apply(
+        cls: ClassOf[MagHardIronOffset[Any]], offset: types.Vector3f
+    ) -> MagHardIronOffset[None]:
         """Apply the new setting and send no acknowledge (5-series devices)."""
         return cls(FunctionSelector.APPLY, offset=offset)
 
@@ -6192,7 +6262,7 @@ class MagHardIronOffset(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagHardIronOffset, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[MagHardIronOffset[R], int]:
         offset: types.Vector3f | None = None
         v = _MAG_HARD_IRON_OFFSET_0.read(raw, at)
         at += 1
@@ -6227,7 +6297,7 @@ _MAG_SOFT_IRON_MATRIX_GROUPS = ((1, ("matrix",), False),)
 
 
 @dataclass(slots=True)
-class MagSoftIronMatrix(Command):
+class MagSoftIronMatrix(Command[R]):
     """Magnetometer Soft Iron Matrix (0x0C,0x3B).
 
     Matrix that corrects the scaled magnetic field for soft iron.
@@ -6260,32 +6330,36 @@ class MagSoftIronMatrix(Command):
     """
 
     @classmethod
-    def write(cls, matrix: types.Matrix3f) -> MagSoftIronMatrix:
+    def write(
+        cls: ClassOf[MagSoftIronMatrix[Any]], matrix: types.Matrix3f
+    ) -> MagSoftIronMatrix[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, matrix=matrix)
 
     @classmethod
-    def read(cls) -> MagSoftIronMatrix:
+    def read(cls: ClassOf[MagSoftIronMatrix[Any]]) -> MagSoftIronMatrix[MagSoftIronMatrixResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> MagSoftIronMatrix:
+    def save(cls: ClassOf[MagSoftIronMatrix[Any]]) -> MagSoftIronMatrix[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> MagSoftIronMatrix:
+    def load(cls: ClassOf[MagSoftIronMatrix[Any]]) -> MagSoftIronMatrix[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> MagSoftIronMatrix:
+    def default(cls: ClassOf[MagSoftIronMatrix[Any]]) -> MagSoftIronMatrix[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @classmethod
-    def apply(cls, matrix: types.Matrix3f) -> MagSoftIronMatrix:
+    def apply(
+        cls: ClassOf[MagSoftIronMatrix[Any]], matrix: types.Matrix3f
+    ) -> MagSoftIronMatrix[None]:
         """Apply the new setting and send no acknowledge (5-series devices)."""
         return cls(FunctionSelector.APPLY, matrix=matrix)
 
@@ -6300,7 +6374,7 @@ class MagSoftIronMatrix(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagSoftIronMatrix, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[MagSoftIronMatrix[R], int]:
         matrix: types.Matrix3f | None = None
         v = _MAG_SOFT_IRON_MATRIX_0.read(raw, at)
         at += 1
@@ -6335,7 +6409,7 @@ _CONING_SCULLING_ENABLE_GROUPS = ((1, ("enable",), False),)
 
 
 @dataclass(slots=True)
-class ConingScullingEnable(Command):
+class ConingScullingEnable(Command[R]):
     """Coning and Sculling Enable (0x0C,0x3E).
 
     Switches the compensation of coning and sculling on or off.
@@ -6360,27 +6434,29 @@ class ConingScullingEnable(Command):
     """Whether the compensation is on. Default: true. Required for `write`."""
 
     @classmethod
-    def write(cls, enable: bool) -> ConingScullingEnable:
+    def write(cls: ClassOf[ConingScullingEnable[Any]], enable: bool) -> ConingScullingEnable[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, enable=enable)
 
     @classmethod
-    def read(cls) -> ConingScullingEnable:
+    def read(
+        cls: ClassOf[ConingScullingEnable[Any]],
+    ) -> ConingScullingEnable[ConingScullingEnableResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> ConingScullingEnable:
+    def save(cls: ClassOf[ConingScullingEnable[Any]]) -> ConingScullingEnable[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> ConingScullingEnable:
+    def load(cls: ClassOf[ConingScullingEnable[Any]]) -> ConingScullingEnable[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> ConingScullingEnable:
+    def default(cls: ClassOf[ConingScullingEnable[Any]]) -> ConingScullingEnable[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -6391,7 +6467,7 @@ class ConingScullingEnable(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ConingScullingEnable, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[ConingScullingEnable[R], int]:
         enable: bool | None = None
         v = _CONING_SCULLING_ENABLE_0.read(raw, at)
         at += 1
@@ -6426,7 +6502,7 @@ _UART_BAUD_RATE_GROUPS = ((1, ("baud",), False),)
 
 
 @dataclass(slots=True)
-class UartBaudRate(Command):
+class UartBaudRate(Command[R]):
     """UART Baud Rate (0x0C,0x40).
 
     Baud rate of the main port.
@@ -6460,27 +6536,27 @@ class UartBaudRate(Command):
     """
 
     @classmethod
-    def write(cls, baud: int) -> UartBaudRate:
+    def write(cls: ClassOf[UartBaudRate[Any]], baud: int) -> UartBaudRate[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, baud=baud)
 
     @classmethod
-    def read(cls) -> UartBaudRate:
+    def read(cls: ClassOf[UartBaudRate[Any]]) -> UartBaudRate[UartBaudRateResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> UartBaudRate:
+    def save(cls: ClassOf[UartBaudRate[Any]]) -> UartBaudRate[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> UartBaudRate:
+    def load(cls: ClassOf[UartBaudRate[Any]]) -> UartBaudRate[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> UartBaudRate:
+    def default(cls: ClassOf[UartBaudRate[Any]]) -> UartBaudRate[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -6491,7 +6567,7 @@ class UartBaudRate(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[UartBaudRate, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[UartBaudRate[R], int]:
         baud: int | None = None
         v = _UART_BAUD_RATE_0.read(raw, at)
         at += 1
@@ -6534,7 +6610,7 @@ _GPIO_CONFIG_GROUPS = (
 
 
 @dataclass(slots=True)
-class GpioConfig(Command):
+class GpioConfig(Command[R]):
     """GPIO Configuration (0x0C,0x41).
 
     What a GPIO pin is used for.
@@ -6592,30 +6668,34 @@ class GpioConfig(Command):
 
     @classmethod
     def write(
-        cls, pin: int, feature: types.GpioFeature, behavior: int, pin_mode: types.GpioPinMode
-    ) -> GpioConfig:
+        cls: ClassOf[GpioConfig[Any]],
+        pin: int,
+        feature: types.GpioFeature,
+        behavior: int,
+        pin_mode: types.GpioPinMode,
+    ) -> GpioConfig[None]:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE, pin=pin, feature=feature, behavior=behavior, pin_mode=pin_mode
         )
 
     @classmethod
-    def read(cls, pin: int) -> GpioConfig:
+    def read(cls: ClassOf[GpioConfig[Any]], pin: int) -> GpioConfig[GpioConfigResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, pin=pin)
 
     @classmethod
-    def save(cls, pin: int) -> GpioConfig:
+    def save(cls: ClassOf[GpioConfig[Any]], pin: int) -> GpioConfig[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, pin=pin)
 
     @classmethod
-    def load(cls, pin: int) -> GpioConfig:
+    def load(cls: ClassOf[GpioConfig[Any]], pin: int) -> GpioConfig[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, pin=pin)
 
     @classmethod
-    def default(cls, pin: int) -> GpioConfig:
+    def default(cls: ClassOf[GpioConfig[Any]], pin: int) -> GpioConfig[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, pin=pin)
 
@@ -6626,7 +6706,7 @@ class GpioConfig(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GpioConfig, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GpioConfig[R], int]:
         pin: int | None = None
         feature: types.GpioFeature | None = None
         behavior: int | None = None
@@ -6689,7 +6769,7 @@ _GPIO_STATE_GROUPS = ((1, ("pin",), False), (2, ("state",), False))
 
 
 @dataclass(slots=True)
-class GpioState(Command):
+class GpioState(Command[R]):
     """GPIO State (0x0C,0x42).
 
     Sets or reads the state of a GPIO pin.
@@ -6719,12 +6799,12 @@ class GpioState(Command):
     """True is high. Required for `write`."""
 
     @classmethod
-    def write(cls, pin: int, state: bool) -> GpioState:
+    def write(cls: ClassOf[GpioState[Any]], pin: int, state: bool) -> GpioState[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, pin=pin, state=state)
 
     @classmethod
-    def read(cls, pin: int) -> GpioState:
+    def read(cls: ClassOf[GpioState[Any]], pin: int) -> GpioState[GpioStateResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, pin=pin)
 
@@ -6735,7 +6815,7 @@ class GpioState(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GpioState, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GpioState[R], int]:
         pin: int | None = None
         state: bool | None = None
         v = _GPIO_STATE_0.read(raw, at)
@@ -6785,7 +6865,7 @@ _ODOMETER_CONFIG_GROUPS = (
 
 
 @dataclass(slots=True)
-class OdometerConfig(Command):
+class OdometerConfig(Command[R]):
     """Odometer Configuration (0x0C,0x43).
 
     Input from a wheel encoder.
@@ -6816,27 +6896,29 @@ class OdometerConfig(Command):
     """Relative uncertainty of the scaling, 1 sigma. Unit: 1. Required for `write`."""
 
     @classmethod
-    def write(cls, mode: OdometerMode, scaling: float, uncertainty: float) -> OdometerConfig:
+    def write(
+        cls: ClassOf[OdometerConfig[Any]], mode: OdometerMode, scaling: float, uncertainty: float
+    ) -> OdometerConfig[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, mode=mode, scaling=scaling, uncertainty=uncertainty)
 
     @classmethod
-    def read(cls) -> OdometerConfig:
+    def read(cls: ClassOf[OdometerConfig[Any]]) -> OdometerConfig[OdometerConfigResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> OdometerConfig:
+    def save(cls: ClassOf[OdometerConfig[Any]]) -> OdometerConfig[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> OdometerConfig:
+    def load(cls: ClassOf[OdometerConfig[Any]]) -> OdometerConfig[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> OdometerConfig:
+    def default(cls: ClassOf[OdometerConfig[Any]]) -> OdometerConfig[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -6847,7 +6929,7 @@ class OdometerConfig(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[OdometerConfig, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[OdometerConfig[R], int]:
         mode: OdometerMode | None = None
         scaling: float | None = None
         uncertainty: float | None = None
@@ -6910,7 +6992,7 @@ _IMU_LOW_PASS_FILTER_GROUPS = (
 
 
 @dataclass(slots=True)
-class ImuLowPassFilter(Command):
+class ImuLowPassFilter(Command[R]):
     """Advanced Low-Pass Filter Settings (0x0C,0x50).
 
     Low-pass filter of one quantity of the sensor data.
@@ -6962,8 +7044,12 @@ class ImuLowPassFilter(Command):
 
     @classmethod
     def write(
-        cls, target_descriptor: int, enable: bool, manual: bool, frequency: int
-    ) -> ImuLowPassFilter:
+        cls: ClassOf[ImuLowPassFilter[Any]],
+        target_descriptor: int,
+        enable: bool,
+        manual: bool,
+        frequency: int,
+    ) -> ImuLowPassFilter[None]:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE,
@@ -6975,22 +7061,26 @@ class ImuLowPassFilter(Command):
         )
 
     @classmethod
-    def read(cls, target_descriptor: int) -> ImuLowPassFilter:
+    def read(
+        cls: ClassOf[ImuLowPassFilter[Any]], target_descriptor: int
+    ) -> ImuLowPassFilter[ImuLowPassFilterResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, target_descriptor=target_descriptor)
 
     @classmethod
-    def save(cls, target_descriptor: int) -> ImuLowPassFilter:
+    def save(cls: ClassOf[ImuLowPassFilter[Any]], target_descriptor: int) -> ImuLowPassFilter[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, target_descriptor=target_descriptor)
 
     @classmethod
-    def load(cls, target_descriptor: int) -> ImuLowPassFilter:
+    def load(cls: ClassOf[ImuLowPassFilter[Any]], target_descriptor: int) -> ImuLowPassFilter[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, target_descriptor=target_descriptor)
 
     @classmethod
-    def default(cls, target_descriptor: int) -> ImuLowPassFilter:
+    def default(
+        cls: ClassOf[ImuLowPassFilter[Any]], target_descriptor: int
+    ) -> ImuLowPassFilter[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, target_descriptor=target_descriptor)
 
@@ -7001,7 +7091,7 @@ class ImuLowPassFilter(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ImuLowPassFilter, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[ImuLowPassFilter[R], int]:
         target_descriptor: int | None = None
         enable: bool | None = None
         manual: bool | None = None
@@ -7080,7 +7170,7 @@ _COMPLEMENTARY_FILTER_GROUPS = (
 
 
 @dataclass(slots=True)
-class ComplementaryFilter(Command):
+class ComplementaryFilter(Command[R]):
     """Complementary Filter Configuration (0x0C,0x51).
 
     Corrections of the complementary filter, which makes attitudes apart from the estimation filter.
@@ -7131,12 +7221,12 @@ class ComplementaryFilter(Command):
 
     @classmethod
     def write(
-        cls,
+        cls: ClassOf[ComplementaryFilter[Any]],
         pitch_roll_enable: bool,
         heading_enable: bool,
         pitch_roll_time_constant: float,
         heading_time_constant: float,
-    ) -> ComplementaryFilter:
+    ) -> ComplementaryFilter[None]:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE,
@@ -7147,22 +7237,24 @@ class ComplementaryFilter(Command):
         )
 
     @classmethod
-    def read(cls) -> ComplementaryFilter:
+    def read(
+        cls: ClassOf[ComplementaryFilter[Any]],
+    ) -> ComplementaryFilter[ComplementaryFilterResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> ComplementaryFilter:
+    def save(cls: ClassOf[ComplementaryFilter[Any]]) -> ComplementaryFilter[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> ComplementaryFilter:
+    def load(cls: ClassOf[ComplementaryFilter[Any]]) -> ComplementaryFilter[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> ComplementaryFilter:
+    def default(cls: ClassOf[ComplementaryFilter[Any]]) -> ComplementaryFilter[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -7173,7 +7265,7 @@ class ComplementaryFilter(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ComplementaryFilter, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[ComplementaryFilter[R], int]:
         pitch_roll_enable: bool | None = None
         heading_enable: bool | None = None
         pitch_roll_time_constant: float | None = None
@@ -7242,7 +7334,7 @@ _SENSOR_RANGE_GROUPS = ((1, ("sensor",), False), (2, ("setting",), False))
 
 
 @dataclass(slots=True)
-class SensorRange(Command):
+class SensorRange(Command[R]):
     """Sensor Range (0x0C,0x52).
 
     Measuring range of a sensor.
@@ -7271,27 +7363,31 @@ class SensorRange(Command):
     """Number of the range. Required for `write`."""
 
     @classmethod
-    def write(cls, sensor: SensorRangeType, setting: int) -> SensorRange:
+    def write(
+        cls: ClassOf[SensorRange[Any]], sensor: SensorRangeType, setting: int
+    ) -> SensorRange[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, sensor=sensor, setting=setting)
 
     @classmethod
-    def read(cls, sensor: SensorRangeType) -> SensorRange:
+    def read(
+        cls: ClassOf[SensorRange[Any]], sensor: SensorRangeType
+    ) -> SensorRange[SensorRangeResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, sensor=sensor)
 
     @classmethod
-    def save(cls, sensor: SensorRangeType) -> SensorRange:
+    def save(cls: ClassOf[SensorRange[Any]], sensor: SensorRangeType) -> SensorRange[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, sensor=sensor)
 
     @classmethod
-    def load(cls, sensor: SensorRangeType) -> SensorRange:
+    def load(cls: ClassOf[SensorRange[Any]], sensor: SensorRangeType) -> SensorRange[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, sensor=sensor)
 
     @classmethod
-    def default(cls, sensor: SensorRangeType) -> SensorRange:
+    def default(cls: ClassOf[SensorRange[Any]], sensor: SensorRangeType) -> SensorRange[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, sensor=sensor)
 
@@ -7302,7 +7398,7 @@ class SensorRange(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SensorRange, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorRange[R], int]:
         sensor: SensorRangeType | None = None
         setting: int | None = None
         v = _SENSOR_RANGE_0.read(raw, at)
@@ -7344,7 +7440,7 @@ _GET_CALIBRATED_SENSOR_RANGES_0 = codec.Block("B", "sensor")
 
 
 @dataclass(slots=True)
-class GetCalibratedSensorRanges(Command):
+class GetCalibratedSensorRanges(Command[GetCalibratedSensorRangesResponse]):
     """Get Calibrated Sensor Ranges (0x0C,0x53).
 
     Asks for the ranges that a sensor supports.
@@ -7392,7 +7488,7 @@ _LOW_PASS_FILTER_GROUPS = (
 
 
 @dataclass(slots=True)
-class LowPassFilter(Command):
+class LowPassFilter(Command[R]):
     """Low-Pass Anti-Aliasing Filter (0x0C,0x54).
 
     Low-pass filter of a data field.
@@ -7432,13 +7528,13 @@ class LowPassFilter(Command):
 
     @classmethod
     def write(
-        cls,
+        cls: ClassOf[LowPassFilter[Any]],
         descriptor_set: int,
         field_descriptor: int,
         enable: bool,
         manual: bool,
         frequency: float,
-    ) -> LowPassFilter:
+    ) -> LowPassFilter[None]:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE,
@@ -7450,28 +7546,36 @@ class LowPassFilter(Command):
         )
 
     @classmethod
-    def read(cls, descriptor_set: int, field_descriptor: int) -> LowPassFilter:
+    def read(
+        cls: ClassOf[LowPassFilter[Any]], descriptor_set: int, field_descriptor: int
+    ) -> LowPassFilter[LowPassFilterResponse]:
         """Send the current setting back in a response."""
         return cls(
             FunctionSelector.READ, descriptor_set=descriptor_set, field_descriptor=field_descriptor
         )
 
     @classmethod
-    def save(cls, descriptor_set: int, field_descriptor: int) -> LowPassFilter:
+    def save(
+        cls: ClassOf[LowPassFilter[Any]], descriptor_set: int, field_descriptor: int
+    ) -> LowPassFilter[None]:
         """Save the current setting to non-volatile memory."""
         return cls(
             FunctionSelector.SAVE, descriptor_set=descriptor_set, field_descriptor=field_descriptor
         )
 
     @classmethod
-    def load(cls, descriptor_set: int, field_descriptor: int) -> LowPassFilter:
+    def load(
+        cls: ClassOf[LowPassFilter[Any]], descriptor_set: int, field_descriptor: int
+    ) -> LowPassFilter[None]:
         """Load the saved setting."""
         return cls(
             FunctionSelector.LOAD, descriptor_set=descriptor_set, field_descriptor=field_descriptor
         )
 
     @classmethod
-    def default(cls, descriptor_set: int, field_descriptor: int) -> LowPassFilter:
+    def default(
+        cls: ClassOf[LowPassFilter[Any]], descriptor_set: int, field_descriptor: int
+    ) -> LowPassFilter[None]:
         """Load the factory default setting."""
         return cls(
             FunctionSelector.DEFAULT,
@@ -7486,7 +7590,7 @@ class LowPassFilter(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[LowPassFilter, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[LowPassFilter[R], int]:
         descriptor_set: int | None = None
         field_descriptor: int | None = None
         enable: bool | None = None
@@ -7555,7 +7659,18 @@ _DEVICE_STATUS_0 = codec.Block("HB", "model_number", "status_selector")
 
 
 @dataclass(slots=True)
-class DeviceStatus(Command):
+class DeviceStatus(
+    Command[
+        DeviceStatusBasicResponse
+        | DeviceStatusBasicWithoutStateResponse
+        | DeviceStatusDiagnosticResponse
+        | DeviceStatusDiagnosticGnssResponse
+        | DeviceStatusDiagnosticGq4_45Response
+        | DeviceStatusDiagnosticRq1_45Response
+        | DeviceStatusDiagnosticGx4Response
+        | DeviceStatusDiagnosticImuResponse
+    ]
+):
     """Device Status (0x0C,0x64).
 
     Asks for the state of the device, in short or with counters.
