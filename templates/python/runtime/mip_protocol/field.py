@@ -103,9 +103,7 @@ ClassOf: TypeAlias = "type[F]"
 
 #: What a client gets for a command: its response, or None.
 if TYPE_CHECKING:
-    R = TypeVarWithDefault(
-        "R", bound="Response | None", covariant=True, default="Response | None"
-    )
+    R = TypeVarWithDefault("R", bound="Response | None", covariant=True, default="Response | None")
 else:
     R = TypeVar("R", bound="Response | None", covariant=True)
 
