@@ -61,7 +61,7 @@ def test_refusals(kind: Kind, peer: Peer) -> None:
 
 def test_no_answer(kind: Kind, peer: Peer) -> None:
     with kind.at(peer.near, timeout=0.05) as device:
-        with pytest.raises(mip.NoAnswer, match="no_answer: the device has not answered base.ping in time") as caught:
+        with pytest.raises(mip.NoAnswer, match=r"no_answer: the device has not answered base\.ping in time") as caught:
             device.request(PING)
         with pytest.raises(TimeoutError):
             device.request(base.BuiltInTest(), timeout=0.05)  # it would take ten seconds
@@ -369,9 +369,10 @@ def test_a_port_that_is_opened_again(kind: Kind) -> None:
 
 
 def test_a_port_that_does_not_come_back(kind: Kind) -> None:
-    with socket.create_server(("localhost", 0)) as server, kind.open(
-        f"socket://localhost:{server.getsockname()[1]}"
-    ) as device:
+    with (
+        socket.create_server(("localhost", 0)) as server,
+        kind.open(f"socket://localhost:{server.getsockname()[1]}") as device,
+    ):
         server.accept()[0].close()
         until(lambda: device.closed)
         server.close()
@@ -397,7 +398,7 @@ def test_wrong_arguments(kind: Kind, peer: Peer) -> None:
     with pytest.raises(TypeError, match="it needs `read` and `write`"):
         kind.at(object())
     for options in ({"capacity": 0}, {"timeout": 0}):
-        with pytest.raises(ValueError, match="at least one packet|some time"):
+        with pytest.raises(ValueError, match=r"at least one packet|some time"):
             kind.at(peer.near, **options)
     with kind.at(peer.near) as device, pytest.raises(ValueError, match="baud rate"):
         device.change_baud(mip_3dm.UartBaudRate.write(9600))
