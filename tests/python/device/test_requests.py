@@ -385,7 +385,7 @@ def test_a_port_that_does_not_come_back(kind: Kind) -> None:
     [
         ("socket://localhost", ValueError, "write socket://HOST:PORT"),
         ("socket://localhost:99999", ValueError, "write socket://HOST:PORT"),
-        ("socket://localhost:1", OSError, ""),
+        ("socket://localhost:1", OSError, "Err|Connect"),
         ("/no/such/port", OSError, "/no/such/port"),
     ],
 )
