@@ -26,6 +26,7 @@ def files(model: m.Model) -> Iterator[File]:
     shown = {
         "taste": taste.partition('"""\n\n')[2].rstrip(),
         "client": model.taste("client.py").rstrip(),
+        "meaning": model.taste("meaning.py").rstrip(),
         "device": known.id if known else "DEVICE",  # the one that shows most
     }
     yield File("README.md", "README.md.j2", shown)
