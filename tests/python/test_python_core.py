@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import array
 import copy
+import json
 import mmap
 import random
 import struct
@@ -16,7 +17,7 @@ from typing import Any
 
 import pytest
 from mipgen import model as m
-from support import SPECS, model
+from support import SPECS, heavy, model
 from test_python import REAL, Package, mip, real, reply, user
 
 PACKAGES = {"invented": mip, "real": real}
@@ -153,7 +154,9 @@ def test_feed_takes_any_buffer(tmp_path: Path) -> None:
             assert len(parser.feed(buffer)) == 300_000 and parser.skipped == 5
     short = bytes(mip.tools.Ping().packet())
     parser = mip.parser.Parser()
-    assert parser.feed(memoryview(bytes(b for pair in zip(short, short) for b in pair))[::2]) == [mip.packet.Packet(short)]
+    assert parser.feed(memoryview(bytes(b for pair in zip(short, short) for b in pair))[::2]) == [
+        mip.packet.Packet(short)
+    ]
     assert parser.feed(array.array("H")) == [] and parser.feed(bytearray()) == []
     for wrong in (5, "ue", None, [117]):
         with pytest.raises(TypeError):
@@ -218,7 +221,9 @@ def sizes(kind: Any) -> list[int]:
 
 
 def special(size: int, chance: random.Random) -> bytes:
-    words = [struct.pack(">I", w) for w in (0, 1, 0x7F800001, 0x7FC00000, 0x7F800000, 0xFF800000, 0xFFFFFFFF, 0x3F800000)]
+    words = [
+        struct.pack(">I", w) for w in (0, 1, 0x7F800001, 0x7FC00000, 0x7F800000, 0xFF800000, 0xFFFFFFFF, 0x3F800000)
+    ]
     return b"".join(chance.choice(words) for _ in range(size // 4 + 1))[:size]
 
 
@@ -391,9 +396,20 @@ def test_vectors_are_made_of_any_sequence_of_numbers() -> None:
         assert made.scaled_accel.z == 3 and made == accel((1, 2, 3))
     rows = [[1, 2, 3], [4, 5, 6], [7, 8, 9]]
     matrix = real.sensor.CompOrientationMatrix
-    for value in (rows, Array(rows), sum(rows, []), [Array(row) for row in rows]):
+    for value in (rows, Array(rows), range(1, 10), [Array(row) for row in rows]):
         assert matrix(value).encode() == struct.pack(">9f", *range(1, 10))
-    for wrong in (b"abc", "abc", bytearray(3), memoryview(b"abc"), {1, 2, 3}, {1: 2}, (1, 2), 5, [[1, 2, 3]] * 2, [b"abc"]):
+    for wrong in (
+        b"abc",
+        "abc",
+        bytearray(3),
+        memoryview(b"abc"),
+        {1, 2, 3},
+        {1: 2},
+        (1, 2),
+        5,
+        [[1, 2, 3]] * 2,
+        [b"abc"],
+    ):
         with pytest.raises(real.errors.EncodeError, match="scaled_accel"):
             accel(wrong).encode()
     with pytest.raises(real.errors.EncodeError, match="missing: scaled_accel is None"):
@@ -473,3 +489,17 @@ def test_type_checkers_see_the_modules_and_the_elements(tmp_path: Path) -> None:
     )  # fmt: skip
     assert done.stdout.splitlines()[0].endswith('user.py:7: error: Module has no attribute "nothing"  [attr-defined]')
     assert "Found 1 error" in done.stdout
+
+
+@heavy("pyright")
+@both
+def test_pyright_finds_nothing(spec: str, tmp_path: Path) -> None:
+    """What editors show to users; mypy is stricter in other things."""
+    folder = SPECS[spec][1] / "python"
+    settings = {"include": [str(folder / "mip_protocol")], "typeCheckingMode": "standard", "pythonPlatform": "All"}
+    (tmp_path / "pyrightconfig.json").write_text(json.dumps(settings))
+    done = subprocess.run(
+        [sys.executable, "-m", "basedpyright", "--project", tmp_path, "--pythonpath", sys.executable],
+        capture_output=True, text=True,
+    )  # fmt: skip
+    assert done.returncode == 0 and "0 errors" in done.stdout, done.stdout + done.stderr

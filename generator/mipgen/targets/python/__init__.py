@@ -87,7 +87,6 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "hex": "0x{:02X}".format,
         "letters": m.letters,
         "by_descriptor": tables.by_descriptor,
-        "element": names.element,
         "properties": tables.properties,
         "given": simulator.given,
         "differences": simulator.differences,
