@@ -3,14 +3,20 @@
 from __future__ import annotations
 
 from functools import cache
-from typing import TYPE_CHECKING, Any, ClassVar, TypeAlias, TypeVar
+from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeAlias, TypeVar
 
 from .codec import vector
+from .described import Described, help_of
 from .errors import DecodeError, EncodeError
 from .packet import Packet, PacketBuilder, RawField
 
 if TYPE_CHECKING:
     import dataclasses
+
+    # Checkers know defaults of type variables in every version of Python.
+    from typing_extensions import TypeVar as TypeVarWithDefault
+
+    from .info import FieldInfo
 
 F = TypeVar("F", bound="Field")
 S = TypeVar("S", bound="Structure")
@@ -44,12 +50,12 @@ def _as_dataclass(kind: Any) -> type:
     )
 
 
+# An attribute that holds a vector. Decoders store the numbers; the vector is made when it is asked for.
 class VectorMember:
-    """An attribute that holds a vector. Decoders store the numbers; the vector is made when it is asked for."""
-
-    __slots__ = ("_get", "_kinds", "_set")
+    __slots__ = ("_get", "_kinds", "_set", "_slot")
 
     def __init__(self, slot: Any, kinds: tuple[type[Any], ...]) -> None:
+        self._slot = slot
         self._get = slot.__get__
         self._set = slot.__set__
         self._kinds = kinds
@@ -71,8 +77,13 @@ class VectorMember:
     def __delete__(self, instance: object) -> None:
         raise AttributeError("a value cannot be deleted")
 
+    @property
+    def __doc__(self) -> str:  # type: ignore[override]
+        """What `help()` shows."""
+        return help_of(self._slot.__objclass__, self._slot.__name__)
 
-class Structure:
+
+class Structure(Described):
     """A group of named values: a field, or a part of one.
 
     It is what a data class is, too: `dataclasses.replace`, `fields` and `asdict` know it.
@@ -92,11 +103,8 @@ class Structure:
         __dataclass_fields__ = _OfDataclass()
         __dataclass_params__ = _OfDataclass()
 
-    #: Numbers whose type depends on another value: name -> (the other, {its value: type}).
-    READINGS: ClassVar[dict[str, tuple[str, dict[object, type]]]] = {}
-
-    def __init_subclass__(cls) -> None:
-        super().__init_subclass__()
+    def __init_subclass__(cls, **arguments: Any) -> None:
+        super().__init_subclass__(**arguments)
         added = cls.__dict__.get("__slots__", ())
         cls._MEMBERS += tuple([name for name in added if not name.startswith("_")])
         for name, kinds in cls.__dict__.get("_VECTORS", {}).items():
@@ -127,22 +135,15 @@ class Structure:
     def _write(self) -> bytes:
         raise NotImplementedError
 
-    def meaning(self, name: str, device: str | None = None) -> Any:
-        """The value `name` as the enumeration or bitfield that gives it its meaning.
-
-        The type depends on another value of this field or on the device (its id, "3dm-gx5-15").
-        Without such a type, the value is returned unchanged.
-        """
-        value = getattr(self, name)
-        by, types = self.READINGS.get(name, ("device", {}))
-        kind = types.get(device if by == "device" else getattr(self, by))
-        return value if kind is None or value is None else kind(value)
-
 
 class Field(Structure):
     """One field: a command, a response or data."""
 
     __slots__ = ()
+
+    if TYPE_CHECKING:
+        INFO: ClassVar[FieldInfo]
+        """What is known of it and of its parameters."""
 
     SET: ClassVar[int]
     DESCRIPTOR: ClassVar[int]
@@ -237,15 +238,29 @@ class Response(Field):
 
 #: For where a field's own member is called `type`.
 ResponseClasses: TypeAlias = "tuple[type[Response], ...]"
+ClassOf: TypeAlias = "type[F]"
 
 
-class Command(Field):
-    """Is acknowledged by the device, with a response or without."""
+#: What a client gets for a command: its response, or None.
+if TYPE_CHECKING:
+    R = TypeVarWithDefault("R", bound="Response | None", covariant=True, default="Response | None")
+else:
+    R = TypeVar("R", bound="Response | None", covariant=True)
+
+
+class Command(Field, Generic[R]):
+    """Is acknowledged by the device, with a response or without.
+
+    `Command[R]` is one that gets a response of type R, or None.
+    """
 
     __slots__ = ()
 
     RESPONSES: ClassVar[tuple[type[Response], ...]] = ()
     TIMEOUT: ClassVar[float | None] = None  # seconds, if the device may take longer than usual
+    #: Settings of the device with which it does not acknowledge the command: set and descriptor of
+    #: the command that sets it, the parameter and its value.
+    SILENCED_BY: ClassVar[tuple[tuple[int, int, str, int], ...]] = ()
     #: Function selector -> how many parameters it requires; others may be None.
     REQUIRED: ClassVar[dict[int, int]] = {}
 
@@ -273,4 +288,16 @@ def chosen(types: tuple[type[Field], ...], raw: RawField) -> type[Field] | None:
     return next((t for t in types if t.matches(raw.data)), None)
 
 
-__all__ = ["Command", "Data", "DecodeError", "Field", "Response", "Shared", "Structure", "chosen"]
+__all__ = [
+    "ClassOf",
+    "Command",
+    "Data",
+    "DecodeError",
+    "Field",
+    "R",
+    "Response",
+    "ResponseClasses",
+    "Shared",
+    "Structure",
+    "chosen",
+]

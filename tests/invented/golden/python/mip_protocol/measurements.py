@@ -598,7 +598,7 @@ class Cloud(Data):
     points: tuple[types.Point, ...]
     """The points."""
     stamp: int
-    """Behind an array that fills the field."""
+    """Behind an array that fills the field. Unit: s."""
 
     def __init__(self, points: tuple[types.Point, ...], stamp: int) -> None:
         self.points = points
