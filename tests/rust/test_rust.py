@@ -190,6 +190,9 @@ def test_a_list_that_is_too_long_does_not_compile() -> None:
     assert done.returncode != 0 and "more items than the list can hold" in done.stderr
 
 
+FEATURES = '"std", "dynamic", "serde", "embedded-io", "embedded-io-async"'
+
+
 @contextmanager
 def with_dependencies() -> Iterator[Path]:
     """A project that uses the crate with the real dependencies, pinned in features/Cargo.lock."""
@@ -201,13 +204,19 @@ edition = "2021"
 publish = false
 
 [dependencies]
-mip-protocol = {{ path = "mip-protocol", features = ["std", "dynamic", "serde"] }}
+mip-protocol = {{ path = "mip-protocol", features = [{FEATURES}] }}
+embedded-io = "0.7"
+embedded-io-async = "0.7"
 serde = "1"
 serde_json = "1"
 
 [[test]]
 name = "features"
 path = "{HERE / "features" / "features.rs"}"
+
+[[test]]
+name = "embedded"
+path = "{HERE / "features" / "embedded.rs"}"
 
 [workspace]
 members = ["mip-protocol"]
@@ -219,16 +228,18 @@ members = ["mip-protocol"]
         yield folder
 
 
-def test_serde_and_defmt() -> None:
+def test_serde_defmt_and_embedded_io() -> None:
     with with_dependencies() as folder:
-        passes(folder, "test", "--quiet", "--test", "features")
-        passes(folder, "clippy", "--quiet", "-p", "mip-protocol", "--all-features", "--", "-D", "warnings")
+        passes(folder, "test", "--quiet")
+        for features in ("--all-features", "--features=embedded-io", "--features=embedded-io-async,core-error"):
+            passes(folder, "clippy", "--quiet", "-p", "mip-protocol", features, "--", "-D", "warnings")
 
 
 @heavy(EMBEDDED)
-def test_serde_and_defmt_without_std() -> None:
+def test_dependencies_without_std() -> None:
     with with_dependencies() as folder:
-        passes(folder, "check", "--quiet", "--target", embedded(), "-p", "mip-protocol", "--features", "serde,defmt")
+        for features in ("serde,defmt", "embedded-io,embedded-io-async"):
+            passes(folder, "check", "--quiet", "--target", embedded(), "-p", "mip-protocol", "--features", features)
 
 
 # --------------------------------------------------------------------------- what the crate promises

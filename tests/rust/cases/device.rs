@@ -73,7 +73,10 @@ fn answered<T: Field>(command: u8, response: &T) -> Vec<u8> {
 }
 
 fn data(x: f32) -> Vec<u8> {
-    packet(&measurements::Accel { scaled_accel: Vector3f::from([x, 0.0, 0.0]), ..Default::default() })
+    packet(&measurements::Accel {
+        scaled_accel: Vector3f::from([x, 0.0, 0.0]),
+        ..Default::default()
+    })
 }
 
 const BIAS: tools::BiasVector = tools::BiasVector { bias: Vector3f { x: 1.0, y: 2.0, z: 3.0 } };
@@ -212,13 +215,13 @@ fn data_are_kept_as_far_as_there_is_room() {
         assert_eq!(next(&mut device), Some(data(n as f32)));
     }
     // A stream that is read loses nothing, in whatever chunks it comes.
-    let dropped = device.dropped();
+    let mut device: Device<_, 1, 265> = Device::with_client(Played::default(), Client::new());
     let stream: Vec<u8> = (0..1000).flat_map(|n| data(n as f32)).collect();
     device.port_mut().coming.extend(stream.chunks(501).map(<[u8]>::to_vec));
     for n in 0..1000 {
         assert_eq!(next(&mut device), Some(data(n as f32)));
     }
-    assert_eq!((next(&mut device), device.dropped()), (None, dropped));
+    assert_eq!((next(&mut device), device.dropped()), (None, 0));
     // Without room, all is dropped, and commands work.
     let replies = [vec![data(1.0), ack(1, AckCode::OK)]].into();
     let port = Played { replies, ..Default::default() };
