@@ -13,15 +13,26 @@ from .names import LANGUAGE, Record, constant, home, member, method, module, typ
 from .records import Records
 
 TITLE = "Rust, no_std"
+#: Programs with fields of the specification, and the features that they need besides descriptor sets.
+EXAMPLES = {
+    "taste": (),
+    "log_to_csv": ("std",),
+    "stream": ("std",),
+    "setup": ("std",),
+    "json": ("std", "serde"),
+    "tokio_codec": ("std",),
+    "firmware": (),
+}
 CONFORMANCE = ("parse", "decode", "encode", "client", "live")
 
 
 def files(model: m.Model) -> Iterable[File]:
-    shown = {name: model.taste(f"{name}.rs").rstrip() for name in ("taste", "client")}
-    yield File("Cargo.toml", "Cargo.toml.j2")
-    yield File("README.md", "README.md.j2", shown)
-    if shown["taste"]:
-        yield File("examples/taste.rs", "verbatim.j2", {"text": model.taste("taste.rs")})
+    shown = {name: model.taste(f"{name}.rs").rstrip() for name in ("taste", "client", "device")}
+    examples = {name: needed for name, needed in EXAMPLES.items() if model.taste(f"{name}.rs")}
+    yield File("Cargo.toml", "Cargo.toml.j2", {"examples": examples})
+    yield File("README.md", "README.md.j2", {**shown, "examples": examples})
+    for name in examples:
+        yield File(f"examples/{name}.rs", "verbatim.j2", {"text": model.taste(f"{name}.rs")})
     yield File("src/map.md", "map.md.j2")
     for path in ("types", "protocol", "sets", "devices/known", "registry/fields"):
         yield File(f"src/{path}.rs", f"{path}.rs.j2")
