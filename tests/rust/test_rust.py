@@ -78,9 +78,9 @@ def bare(spec: str) -> Path:
     """The crate without optional dependencies: cargo wants to know them even where it does not use them."""
     files = dict(rendered(spec))
     manifest = files["Cargo.toml"].decode("utf-8")
-    manifest = re.sub(r"\[dependencies\]\n(?:.+\n)+", "", manifest)
+    manifest = re.sub(r"\[(?:\S*\.dev-)?dependencies\]\n(?:.+\n)+", "", manifest)
     manifest = re.sub(r'\["dep:\w+"\]', "[]", manifest)
-    assert "dep" not in manifest
+    assert "dep:" not in manifest and "dependencies]" not in manifest
     files["Cargo.toml"] = f"{manifest}\n[workspace]\n".encode()
     with locked(WORK / f"{spec}-bare"):
         write(files, WORK / spec / "bare")
