@@ -1,8 +1,9 @@
 //! A device at a port: one call for each command, and the data that it sends.
 //!
-//! [`Device`] waits at a [`Port`]: [`StdPort`] is one over whatever reads and writes with the
-//! standard library, [`EmbeddedPort`] one with the traits of `embedded-io`, and any other takes
-//! three functions. [`AsyncDevice`] does the same with `embedded-io-async`.
+//! [`Device`] waits at a [`Port`]: `StdPort` is one over whatever reads and writes with the standard
+//! library, `EmbeddedPort` one with the traits of `embedded-io`, and any other takes three
+//! functions. `AsyncDevice` does the same with `embedded-io-async`. Each needs the feature of its
+//! name.
 //!
 //! ```no_run
 //! # #[cfg(feature = "std")]
