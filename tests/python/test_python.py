@@ -33,6 +33,7 @@ class Package:
         self.folder = folder
         self.modules: dict[str, ModuleType] = {}
         self._call("registry", lambda registry: registry.all_types())
+        self._call("top", lambda top: [getattr(top, name) for name in top.__all__])
 
     def __getattr__(self, name: str) -> Any:
         return self._call(name, lambda module: module)
@@ -289,8 +290,9 @@ def test_builder_refuses_and_stays_valid() -> None:
     with pytest.raises(mip.errors.EncodeError, match="length"):
         builder.add(1, bytes(2))
     assert len(builder.add(1, b"\x00").build().payload) == 255
-    with pytest.raises(mip.errors.EncodeError):
-        mip.packet.PacketBuilder(0)
+    for no_set in (0, 0xFF, 256):
+        with pytest.raises(mip.errors.EncodeError, match="range"):
+            mip.packet.PacketBuilder(no_set)
 
 
 def test_packet_keeps_its_own_bytes() -> None:

@@ -29,7 +29,7 @@ def files(model: m.Model) -> Iterator[File]:
         "device": known.id if known else "DEVICE",  # the one that shows most
     }
     yield File("README.md", "README.md.j2", shown)
-    for name in ("_sets", "types", "protocol", "devices", "reflection"):
+    for name in ("_clocks", "_sets", "types", "protocol", "devices", "reflection"):
         yield File(f"{PACKAGE}/{name}.py", f"{name}.py.j2")
     yield File(f"{PACKAGE}/simulator/_facts.py", "simulator.py.j2")
     for s in model.sets:
@@ -43,6 +43,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "class": names.class_name,
         "constant": names.constant,
         "member": names.member,
+        "element": names.element,
         "property": names.prop,
         "home": names.home,
         "qualified": names.qualified,
@@ -51,7 +52,14 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         # what objects hold
         "members": members.members,
         "hint": members.hint,
-        "assigned": members.assigned,
+        "held": members.held,
+        "by_place": members.by_place,
+        "initial": members.initial,
+        "kept": members.kept,
+        "vectors": members.vector_members,
+        "layout": members.layout,
+        "columns": members.columns,
+        "is_shared": members.is_shared,
         "decoded": members.decoded,
         "parameters": members.parameters,
         "arguments": members.arguments,
@@ -79,6 +87,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "hex": "0x{:02X}".format,
         "letters": m.letters,
         "by_descriptor": tables.by_descriptor,
+        "element": names.element,
         "properties": tables.properties,
         "given": simulator.given,
         "differences": simulator.differences,

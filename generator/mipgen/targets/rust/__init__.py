@@ -13,6 +13,8 @@ from .names import LANGUAGE, Record, constant, home, member, method, module, typ
 from .records import Records
 
 TITLE = "Rust, no_std"
+#: The oldest Rust that builds the crate.
+OLDEST = "1.65"
 #: Programs with fields of the specification, and the features that they need besides descriptor sets.
 EXAMPLES = {
     "taste": (),
@@ -27,13 +29,14 @@ CONFORMANCE = ("parse", "decode", "encode", "client", "live")
 
 
 def files(model: m.Model) -> Iterable[File]:
-    shown = {name: model.taste(f"{name}.rs").rstrip() for name in ("taste", "client", "device")}
+    shown = {name: model.taste(f"{name}.rs").rstrip() for name in ("taste", "client", "device")} | {"oldest": OLDEST}
     examples = {name: needed for name, needed in EXAMPLES.items() if model.taste(f"{name}.rs")}
-    yield File("Cargo.toml", "Cargo.toml.j2", {"examples": examples})
+    yield File("Cargo.toml", "Cargo.toml.j2", {"oldest": OLDEST, "examples": examples})
     yield File("README.md", "README.md.j2", {**shown, "examples": examples})
     for name in examples:
         yield File(f"examples/{name}.rs", "verbatim.j2", {"text": model.taste(f"{name}.rs")})
-    yield File("src/map.md", "map.md.j2")
+    for page in ("map", "sets"):
+        yield File(f"src/{page}.md", f"{page}.md.j2")
     for path in ("types", "protocol", "sets", "devices/known", "registry/fields"):
         yield File(f"src/{path}.rs", f"{path}.rs.j2")
     for s in model.sets:

@@ -304,7 +304,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     measurements.Cloud: (
         Parameter("num_points", "num_points", "counter", scalar="u8", counts="points"),
         Parameter("points", "points", "array", length="num_points", type=types.Point),
-        Parameter("stamp", "stamp", "scalar", scalar="u64"),
+        Parameter("stamp", "stamp", "scalar", scalar="u64", units=("s",)),
     ),
     measurements.Gust: (
         Parameter("station", "station", "scalar", scalar="u8"),
