@@ -21,7 +21,7 @@ from mipgen import naming, render
 from mipgen.problems import Problems
 from mipgen.resolve import load_model
 from mipgen.targets import markdown
-from reference import ANCHOR, LINK, Manual, bullets, cells, made, manual_of, prose, without_code, words
+from reference import ANCHOR, LINK, Manual, bullets, cells, made, manual_of, path_of, prose, without_code, words
 from support import ROOT, SPECS, model
 
 
@@ -29,7 +29,7 @@ def test_pages_are_neat(manual: Manual) -> None:
     faults = []
     for path, text in manual.pages.items():
         plain = without_code(text)
-        if len(re.findall(r"^# ", plain, re.M)) != 1 or not text.startswith("# "):
+        if len(re.findall(r"^# ", plain, re.M)) != 1 or not re.match(r'(<a id="[^"]*"></a>\n\n)?# ', text):
             faults.append(f"{path}: not one heading of level 1 at its start")
         levels = [len(x) for x in re.findall(r"^(#+) ", plain, re.M)]
         if any(b > a + 1 for a, b in itertools.pairwise(levels)):
@@ -99,7 +99,7 @@ def test_fields_and_types_between_backticks_are_links() -> None:
     f = dataclasses.replace(model("invented").sets[0].fields[0], description=text, notes=(text,))
     first = dataclasses.replace(model("invented").sets[0], fields=(f, *model("invented").sets[0].fields[1:]))
     manual = made(dataclasses.replace(model("invented"), sets=(first, *model("invented").sets[1:])))
-    links = "[Ping (0x01,0x01)](#tools.ping) and [`shape`](../types/tools.md#tools.shape)"
+    links = "[Ping (0x01,0x01)](#tools.ping) and [`shape`](../../types/tools.md#tools.shape)"
     assert manual.field(f).count(f"As {links}; (0x01,0x01), `tools.bias.x`.") == 2
 
 
@@ -109,9 +109,9 @@ def test_descriptors_in_quotations_are_links() -> None:
     text = "The text refers to `tools.ping` by (0x01,0x01)."
     quoting = dataclasses.replace(model("invented").errata[0], printed=text, right=text, reason=text)
     page = made(dataclasses.replace(model("invented"), errata=(quoting,))).page("errata.md")
-    quoted = "The text refers to `tools.ping` by [(0x01,0x01)](sets/tools.md#tools.ping)."
+    quoted = "The text refers to `tools.ping` by [(0x01,0x01)](fields/tools/ping.md#tools.ping)."
     assert f"- Printed: {quoted}\n- Right: {quoted}\n" in page
-    assert "- Why: The text refers to [Ping (0x01,0x01)](sets/tools.md#tools.ping) by (0x01,0x01)." in page
+    assert "- Why: The text refers to [Ping (0x01,0x01)](fields/tools/ping.md#tools.ping) by (0x01,0x01)." in page
 
 
 def test_what_is_said_of_the_protocol(manual: Manual) -> None:
@@ -155,7 +155,7 @@ def test_navigation_lists_every_page(manual: Manual) -> None:
 def test_no_two_pages_have_one_title(manual: Manual) -> None:
     """Neither in the navigation and the results of a search, nor at the top of the page."""
     titles = [title for title, _ in navigation(manual)]
-    headings = [text.partition("\n")[0] for path, text in manual.pages.items() if path != "README.md"]
+    headings = [re.findall(r"^# .*", text, re.M)[0] for path, text in manual.pages.items() if path != "README.md"]
     assert len(titles) == len(set(titles)) and len(headings) == len(set(headings))
 
 
@@ -193,7 +193,7 @@ def test_text_is_never_markup() -> None:
     f = awkward.sets[0].fields[0]
     assert words(manual.field(f)).count(prose(NASTY, awkward)) == 2
     markdown_ = importlib.import_module("markdown")  # comes with mkdocs
-    for path in (f"sets/{f.set_name}.md", "errata.md", f"devices/{awkward.devices[0].id}.md"):
+    for path in (path_of(f), f"sets/{f.set_name}.md", "errata.md", f"devices/{awkward.devices[0].id}.md"):
         page = markdown_.markdown(manual.page(path), extensions=["tables", "fenced_code"])
         assert not re.search(r"<b>|<em>[cd]</em>|href=\"f\"", page)
         assert prose(NASTY, awkward) in html.unescape(re.sub(r"</?code>", "", page)), path

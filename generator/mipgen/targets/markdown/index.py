@@ -8,6 +8,7 @@ from functools import cached_property
 from typing import TypeVar
 
 from ... import model as m
+from ...typical import Typical
 
 Key = TypeVar("Key", bound=Hashable)
 Item = TypeVar("Item")
@@ -18,6 +19,10 @@ User = m.Field | m.Struct | m.Bitfield
 @dataclass(frozen=True)
 class Index:
     model: m.Model
+
+    @cached_property
+    def typical(self) -> Typical:
+        return Typical(self.model)
 
     # ----------------------------------------------------------------------- errata
 
