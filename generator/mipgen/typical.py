@@ -6,6 +6,7 @@ They are those of the first example that states them, else defaults, and what is
 from __future__ import annotations
 
 import math
+import re
 import struct
 from dataclasses import dataclass
 from functools import cached_property
@@ -29,6 +30,21 @@ class Typical:
         if needed and all(p.name in printed for p in needed):
             return found | {p.name: printed[p.name] for p in needed}
         return found | record(tuple(needed))
+
+    def shown(self, f: m.Field) -> list[m.Call]:
+        """The ways to send a command that show how it is used: its first one, and the first that asks for values."""
+        asking = next((c for c in f.calls if self.replies(f, c)), f.calls[0])
+        return [f.calls[0]] if asking is f.calls[0] else [f.calls[0], asking]
+
+    def replies(self, f: m.Field, call: m.Call) -> list[m.Reply]:
+        """What answers a command that is sent in this way."""
+        values = self.values(f, call)
+        return [
+            r
+            for r in self.model.replies(f)
+            if (call.function is None or call.function in r.functions)
+            and all(c.holds(values.get(c.parameter)) for c in r.when)
+        ]
 
     def data(self, f: m.Field, call: m.Call | None = None) -> bytes:
         return codec.encode(f, self.values(f, call or f.calls[0]))
@@ -135,6 +151,39 @@ def _number(op: m.ScalarOp, value: float) -> Any:
     if op.scalar.kind == "float":
         return "0x" + struct.pack(">f" if op.size == 4 else ">d", value).hex()
     return int(value)
+
+
+# --------------------------------------------------------------------------- values in programs
+
+
+def flags(t: m.Bitfield, value: int) -> list[m.Bits]:
+    """The flags that make up a value; none if it has other bits, or numbers, too.
+
+    >>> t = m.Bitfield("b", m.SCALARS["u8"], 1, (m.Bits("a", 0, 0, "", False), m.Bits("n", 1, 2, "", False)), "", None)
+    >>> [b.name for b in flags(t, 1)], flags(t, 3), flags(t, 128)
+    (['a'], [], [])
+    """
+    named = [b for b in t.bits if b.width == 1 and not b.alias and value & b.mask]
+    return named if sum(b.mask for b in named) == value else []
+
+
+def decimal(bits: str) -> str:
+    """The shortest decimal that has the bits of a finite number; it has a point or an exponent.
+
+    >>> decimal("0x3dcccccd"), decimal("0x3ff0000000000000"), decimal("0x7149f2ca")
+    ('0.1', '1.0', '1e+30')
+    """
+    raw = bytes.fromhex(bits[2:])
+    form = ">f" if len(raw) == 4 else ">d"
+    (value,) = struct.unpack(form, raw)
+    for digits in range(1, 18):
+        text = f"{value:.{digits}g}"
+        try:
+            if struct.pack(form, float(text)) == raw:
+                return text if re.search(r"[.e]", text) else f"{text}.0"
+        except OverflowError:
+            continue
+    raise AssertionError(bits)
 
 
 # --------------------------------------------------------------------------- what readers take for typical

@@ -16,7 +16,7 @@ from ... import describe
 from ... import model as m
 from ...naming import Identifier
 from ...render import File
-from . import answers, devices, examples, fields, packets, parameters, places, related, sources, text, types
+from . import answers, devices, examples, fields, packets, parameters, places, programs, related, sources, text, types
 from .index import Index
 from .places import Page, Thing
 
@@ -100,6 +100,7 @@ FILTERS_OF_PAGE: Filters = {
     "ready_packets": packets.ready_packets,
     "answers": answers.answers,
     "shown_examples": examples.shown_examples,
+    "programs": programs.programs,
     "related": related.related,
     "field_values": parameters.field_values,
     "contents": fields.contents,

@@ -9,6 +9,7 @@ from typing import TypeVar
 
 from ... import model as m
 from ...typical import Typical
+from ..rust.snippets import Snippets
 
 Key = TypeVar("Key", bound=Hashable)
 Item = TypeVar("Item")
@@ -23,6 +24,11 @@ class Index:
     @cached_property
     def typical(self) -> Typical:
         return Typical(self.model)
+
+    @cached_property
+    def rust(self) -> Snippets:
+        """Programs in Rust, whose types are looked up once."""
+        return Snippets(self.typical)
 
     # ----------------------------------------------------------------------- errata
 

@@ -20,7 +20,7 @@ def related(page: Page, f: m.Field) -> list[m.Field]:
     for g in _related(page, f):
         if g.role != m.RESPONSE and g.set and field_page(g) != field_page(f):
             found.setdefault(g.full_name, g)
-    return [g for g in model.fields if g.full_name in found]
+    return sorted(found.values(), key=lambda g: (g.set, g.descriptor, g.name))
 
 
 def _related(page: Page, f: m.Field) -> Iterator[m.Field]:
