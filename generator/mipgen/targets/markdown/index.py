@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Hashable, Iterable
 from dataclasses import dataclass
 from functools import cached_property
@@ -10,6 +11,8 @@ from typing import TypeVar
 from ... import model as m
 from ...typical import Typical
 from ..rust.snippets import Snippets
+
+_CODE = re.compile(r"`([^`]+)`")
 
 Key = TypeVar("Key", bound=Hashable)
 Item = TypeVar("Item")
@@ -38,6 +41,7 @@ class Index:
         found += [e for x in self.examples(f) for e in self.errata_of_example(x)]
         if f.role != m.RESPONSE:  # a response cites the sections of its command
             found += [e for s in f.sources for e in self._of_section.get((s.manual, s.section), ())]
+        found += self._naming.get(f.full_name, ())
         return sorted({e.id: e for e in found}.values(), key=lambda e: e.id)
 
     def errata_of_example(self, x: m.Example) -> list[m.Erratum]:
@@ -65,6 +69,12 @@ class Index:
     @cached_property
     def _of_length(self) -> dict[tuple[str, str], list[m.Erratum]]:
         return _grouped(((e.manual, c.subject), e) for e, c in self._claims if c.kind == "length")
+
+    @cached_property
+    def _naming(self) -> dict[str, list[m.Erratum]]:
+        """The errata whose texts name a field, be they in its section or not."""
+        pairs = [(name, e) for e in self.model.errata for text in (e.right, e.reason) for name in _CODE.findall(text)]
+        return _grouped((name, e) for name, e in pairs if self.model.field(name) is not None)
 
     @cached_property
     def _fields_of_section(self) -> dict[tuple[str, str], list[m.Field]]:

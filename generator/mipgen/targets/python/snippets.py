@@ -55,7 +55,8 @@ def _value(op: m.Operation, value: Any) -> str:
         case m.ScalarOp():
             return _number(op, value)
         case m.TextOp():
-            return '"' + value.replace("\\", "\\\\").replace('"', '\\"') + '"'
+            text: str = value
+            return '"' + text.replace("\\", "\\\\").replace('"', '\\"') + '"'
         case m.BitsOp():
             return f"{_name(op.type)}({int.from_bytes(bytes(value), 'little'):#x})"
         case m.ArrayOp():
