@@ -28,14 +28,16 @@ def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
 
 
 def description(markdown: str) -> str:
-    """The first paragraph, without markup, cut at a word.
+    """The title and the first paragraph, without markup, cut at a word.
 
     >>> description("# T\\n\\n`a.b`, data. See [*x*](y.md).\\n\\nMore")
-    'a.b, data. See x.'
+    'T: a.b, data. See x.'
     """
     paragraphs = markdown.split("\n\n")
     first = next((p for p in paragraphs if p.strip() and not p.startswith(("#", "|", "- ", "<"))), "")
-    plain = re.sub(r"[`*]|\\(?=\W)", "", re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", first))
+    title = _TITLE.search(markdown)
+    whole = f"{title[1]}: {first}" if title else first
+    plain = re.sub(r"[`*]|\\(?=\W)", "", re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", whole))
     return textwrap.shorten(html.unescape(plain), 160, placeholder=" …")
 
 

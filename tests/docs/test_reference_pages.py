@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import dataclasses
+import doctest
 import html
-import importlib
+import importlib.util
 import itertools
+import json
 import os
 import posixpath
 import re
@@ -215,13 +217,50 @@ def test_site_builds(manual: Manual, tmp_path: Path) -> None:
         cwd=source, capture_output=True, text=True, env={**os.environ, "NO_MKDOCS_2_WARNING": "1"}, check=False,
     )  # fmt: skip
     assert done.returncode == 0, done.stdout + done.stderr
-    titles = {}
+    titles, descriptions = {}, {}
     for _, path in navigation(manual):
         page = (site / path[:-3]).with_suffix(".html").read_text("utf-8")
         titles[path] = re.findall(r"<title>(.*?)</title>", page)[0]
+        described = re.findall(r'<meta name="description" content="([^"]+)"', page)
+        descriptions[path] = html.unescape(described[0])
+        text = (source / "docs" / path).read_text("utf-8")
+        for anchor in re.findall(r'^<a id="([^"]*)"></a>\n\n#', text, re.M):  # permalink, outline and search use it
+            assert re.search(rf'<h[1-4] id="{re.escape(anchor)}">', page), (path, anchor)
+        programs = re.findall(r'^<details class="program"', text, re.M)
+        assert len(re.findall(r'<div class="tabbed-block">', page)) == len(programs), path
     assert len(set(titles.values())) == len(titles)
+    assert len(set(descriptions.values())) == len(descriptions) and max(map(len, descriptions.values())) <= 160
     index = (site / "search/search_index.json").read_text("utf-8")
     assert all(f.full_name in index for f in manual.fields)
+    check_search(manual, json.loads(index))
+
+
+def test_hooks_of_the_site() -> None:
+    path = ROOT / "generated/markdown/hooks.py"
+    spec = importlib.util.spec_from_file_location("hooks", path)
+    assert spec is not None and spec.loader is not None
+    hooks = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(hooks)
+    done = doctest.testmod(hooks)
+    assert done.attempted and not done.failed
+
+
+def check_search(manual: Manual, index: dict[str, Any]) -> None:
+    """What people type is in the index as words: descriptors in every form with the field, and known synonyms."""
+    separator = re.compile(index["config"]["separator"])
+    found = {entry["location"]: entry for entry in index["docs"]}
+
+    def tokens(text: str) -> list[str]:
+        return [word.lower() for word in separator.split(text) if word]
+
+    for f in (f for f in manual.model.fields if f.role != m.RESPONSE):
+        entry = found[f"fields/{f.set_name}/{f.name}.html"]
+        tags = {token for tag in entry["tags"] for token in tokens(tag)}
+        one, two = f"{f.set:02X}", f"{f.descriptor:02X}"
+        for query in (f"0x{one},0x{two}", f"(0x{one},0x{two})", f"0x{one}{two}", f"{one}{two}", f"{one} {two}"):
+            assert set(tokens(query)) <= tags, (f.full_name, query)
+        assert set(tokens(f.full_name)) <= set(tokens(entry["title"] + " " + entry["text"]))
+    assert any("nack" in tokens(e["text"]) for where, e in found.items() if where.startswith("packets.html"))
 
 
 def test_site_needs_what_is_tested() -> None:

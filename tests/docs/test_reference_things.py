@@ -7,7 +7,21 @@ from typing import Any
 
 from mipgen import codec, describe
 from mipgen import model as m
-from reference import ANCHOR, Manual, bullets, number, path_of, prose, rows_of, seen, table_with, tables, words
+from reference import (
+    ANCHOR,
+    Manual,
+    bullets,
+    manual_of,
+    number,
+    path_of,
+    prose,
+    rows_of,
+    seen,
+    table_with,
+    tables,
+    words,
+)
+from support import model
 
 
 def asked(s: m.Set) -> list[m.Field]:
@@ -373,6 +387,22 @@ def test_every_erratum_has_its_section(manual: Manual) -> None:
                 assert f"#erratum.{e.id})" in manual.section("examples.md", f"example.{c.subject}")
             else:
                 assert c.subject in text
+
+
+def test_errata_that_name_a_field(manual: Manual) -> None:
+    """They are linked from its page, in whatever section of the manual they are."""
+    for e in manual.model.errata:
+        for name in re.findall(r"`([^`]+)`", f"{e.right} {e.reason}"):
+            f = manual.model.field(name)
+            if f is not None and f.set and f.role != m.RESPONSE:
+                assert f"#erratum.{e.id})" in manual.page(path_of(f)), (e.id, name)
+
+
+def test_mean_motion_is_wrong_for_all_systems() -> None:
+    for name in ("gnss_1.galileo_ephemeris", "gnss_1.beidou_ephemeris", "gnss_2.galileo_ephemeris"):
+        f = model("real").field(name)
+        assert f is not None
+        assert "#erratum.cv7-ephemeris-delta-mean-motion)" in manual_of("real").page(path_of(f))
 
 
 def test_every_unit_and_frame_has_its_row(manual: Manual) -> None:

@@ -41,8 +41,12 @@ class Index:
         found += [e for x in self.examples(f) for e in self.errata_of_example(x)]
         if f.role != m.RESPONSE:  # a response cites the sections of its command
             found += [e for s in f.sources for e in self._of_section.get((s.manual, s.section), ())]
-        found += self._naming.get(f.full_name, ())
         return sorted({e.id: e for e in found}.values(), key=lambda e: e.id)
+
+    def errata_naming(self, f: m.Field) -> list[m.Erratum]:
+        """Further errata whose texts name a field: they say something of it beside their own subject."""
+        own = {e.id for e in self.errata(f)}
+        return list({e.id: e for e in self._naming.get(f.full_name, ()) if e.id not in own}.values())
 
     def errata_of_example(self, x: m.Example) -> list[m.Erratum]:
         return self._of_example.get(x.id, [])
