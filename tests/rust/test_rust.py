@@ -358,6 +358,11 @@ pub fn all() {
     error::<mip_protocol::DecodeError>();
     error::<mip_protocol::EncodeErrorKind>();
     error::<mip_protocol::list::CapacityError>();
+    error::<mip_protocol::RequestError>();
+    error::<mip_protocol::PacketError>();
+    error::<mip_protocol::FieldLengthError>();
+    error::<mip_protocol::client::CommandError>();
+    error::<mip_protocol::device::DeviceError<mip_protocol::PacketError>>();
 }
 """
     folder = project("invented", "core-error", "", '"core-error"', {"src/lib.rs": code})

@@ -14,7 +14,7 @@ from typing import Any
 
 import pytest
 from mipgen.targets.rust import OLDEST, names
-from support import SPECS, heavy, locked, need
+from support import ROOT, SPECS, heavy, locked, need
 from test_rust import EMBEDDED, WORK, bare, crate, embedded, passes, rendered, specification, with_dependencies
 
 #: Rust that is needed by features that bring dependencies, as locked for the tests.
@@ -136,6 +136,33 @@ def test_documentation_of_one_set() -> None:
     name = names.feature(specification("invented").sets[0])
     doc = ("doc", "--quiet", "--offline", "--no-deps", "--no-default-features", "--features", name)
     passes(bare("invented"), *doc, RUSTDOCFLAGS="-D warnings")
+
+
+# --------------------------------------------------------------------------- what may grow
+
+#: Their members are all there can be: docs/versions.md.
+COMPLETE = {"Value"}
+
+
+def growing(files: dict[str, bytes]) -> dict[str, bool]:
+    """Public enumerations and errors of the runtime -> are they marked as such that may grow?"""
+    found = {}
+    for path, data in files.items():
+        text = data.decode("utf-8") if re.fullmatch(r"src/(?!sets/|types)[\w/]+\.rs", path) else ""
+        for attributes, kind, name in re.findall(r"((?:^#\[.*\]\n)*)^pub (enum|struct) (\w+)", text, re.MULTILINE):
+            if kind == "enum" or name.endswith("Error"):
+                found[name] = "#[non_exhaustive]\n" in attributes
+    return found
+
+
+def test_what_may_grow_is_not_exhaustive() -> None:
+    found = growing(rendered("invented"))
+    assert len(found) > 12
+    assert {name for name, grows in found.items() if not grows} == COMPLETE
+    text = " ".join((ROOT / "docs/versions.md").read_text("utf-8").split())
+    promise = text.partition("- `#[non_exhaustive]`: ")[2].partition(" A `match`")[0]
+    others = {name for name in found if "Error" not in name} - COMPLETE
+    assert [name for name in others if f"`{name}`" not in promise] == []
 
 
 # --------------------------------------------------------------------------- the package
