@@ -79,6 +79,11 @@ PARTS = {
         ("json",),
         (("tests/json",), ("tests/conformance", "-k", "json")),
     ),
+    "javascript": Part(
+        ("templates/javascript/runtime/mip/*.mjs", "generator/mipgen/targets/javascript/*.py"),
+        ("javascript",),
+        (("tests/javascript",), ("tests/conformance", "-k", "javascript")),
+    ),
     "docs": Part(
         ("generated/c/src/mip/*.h", "generated/python/mip_protocol/*.py", "generated/rust/src/**/*.rs",
          "generated/markdown/docs/**/*.md"),
