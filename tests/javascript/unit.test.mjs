@@ -99,6 +99,12 @@ test("what is decoded says where its bytes are", () => {
     }
 });
 
+test("units of elements", () => {
+    assert.deepEqual([0, 1, 2].map((i) => mip.unitOf({ units: ["m", "1", "deg"] }, i)), ["m", "", "deg"]);
+    assert.deepEqual([0, 2].map((i) => mip.unitOf({ units: ["m"] }, i)), ["m", "m"]);
+    assert.equal(mip.unitOf({}), "");
+});
+
 test("a model of another form is refused", () => {
     assert.throws(() => new Protocol({ ...globalThis.mipModel, format: "2.0" }), { kind: "format" });
     assert.throws(() => new Protocol(undefined), { kind: "format" });

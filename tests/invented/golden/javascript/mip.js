@@ -812,5 +812,420 @@ function unitOf(parameter, index = 0) {
     return unit === "1" ? "" : (unit ?? "");
 }
 
-globalThis.mip = { MipError, checksum, fromHex, toHex, decodeData, encodeData, bitsOf, enumValue, namedType, parametersAt, unitOf, Packet, buildPacket, Parser, segments, Protocol, };
+// ---------------------------------------------------------------------------------------------------- tools/input.mjs
+
+// Bytes in any form in which people write them.
+
+// A line of a hex dump: an offset, bytes, and what they look like.
+const DUMP_LINE = /^\s*(?:0x)?[0-9a-f]{4,8}(?::\s*|\s{2,})((?:[0-9a-f]{2,4}[ \t]+)*[0-9a-f]{2,4})(?:\s{2,}.*|\s*\|.*)?\s*$/i;
+
+// What bytes are written as, in the order in which it is looked for; words that begin with digits are not.
+const TOKEN = new RegExp(
+    [
+        /\bb"((?:[^"\\]|\\.)*)"|\bb'((?:[^'\\]|\\.)*)'/, // b"ue\x0c" of Python
+        /((?:\\x[0-9a-f]{2})+)/, // \x75\x65
+        /\b0x([0-9a-f]+)\b/, // 0x75, 0x7565
+        /(?<![\w.])((?:[0-9a-f]{2})+)h?(?!\w|\.\d)/, // 75, 7565, 75h
+    ]
+        .map((one) => one.source)
+        .join("|"),
+    "gi",
+);
+
+const ESCAPES = { n: 10, r: 13, t: 9, 0: 0, a: 7, b: 8, f: 12, v: 11, "\\": 92, "'": 39, '"': 34 };
+
+/** The bytes of a text, and the pieces of text between them that are no bytes, such as words. */
+function bytesOfText(text) {
+    const parts = [];
+    const ignored = [];
+    for (const line of text.split(/\r?\n/)) {
+        const bytes = DUMP_LINE.exec(line)?.[1] ?? line;
+        let at = 0;
+        for (const match of bytes.matchAll(TOKEN)) {
+            ignored.push(bytes.slice(at, match.index));
+            at = match.index + match[0].length;
+            parts.push(bytesOfToken(match));
+        }
+        ignored.push(bytes.slice(at));
+    }
+    return {
+        bytes: concatenated(...parts),
+        ignored: ignored.map((piece) => piece.replace(/^[\s,;:|{}[\]()<>"'-]+|[\s,;:|{}[\]()<>"'-]+$/g, "")).filter(Boolean),
+    };
+}
+
+function bytesOfToken([, double, single, escaped, number, digits]) {
+    const literal = double ?? single;
+    if (literal !== undefined) return bytesOfLiteral(literal);
+    const hex = escaped ? escaped.replace(/\\x/g, "") : (number ?? digits);
+    const even = hex.length % 2 ? `0${hex}` : hex;
+    return Uint8Array.from(even.match(/../g), (pair) => Number.parseInt(pair, 16));
+}
+
+function bytesOfLiteral(text) {
+    const found = [];
+    for (const [whole, hex, escape] of text.matchAll(/\\x([0-9a-f]{2})|\\([^x])|[^\\]/gis)) {
+        if (hex !== undefined) found.push(Number.parseInt(hex, 16));
+        else found.push(escape === undefined ? whole.charCodeAt(0) & 0xff : (ESCAPES[escape] ?? escape.charCodeAt(0)));
+    }
+    return Uint8Array.from(found);
+}
+
+// ---------------------------------------------------------------------------------------------------- tools/words.mjs
+
+// How things of the protocol are shown: numbers, names and places.
+
+function hexByte(number) {
+    return `0x${number.toString(16).toUpperCase().padStart(2, "0")}`;
+}
+
+function spacedHex(bytes) {
+    return toHex(bytes, " ").toUpperCase();
+}
+
+/** "(0x0C,0x28)"; a field of all sets has its descriptor alone. */
+function descriptorOf(field) {
+    return field.set ? `(${hexByte(field.set)},${hexByte(field.descriptor)})` : `(${hexByte(field.descriptor)})`;
+}
+
+/** The shortest decimal number that has the same bits as a float of this size. */
+function decimal(value, size) {
+    if (typeof value === "string") return `NaN (${value})`;
+    if (size !== 4 || !Number.isFinite(value)) {
+        return Object.is(value, -0) ? "-0" : String(value);
+    }
+    for (let digits = 1; digits < 9; digits++) {
+        const short = Number(value.toPrecision(digits));
+        if (Object.is(Math.fround(short), value)) return Object.is(short, -0) ? "-0" : String(short);
+    }
+    return String(Number(value.toPrecision(9)));
+}
+
+/** The path of a value: "descriptors[0].rate"; elements of vectors have names. */
+function pathText(protocol, parameters, path) {
+    let text = "";
+    let next = 0;
+    let items; // of the last parameter: its length, and the names of its elements
+    for (const step of path) {
+        if (typeof step !== "number") {
+            const { parameter } = parameters[next++] ?? {};
+            const type = protocol.types.get(parameter?.type);
+            items = { array: parameter?.length !== undefined, elements: type?.kind === "vector" ? type.elements : undefined };
+            text += text ? `.${step}` : step;
+        } else if (items.elements && !items.array) {
+            text += `.${items.elements[step]}`;
+        } else {
+            text += `[${step}]`;
+            items = { ...items, array: false };
+        }
+    }
+    return text;
+}
+
+/**
+ * What a value is, for readers: `text`, `unit`, and of an enumeration `name` and `meaning`, of a bitfield `flags`.
+ *
+ * @param type the enumeration or bitfield of the value, if it has one
+ */
+function shown(protocol, part, parameter, type, index) {
+    const { operation, value, size } = part;
+    const unit = unitOf(parameter, index);
+    const kind = protocol.scalar(operation.scalar)?.kind;
+    if (operation.kind === "text") return { text: JSON.stringify(value.replace(/[\0 ]+$/, "")), unit };
+    if (kind === "float") return { text: decimal(value, size), unit };
+    if (kind === "bool") return { text: `${value}`, name: value ? "true" : "false", unit };
+    if (type?.kind === "enum") {
+        const known = enumValue(type, value);
+        return { text: `${value}`, name: known?.name ?? "unknown", meaning: known?.description, unit };
+    }
+    if (type?.kind === "bitfield") {
+        const { found, rest } = bitsOf(protocol, type, value);
+        const flags = found.filter(({ flag, value: held }) => !flag || held);
+        const text = Array.isArray(value) ? spacedHex(value) : `0x${value.toString(16).toUpperCase().padStart(2 * size, "0")}`;
+        return { text, flags: rest ? [...flags, { rest }] : flags, unit };
+    }
+    return { text: `${value}`, unit };
+}
+
+/** "fix_valid", "quality = 3", or "state = ready". */
+function flagText({ bits, value, flag, named, rest }) {
+    if (rest !== undefined) return `0x${rest.toString(16).toUpperCase()} has no name`;
+    return flag && !named ? bits.name : `${bits.name} = ${named?.name ?? value}`;
+}
+
+// ---------------------------------------------------------------------------------------------------- tools/inspect.mjs
+
+// What bytes mean: packets, fields and values, with names, units and verdicts. The inspector shows it.
+
+/**
+ * What a text of bytes consists of, each part as `segments` gives it; packets also have `set`, `fields`, `misprints`, and
+ * the checksum that is right.
+ *
+ * @param device the id of a device, whose readings are used where they differ
+ */
+function inspect(protocol, text, device = undefined) {
+    const { bytes, ignored } = bytesOfText(text);
+    return { bytes, ignored, parts: segments(protocol, bytes).map((part) => inspectPart(protocol, part, device)) };
+}
+
+function inspectPart(protocol, part, device) {
+    if (part.kind === "other") return part;
+    const packet = new Packet(protocol, part.kind === "incomplete" ? completed(part.bytes) : part.bytes);
+    const set = protocol.sets.get(part.bytes[2]);
+    const fields = packet.decode().map((raw) => inspectField(protocol, raw, packet, part, device));
+    const verdict =
+        part.kind === "incomplete" ? {} : { sound: packet.sound, checksum: packet.checksum, rightChecksum: packet.rightChecksum };
+    return { ...part, set, fields: fields.filter(Boolean), misprints: misprintsOf(protocol, part.bytes), ...verdict };
+}
+
+/** The beginning of a packet with zeros in place of what is missing. */
+function completed(bytes) {
+    const whole = new Uint8Array(Math.max((bytes[3] ?? 0) + 6, bytes.length));
+    whole.set(bytes);
+    return whole;
+}
+
+function inspectField(protocol, raw, packet, part, device) {
+    if (raw.offset === undefined) return part.kind === "incomplete" ? undefined : { error: raw.error };
+    const end = raw.offset + 2 + raw.data.length;
+    if (part.kind === "incomplete" && end > part.bytes.length) return undefined;
+    const found = { ...raw, bytes: packet.bytes.subarray(raw.offset, end) };
+    if (!raw.field) return found;
+    const rows = (raw.parts ?? []).map((one) => inspectValue(protocol, raw, one, device));
+    return { ...found, rows, errata: errataOf(protocol, raw.field) };
+}
+
+function inspectValue(protocol, { field, values, data }, part, device) {
+    const parameters = parametersAt(protocol, field, part.path);
+    const { parameter } = parameters.at(-1);
+    const names = part.path.length - 1 - [...part.path].reverse().findIndex((step) => typeof step !== "number");
+    const siblings = valueAt(values, part.path.slice(0, names));
+    const type = namedType(protocol, parameter, siblings, device);
+    const index = part.path.slice(names + 1).at(-1);
+    return {
+        path: pathText(protocol, parameters, part.path),
+        bytes: data.subarray(part.offset, part.offset + part.size),
+        value: part.value,
+        parameter,
+        type,
+        ...shown(protocol, part, parameter, type, index),
+    };
+}
+
+// ------------------------------------------------------------------------------------------------ errata
+
+/** The mistakes of the manuals about a field: in the sections that it cites, and in its lengths. */
+function errataOf(protocol, field) {
+    const places = new Set(field.sources.map((source) => `${source.manual}\n${source.section}`));
+    return protocol.model.errata.filter(
+        (erratum) =>
+            (field.role !== "response" && places.has(`${erratum.manual}\n${erratum.section}`)) ||
+            erratum.claims.some((claim) => claim.kind === "length" && claim.subject === field.name),
+    );
+}
+
+/** The examples of manuals that are printed with exactly these bytes although others are right. */
+function misprintsOf(protocol, bytes) {
+    const { examples, errata } = protocol.model;
+    return examples
+        .filter((example) => printedAs(example, bytes) && !sameBytes(fromHex(example.packet), bytes))
+        .map((example) => ({
+            example,
+            right: fromHex(example.packet),
+            errata: errata.filter((one) => one.claims.some((claim) => claim.kind === "example" && claim.subject === example.id)),
+        }));
+}
+
+function printedAs({ string, table }, bytes) {
+    const digits = string?.replace(/[^0-9a-f]/gi, "");
+    if (digits && digits.length % 2 === 0 && sameBytes(fromHex(digits), bytes)) return true;
+    return Boolean(table) && table.length === bytes.length && table.every((byte, i) => byte === null || byte === bytes[i]);
+}
+
+// ---------------------------------------------------------------------------------------------------- tools/dom.mjs
+
+// Elements of a page, and links to the reference.
+
+/** An element with attributes and children; texts are shown as they are. */
+function element(tag, attributes = {}, ...children) {
+    const made = document.createElement(tag);
+    for (const [name, value] of Object.entries(attributes)) {
+        if (name.startsWith("on")) made.addEventListener(name.slice(2), value);
+        else if (value === true) made.setAttribute(name, "");
+        else if (value !== undefined && value !== false && value !== null) made.setAttribute(name, value);
+    }
+    made.append(...children.flat(Infinity).filter((child) => child !== undefined && child !== null && child !== false));
+    return made;
+}
+
+/**
+ * Where the reference has things. `options.fieldPage` and `options.erratumPage` are addresses with {set}, {field} and {id}
+ * in them; without one, there are no links.
+ */
+function links(options = {}) {
+    const address = (pattern, values) => pattern?.replace(/\{(\w+)\}/g, (_, name) => encodeURIComponent(values[name]));
+    return {
+        field(field, ...words) {
+            const [set, name] = field.name.split(".");
+            return link(address(options.fieldPage, { set, field: name }), words.length ? words : [field.title]);
+        },
+        erratum(erratum) {
+            return link(address(options.erratumPage, { id: erratum.id }), [erratum.id]);
+        },
+    };
+}
+
+function link(href, words) {
+    return href ? element("a", { href }, ...words) : element("span", {}, ...words);
+}
+
+/** Calls a function when the user has changed something. */
+function whenChanged(inputs, update) {
+    for (const input of inputs) input.addEventListener("input", update);
+}
+
+// ---------------------------------------------------------------------------------------------------- tools/inspector.mjs
+
+// The inspector: paste bytes, read what they mean.
+
+/** Fills an element with the inspector. `options` are those of `links`, and `text`, the bytes that it begins with. */
+function inspector(root, protocol, options = {}) {
+    const to = links(options);
+    const input = element("textarea", { rows: 5, spellcheck: "false", autocomplete: "off", id: "mip-bytes" }, options.text ?? "");
+    const device = element(
+        "select",
+        { id: "mip-device" },
+        element("option", { value: "" }, "any device"),
+        protocol.model.devices.map((one) => element("option", { value: one.id }, one.title)),
+    );
+    const output = element("div", { class: "mip-output", "aria-live": "polite" });
+    const update = () => {
+        const found = inspect(protocol, input.value, device.value || undefined);
+        output.replaceChildren(...report(found, to));
+    };
+    root.replaceChildren(
+        element("p", {}, element("label", { for: "mip-bytes" }, "Bytes in hexadecimal: dumps, arrays, strings, with or without anything between packets")),
+        input,
+        element("p", {}, element("label", { for: "mip-device" }, "Values as on "), device),
+        output,
+    );
+    whenChanged([input, device], update);
+    update();
+    return { update, input, output };
+}
+
+function report({ bytes, ignored, parts }, to) {
+    if (!bytes.length) return [element("p", { class: "mip-note" }, "Nothing to read yet.")];
+    const packets = parts.filter((part) => part.kind !== "other").length;
+    const summary = `${count(bytes.length, "byte")}, ${count(packets, "packet")}`;
+    return [
+        element("p", { class: "mip-summary" }, summary, ignored.length ? `; not read as bytes: ${ignored.join(" ")}` : ""),
+        ...parts.map((part) => (part.kind === "other" ? otherBytes(part) : packetReport(part, to))),
+    ];
+}
+
+function count(number, word) {
+    return `${number} ${word}${number === 1 ? "" : "s"}`;
+}
+
+function otherBytes({ bytes }) {
+    const text = Array.from(bytes, (byte) => (byte >= 32 && byte < 127 ? String.fromCharCode(byte) : "·")).join("");
+    return element(
+        "section",
+        { class: "mip-other", "data-kind": "other" },
+        element("p", {}, `${count(bytes.length, "byte")} that belong to no packet: `, element("code", {}, spacedHex(bytes)), ` ${text}`),
+    );
+}
+
+function packetReport(part, to) {
+    const { bytes, kind, set, fields } = part;
+    const title = set ? `${set.title} (${hexByte(set.number)})` : bytes.length > 2 ? `Unknown set ${hexByte(bytes[2])}` : "Packet";
+    return element(
+        "section",
+        { class: "mip-packet", "data-kind": kind, "data-bytes": spacedHex(bytes) },
+        element("h2", {}, title),
+        element("p", { class: "mip-bytes" }, element("code", {}, spacedHex(bytes))),
+        verdict(part),
+        part.misprints.map((misprint) => misprintNote(misprint, to)),
+        fields.map((field) => fieldReport(field, to)),
+    );
+}
+
+function verdict({ kind, bytes, sound, checksum, rightChecksum }) {
+    if (kind === "incomplete") {
+        const missing = bytes.length > 3 ? count(bytes[3] + 6 - bytes.length, "byte") : "at least one byte";
+        return element("p", { class: "mip-verdict mip-wrong" }, `The packet is incomplete: ${missing} missing.`);
+    }
+    if (sound) return element("p", { class: "mip-verdict mip-right" }, "Checksum ", element("code", {}, spacedHex(checksum)), " is right.");
+    return element(
+        "p",
+        { class: "mip-verdict mip-wrong" },
+        "Checksum ",
+        element("code", {}, spacedHex(checksum)),
+        " is wrong; right is ",
+        element("code", {}, spacedHex(rightChecksum)),
+        ".",
+    );
+}
+
+function misprintNote({ example, right, errata }, to) {
+    return element(
+        "p",
+        { class: "mip-note" },
+        `The manual ${example.manual} prints these bytes (${example.section}: ${example.title}) by mistake. Right is `,
+        element("code", {}, spacedHex(right)),
+        ". ",
+        errata.length ? ["See ", listed(errata, to), "."] : "",
+    );
+}
+
+function listed(errata, to) {
+    return errata.flatMap((erratum, i) => [i ? ", " : "", to.erratum(erratum)]);
+}
+
+function fieldReport(found, to) {
+    const { field, descriptor, bytes, error, rows = [], errata = [], trailing } = found;
+    if (descriptor === undefined) return element("p", { class: "mip-wrong" }, `The rest is malformed: ${error.message}.`);
+    const heading = field
+        ? element("h3", {}, to.field(field), ` ${descriptorOf(field)} `, element("code", {}, field.name))
+        : element("h3", {}, `Unknown descriptor ${hexByte(descriptor)}`);
+    return element(
+        "div",
+        { class: "mip-field", "data-field": field?.name ?? "" },
+        heading,
+        field && element("p", {}, field.description),
+        element("p", { class: "mip-bytes" }, element("code", {}, spacedHex(bytes))),
+        error && element("p", { class: "mip-wrong" }, `It cannot be decoded: ${error.message}.`),
+        rows.length > 0 && valueTable(rows),
+        trailing > 0 && element("p", { class: "mip-note" }, `${count(trailing, "byte")} behind the last known parameter.`),
+        errata.length > 0 && element("p", { class: "mip-note" }, "Mistakes in the manuals: ", listed(errata, to)),
+    );
+}
+
+function valueTable(rows) {
+    const heads = ["Bytes", "Parameter", "Value", "Meaning"].map((text) => element("th", { scope: "col" }, text));
+    return element(
+        "div",
+        { class: "mip-scroll" },
+        element("table", {}, element("thead", {}, element("tr", {}, heads)), element("tbody", {}, rows.map(valueRow))),
+    );
+}
+
+function valueRow({ bytes, path, text, unit, name, meaning, flags, parameter }) {
+    const value = [element("span", { class: "mip-number" }, text), unit && ` ${unit}`, name && [" ", element("code", {}, name)]];
+    const shownFlags = flags?.flatMap((flag, i) => [
+        i ? ", " : "",
+        element("span", { class: "mip-flag", title: flag.named?.description ?? flag.bits?.description }, flagText(flag)),
+    ]);
+    return element(
+        "tr",
+        { "data-path": path },
+        element("td", {}, element("code", {}, spacedHex(bytes))),
+        element("td", {}, element("code", {}, path)),
+        element("td", {}, value),
+        element("td", {}, shownFlags?.length ? shownFlags : flags ? "none set" : (meaning ?? parameter.description ?? "")),
+    );
+}
+
+globalThis.mip = { MipError, checksum, fromHex, toHex, decodeData, encodeData, bitsOf, enumValue, namedType, parametersAt, unitOf, Packet, buildPacket, Parser, segments, Protocol, bytesOfText, inspect, inspector, };
 })();
