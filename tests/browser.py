@@ -16,8 +16,8 @@ from typing import Any
 from support import need
 
 FLAGS = (
-    "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
-    "--disable-component-update", "--disable-sync", "--disable-extensions", "--remote-debugging-pipe",
+    "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-sync",
+    "--disable-background-networking", "--disable-component-update", "--disable-extensions", "--remote-debugging-pipe",
 )  # fmt: skip
 
 
@@ -26,7 +26,7 @@ def installed() -> bool:
 
 
 class Page:
-    """A tab. What its scripts and the browser complain of is in `complaints`, what it asks the network for in `asked`."""
+    """A tab. `complaints` are errors of its scripts and of the browser, `asked` the addresses of what it has loaded."""
 
     def __init__(self, browser: Browser, session: str) -> None:
         self.browser, self.session = browser, session

@@ -80,7 +80,7 @@ PARTS = {
         (("tests/json",), ("tests/conformance", "-k", "json")),
     ),
     "javascript": Part(
-        ("templates/javascript/runtime/mip/*.mjs", "generator/mipgen/targets/javascript/*.py"),
+        ("templates/javascript/runtime/*/*.mjs", "generator/mipgen/targets/javascript/*.py"),
         ("javascript",),
         (("tests/javascript",), ("tests/conformance", "-k", "javascript")),
     ),

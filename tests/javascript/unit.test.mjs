@@ -134,6 +134,65 @@ test("what bytes consist of", () => {
     assert.equal(kinds([0x75, 0x65, 0x80, 2, 9, 1, 0, 0]), "other");
 });
 
+// ------------------------------------------------------------------------------------------------ the finder
+
+const { find, indexOf } = await load("tools/find.mjs");
+const index = indexOf(protocol);
+const first = (text) => find(index, text, 1)[0]?.field;
+const pair = (field) => [field.set, field.descriptor].map((n) => n.toString(16).padStart(2, "0"));
+
+test("every descriptor is found in every form", () => {
+    const forms = [
+        ([s, d]) => `0x${s}${d}`,
+        ([s, d]) => `${s} ${d}`.toUpperCase(),
+        ([s, d]) => `(0x${s},0x${d})`,
+        ([s, d]) => `0x${s}, 0x${d}`,
+        ([s, d]) => `${s}:${d}`,
+        ([s, d]) => `${s}${d}`.toUpperCase(),
+    ];
+    protocol.model.fields.forEach((field, i) => {
+        if (!field.set) return;
+        const wanted = protocol.candidates(field.set, field.descriptor).map((one) => one.name);
+        const text = forms[i % forms.length](pair(field));
+        assert.deepEqual(find(index, text, wanted.length).map((one) => one.field.name), wanted, text);
+    });
+    for (const form of forms) {
+        const field = protocol.model.fields.at(-1);
+        assert.equal(first(form(pair(field))).descriptor, field.descriptor, form(pair(field)));
+    }
+});
+
+test("a set is found by its number, its own fields first", () => {
+    for (const set of protocol.model.sets) {
+        const found = find(index, `0x${set.number.toString(16)}`, set.fields.length);
+        assert.deepEqual(found.map(({ field }) => field.name), set.fields);
+    }
+});
+
+test("every field is found by its name and its symbols", () => {
+    for (const field of protocol.model.fields) {
+        for (const symbol of [field.name, ...Object.values(field.symbols)]) {
+            assert.equal(first(symbol)?.name, field.name, symbol);
+            assert.equal(first(`${symbol}_encode`)?.name, field.name, symbol);
+        }
+    }
+});
+
+test("every field is found by its other names", () => {
+    for (const field of protocol.model.fields) {
+        for (const name of field.also ?? []) {
+            const found = find(index, `${field.name.split(".")[0]}.${name}`, 2).map((one) => one.field.name);
+            assert.ok(found.includes(field.name), name);
+        }
+    }
+});
+
+test("nothing is found by nothing", () => {
+    assert.deepEqual(find(index, "  "), []);
+    assert.deepEqual(find(index, "0xAB 0xCD"), []);
+    assert.deepEqual(find(index, "xyzzy"), []);
+});
+
 // ------------------------------------------------------------------------------------------------ the bundle
 
 test("the bundle has what the modules export", () => {

@@ -1,5 +1,7 @@
 // The tools for the browser.
 
+export { find, indexOf } from "./find.mjs";
+export { finder } from "./finder.mjs";
 export { bytesOfText } from "./input.mjs";
 export { inspect } from "./inspect.mjs";
 export { inspector } from "./inspector.mjs";
