@@ -790,13 +790,18 @@ function bitsNumber(value) {
     return Array.isArray(value) ? value.reduceRight((sum, byte) => (sum << 8n) | BigInt(byte), 0n) : BigInt(value);
 }
 
+/** The bits of a name as a number, a BigInt. */
+function maskOf(bits) {
+    return ((1n << BigInt(bits.last - bits.first + 1)) - 1n) << BigInt(bits.first);
+}
+
 /** The bits of a bitfield with what they hold: flags that are set, and all numbers. `rest` are bits without a name. */
 function bitsOf(protocol, type, value) {
     let rest = bitsNumber(value);
     const whole = rest;
     const found = [];
     for (const bits of type.bits) {
-        const mask = ((1n << BigInt(bits.last - bits.first + 1)) - 1n) << BigInt(bits.first);
+        const mask = maskOf(bits);
         const held = (whole & mask) >> BigInt(bits.first);
         rest &= ~mask;
         const named = bits.enum ? enumValue(protocol.type(bits.enum), held) : undefined;
@@ -951,6 +956,11 @@ function shown(protocol, part, parameter, type, index) {
 function flagText({ bits, value, flag, named, rest }) {
     if (rest !== undefined) return `0x${rest.toString(16).toUpperCase()} has no name`;
     return flag && !named ? bits.name : `${bits.name} = ${named?.name ?? value}`;
+}
+
+/** "mode is fast"; of another command, "mode of base.echo_control is fast". */
+function conditionText({ parameter, label, command }) {
+    return `${parameter}${command ? ` of ${command}` : ""} is ${label}`;
 }
 
 // ---------------------------------------------------------------------------------------------------- tools/inspect.mjs
@@ -1413,7 +1423,7 @@ function finder(root, protocol, options = {}) {
     const update = () => {
         const found = find(index, input.value);
         const nothing = input.value.trim() ? [element("li", {}, "Nothing found.")] : [];
-        output.replaceChildren(...(found.length ? found.map(({ field }) => result(field, to)) : nothing));
+        output.replaceChildren(...(found.length ? found.map(({ field }) => resultItem(field, to)) : nothing));
     };
     const form = element(
         "form",
@@ -1433,7 +1443,7 @@ function finder(root, protocol, options = {}) {
     return { update, input, output };
 }
 
-function result(field, to) {
+function resultItem(field, to) {
     return element(
         "li",
         { "data-field": field.name },
@@ -1444,5 +1454,428 @@ function result(field, to) {
     );
 }
 
-globalThis.mip = { MipError, checksum, fromHex, toHex, decodeData, encodeData, bitsOf, enumValue, namedType, parametersAt, unitOf, Packet, buildPacket, Parser, segments, Protocol, find, indexOf, finder, bytesOfText, inspect, inspector, };
+// ---------------------------------------------------------------------------------------------------- tools/build.mjs
+
+// What the builder knows of a packet with one field: values to begin with, bytes, source code, and the answer.
+
+/** The sets in whose packets a field can be. */
+function setsOf(protocol, field) {
+    if (field.set && field.set !== SHARED_SET) return [field.set];
+    const numbers = protocol.model.sets.map((set) => set.number).filter((number) => number !== SHARED_SET);
+    return numbers.filter((number) => number >= FIRST_DATA_SET === (field.set === SHARED_SET));
+}
+
+/** The operations of a field that a function requires; all that are required where there is no selector. */
+function requiredOperations(protocol, field, selector) {
+    const required = protocol.required(field, selector);
+    return field.operations.flatMap((op) => (op.kind !== "group" ? [op] : op.last <= required ? op.body : []));
+}
+
+/** Values to begin with: the function selector, then factory defaults and reserved values where there are any, else 0. */
+function initialValues(protocol, field, selector) {
+    const values = {};
+    for (const op of requiredOperations(protocol, field, selector)) begin(protocol, op, field, values);
+    if (field.calls) values.function = selector;
+    return values;
+}
+
+function begin(protocol, op, record, values) {
+    if (op.kind === "constant") return;
+    values[op.member] = initialValue(protocol, op, record, values);
+}
+
+/** The value to begin with of one operation; that of a union depends on the values before it. */
+function initialValue(protocol, op, record, values) {
+    const parameter = parameterOf(record, op.member) ?? {};
+    const given = parameter.default ?? parameter.reserved;
+    switch (op.kind) {
+        case "counter":
+            return 0;
+        case "bits":
+            return Array(op.size).fill(0);
+        case "text":
+            return (typeof given === "string" ? given : "").padEnd(op.count ?? 0);
+        case "array": {
+            const count = op.count ?? (Array.isArray(given) ? given.length : 0);
+            const inner = { parameters: [{ name: op.item.member, type: parameter.type }] };
+            return Array.from({ length: count }, (_, i) => {
+                const one = Array.isArray(given) ? given[i] : given;
+                return one === undefined ? initialValue(protocol, op.item, inner, {}) : numberOf(protocol, op.item, parameter, one, {});
+            });
+        }
+        case "struct": {
+            const struct = protocol.type(op.struct);
+            const inner = {};
+            for (const part of struct.operations) begin(protocol, part, struct, inner);
+            return inner;
+        }
+        case "switch": {
+            const selected = op.cases.find((one) => one.value === Number(values[op.tag]))?.operation;
+            return selected ? { [selected.member]: initialValue(protocol, selected, record, {}) } : {};
+        }
+        default:
+            return numberOf(protocol, op, parameter, given ?? firstOf(protocol, op, parameter, values), values);
+    }
+}
+
+function firstOf(protocol, op, parameter, values) {
+    const type = namedType(protocol, parameter, values);
+    if (type?.kind === "enum") return type.values[0].value;
+    return Math.max(0, parameter.minimum ?? 0);
+}
+
+/** A number for a default: it may be the name of a value, or names of bits. */
+function numberOf(protocol, op, parameter, given, values) {
+    const type = namedType(protocol, parameter, values);
+    if (typeof given === "string") return type?.values?.find((one) => one.name === given)?.value ?? 0;
+    if (Array.isArray(given)) {
+        return given.reduce((sum, name) => sum + 2 ** (type?.bits?.find((one) => one.name === name)?.first ?? 0), 0);
+    }
+    return Number(given);
+}
+
+/** The same values, with the number of elements in every counter. */
+function counted(protocol, operations, values) {
+    const all = { ...values };
+    for (const op of operations.flatMap((one) => (one.kind === "group" ? one.body : [one]))) {
+        if (op.kind === "counter" && all[op.array] !== undefined) all[op.member] = all[op.array].length;
+        if (!Object.hasOwn(all, op.member)) continue;
+        if (op.kind === "struct") all[op.member] = counted(protocol, protocol.type(op.struct).operations, all[op.member]);
+        if (op.kind === "array" && op.item.kind === "struct") {
+            const { operations: inner } = protocol.type(op.item.struct);
+            all[op.member] = all[op.member].map((item) => counted(protocol, inner, item));
+        }
+        if (op.kind === "switch") {
+            const selected = op.cases.map((one) => one.operation).filter((one) => one && Object.hasOwn(all[op.member], one.member));
+            all[op.member] = counted(protocol, selected, all[op.member]);
+        }
+    }
+    return all;
+}
+
+/** The packet of a field with these values; raises a MipError that says what is wrong. */
+function packetOf(protocol, field, set, values) {
+    const all = counted(protocol, field.operations, values);
+    return buildPacket(protocol, set, [{ descriptor: field.descriptor, name: field.name, values: all }]);
+}
+
+/**
+ * What a command is answered with: `silent`, why there is no answer; `acknowledge`, the packet if nothing else
+ * comes; `responses`, each with the field and the condition under which it is directly behind the acknowledge.
+ */
+function answerOf(protocol, field, values) {
+    const call = field.calls ? protocol.functions.get(Number(values.function)) : undefined;
+    const conditions = [...(field.silent_when ?? []), ...(field.silenced_by ?? [])].map(conditionText);
+    if (call && !call.reply) return { silent: `The function ${call.name} is not answered.`, conditions, responses: [] };
+    const asked = !call || call.responds ? (field.responses ?? []).map((name) => protocol.field(name)) : [];
+    const { acknowledge } = protocol;
+    const [command, code] = acknowledge.operations.map((op) => op.member);
+    const packet = buildPacket(protocol, field.set, [
+        { descriptor: acknowledge.descriptor, name: acknowledge.name, values: { [command]: field.descriptor, [code]: 0 } },
+    ]);
+    const responses = asked.map((response) => ({
+        field: response,
+        when: response.command === field.name ? (response.when ?? []).map(conditionText).join(" and ") : "",
+    }));
+    return { acknowledge: packet, responses, conditions };
+}
+
+/** The bytes as source code. */
+function sourceOf(bytes, language) {
+    const list = Array.from(bytes, hexByte).join(", ");
+    const plain = Array.from(bytes, (byte) => `\\x${byte.toString(16).padStart(2, "0")}`).join("");
+    return {
+        c: `static const uint8_t packet[] = {${list}};`,
+        python: `packet = b"${plain}"`,
+        rust: `const PACKET: [u8; ${bytes.length}] = [${list}];`,
+    }[language];
+}
+
+// ---------------------------------------------------------------------------------------------------- tools/builder.mjs
+
+// The builder: choose a command or a field, fill it in, and see its bytes and the answer.
+
+const LANGUAGES = [
+    ["c", "C"],
+    ["python", "Python"],
+    ["rust", "Rust"],
+];
+
+/** Fills an element with the builder. `options` are those of `links`, and `field`, the name of the one to begin with. */
+function builder(root, protocol, options = {}) {
+    const to = links(options);
+    const groups = protocol.model.sets.map((set) => fieldGroup(`${set.title} (${hexByte(set.number)})`, set.fields.map((name) => protocol.field(name))));
+    const choice = element("select", { id: "mip-field" }, groups, fieldGroup("All command sets", [protocol.acknowledge]));
+    const form = element("div", { class: "mip-form" });
+    const output = element("div", { class: "mip-output", "aria-live": "polite" });
+    let state;
+
+    const show = () => output.replaceChildren(...builtPacket(protocol, state, to));
+    const layOut = () => {
+        form.replaceChildren(...inputs(protocol, state, { changed: show, reshaped: () => (layOut(), show()) }, choose));
+    };
+    const choose = (field, selector = protocol.functions.keys().next().value) => {
+        const function_ = field.calls?.some((call) => call.function === protocol.functions.get(selector)?.name)
+            ? selector
+            : [...protocol.functions.values()].find((one) => one.name === field.calls?.[0].function)?.value;
+        state = { field, set: setsOf(protocol, field)[0], values: initialValues(protocol, field, function_) };
+        layOut();
+        show();
+    };
+    choice.addEventListener("input", () => choose(protocol.field(choice.value)));
+    root.replaceChildren(element("p", {}, element("label", { for: "mip-field" }, "Command or field "), choice), form, output);
+    const start = options.field && protocol.fields.has(options.field) ? options.field : choice.value;
+    choice.value = start;
+    choose(protocol.field(start));
+    return { choose: (name, selector) => ((choice.value = name), choose(protocol.field(name), selector)), state: () => state };
+}
+
+function fieldGroup(label, fields) {
+    const words = (field) => `${hexByte(field.descriptor)} ${field.title}${field.role === "response" ? " (response)" : ""}`;
+    return element("optgroup", { label }, fields.map((field) => element("option", { value: field.name }, words(field))));
+}
+
+// ------------------------------------------------------------------------------------------------ inputs
+
+function inputs(protocol, state, events, choose) {
+    const { field, values } = state;
+    const operations = requiredOperations(protocol, field, values.function);
+    const sets = setsOf(protocol, field);
+    const parts = [element("p", {}, field.description)];
+    if (sets.length > 1) {
+        const options = sets.map((number) => [number, `${protocol.sets.get(number)?.title ?? ""} (${hexByte(number)})`]);
+        parts.push(labelled("set", select(options, state.set, (number) => ((state.set = number), events.changed()))));
+    }
+    if (field.calls) {
+        const functions = [...protocol.functions.values()].filter((one) => field.calls.some((call) => call.function === one.name));
+        const options = functions.map((one) => [one.value, `${one.name}: ${one.description}`]);
+        parts.push(labelled("function", select(options, values.function, (selector) => choose(field, selector))));
+    }
+    const shown = operations.filter((op) => !(field.calls && op.member === "function"));
+    return [...parts, ...shown.flatMap((op) => input(protocol, op, field, values, events))];
+}
+
+let lastInput = 0; // for ids
+
+function labelled(words, control, ...behind) {
+    control.id ||= `mip-input-${++lastInput}`;
+    return element("p", {}, element("label", { for: control.id }, `${words} `), control, ...behind);
+}
+
+function select(options, value, set) {
+    const control = element("select", {}, options.map(([number, words]) => element("option", { value: number, selected: number === value }, words)));
+    control.addEventListener("input", () => set(Number(control.value)));
+    return control;
+}
+
+/** The inputs of one operation; they change `values`. */
+function input(protocol, op, record, values, events) {
+    if (op.kind === "constant" || op.kind === "counter") return [];
+    const parameter = parameterOf(record, op.member) ?? { name: op.member };
+    const [name, set] = [op.member, (value) => ((values[op.member] = value), events.changed())];
+    const hint = [unitOf(parameter), parameter.description].filter(Boolean).join(" · ");
+    const note = hint ? [" ", element("small", {}, hint)] : [];
+    switch (op.kind) {
+        case "scalar":
+            return [scalarInput(protocol, op, parameter, record, values, events, note)];
+        case "bits":
+            return [bitsInput(name, protocol.type(op.type), values[name], (number) => set(littleEndian(number, op.size)))];
+        case "text": {
+            const control = element("input", { value: values[name].trimEnd(), maxlength: op.count ?? op.capacity });
+            control.addEventListener("input", () => set(control.value.padEnd(op.count ?? 0)));
+            return [labelled(name, control, note)];
+        }
+        case "struct":
+            return [group(name, hint, protocol.type(op.struct).operations.flatMap((part) => input(protocol, part, protocol.type(op.struct), values[name], events)))];
+        case "switch": {
+            const selected = op.cases.find((one) => one.value === Number(values[op.tag]))?.operation;
+            return selected ? [group(name, hint, input(protocol, selected, record, values[name], events))] : [];
+        }
+        default:
+            return [arrayInput(protocol, op, parameter, values, events, hint)];
+    }
+}
+
+function scalarInput(protocol, op, parameter, record, values, events, note) {
+    const name = op.member;
+    const type = namedType(protocol, parameter, values);
+    const { kind } = protocol.scalar(op.scalar);
+    const tags = record.parameters.some((one) => one.tag === name || one.variants?.some((variant) => variant.by === name));
+    const set = (value) => {
+        values[name] = value;
+        if (!tags) return events.changed();
+        for (const union of unionsOf(record, name)) values[union.member] = initialValue(protocol, union, record, values);
+        events.reshaped();
+    };
+    if (type?.kind === "enum") {
+        const options = type.values.map((one) => [one.value, `${one.value} ${one.name}`]);
+        return labelled(name, select(options, Number(values[name]), set), note);
+    }
+    if (type?.kind === "bitfield") return bitsInput(name, type, values[name], set);
+    if (kind === "bool") {
+        const control = element("input", { type: "checkbox", checked: Boolean(values[name]) });
+        control.addEventListener("input", () => set(control.checked ? 1 : 0));
+        return labelled(name, control, note);
+    }
+    return labelled(name, numberInput(values[name], kind, set), note);
+}
+
+/** The switches of a record that a parameter selects. */
+function unionsOf(record, tag) {
+    return record.operations.flatMap((op) => (op.kind === "group" ? op.body : [op])).filter((op) => op.kind === "switch" && op.tag === tag);
+}
+
+function numberInput(value, kind, set) {
+    const control = element("input", { value: String(value), inputmode: kind === "float" ? "decimal" : "text", spellcheck: "false" });
+    control.addEventListener("input", () => set(numberOfText(control.value, kind)));
+    return control;
+}
+
+/** A number as people write it: 0x1F, 12, -0.5; of floats also the bits, 0x and as many digits as it has. */
+function numberOfText(text, kind) {
+    const trimmed = text.trim();
+    if (kind === "float") return /^0x/i.test(trimmed) ? trimmed : trimmed === "" ? trimmed : Number(trimmed);
+    if (/^-?(\d+|0x[0-9a-f]+)$/i.test(trimmed)) {
+        const number = trimmed.startsWith("-") ? -BigInt(trimmed.slice(1)) : BigInt(trimmed);
+        return Number.isSafeInteger(Number(number)) ? Number(number) : number;
+    }
+    return trimmed || NaN;
+}
+
+/** The whole number, and an input for each name in it. */
+function bitsInput(name, type, value, set) {
+    let number = bitsNumber(value);
+    const whole = element("input", { spellcheck: "false" });
+    const named = type.bits.map((bits) => {
+        const flag = bits.first === bits.last;
+        const control = element("input", { type: flag ? "checkbox" : "number", min: flag ? undefined : 0 });
+        control.addEventListener("input", () => {
+            const held = flag ? Number(control.checked) : Math.max(0, Math.trunc(Number(control.value)));
+            change((number & ~maskOf(bits)) | ((BigInt(held) << BigInt(bits.first)) & maskOf(bits)));
+        });
+        return { bits, flag, control };
+    });
+    const showAll = () => {
+        for (const { bits, flag, control } of named) {
+            const held = (number & maskOf(bits)) >> BigInt(bits.first);
+            if (flag) control.checked = held === 1n;
+            else control.value = held;
+        }
+    };
+    const change = (changed) => {
+        number = changed;
+        whole.value = `0x${number.toString(16).toUpperCase()}`;
+        showAll();
+        set(number);
+    };
+    whole.addEventListener("input", () => {
+        const given = numberOfText(whole.value, "unsigned");
+        if (typeof given === "string" || Number.isNaN(given)) return set(given);
+        number = BigInt(given);
+        showAll();
+        set(number);
+    });
+    whole.value = `0x${number.toString(16).toUpperCase()}`;
+    showAll();
+    const controls = named.map(({ bits, control }) => labelled(bits.name, control, " ", element("small", {}, bits.description)));
+    return group(name, type.description, [labelled("value", whole), ...controls]);
+}
+
+/** The bytes of a bitfield of bytes; what is no number, or too large, is an error when it is encoded. */
+function littleEndian(number, size) {
+    if (typeof number !== "bigint" || number < 0n || number >> BigInt(8 * size)) return [number];
+    return Array.from({ length: size }, (_, i) => Number((number >> BigInt(8 * i)) & 0xffn));
+}
+
+/** Vectors and arrays: their elements; those of an array that is counted can be added and removed. */
+function arrayInput(protocol, op, parameter, values, events, hint) {
+    const items = values[op.member];
+    const inner = { parameters: [{ ...parameter, name: op.item.member, default: undefined, cases: undefined }], operations: [op.item] };
+    const names = protocol.types.get(op.vector)?.elements;
+    const rows = items.map((_, i) => {
+        const holder = {
+            get [op.item.member]() {
+                return items[i];
+            },
+            set [op.item.member](value) {
+                items[i] = value;
+            },
+        };
+        const unit = { ...inner.parameters[0], description: "", units: [unitOf(parameter, i)] };
+        const [control] = input(protocol, op.item, { ...inner, parameters: [unit] }, holder, events);
+        const label = control.querySelector(":scope > label, :scope > legend");
+        label.textContent = `${names?.[i] ?? `${op.member}[${i}]`} `;
+        return control;
+    });
+    if (op.count !== undefined) return group(op.member, hint, rows);
+    const add = () => {
+        items.push(initialValue(protocol, op.item, inner, {}));
+        events.reshaped();
+    };
+    const remove = () => {
+        items.pop();
+        events.reshaped();
+    };
+    const buttons = element(
+        "p",
+        {},
+        element("button", { type: "button", onclick: add, disabled: items.length >= op.capacity }, `Add to ${op.member}`),
+        " ",
+        element("button", { type: "button", onclick: remove, disabled: items.length === 0 }, "Remove the last"),
+    );
+    return group(op.member, hint, [...rows, buttons]);
+}
+
+function group(name, hint, controls) {
+    return element("fieldset", {}, element("legend", {}, name), hint && element("small", {}, hint), controls);
+}
+
+// ------------------------------------------------------------------------------------------------ result
+
+function builtPacket(protocol, { field, set, values }, to) {
+    let packet;
+    try {
+        packet = packetOf(protocol, field, set, values);
+    } catch (error) {
+        if (!(error instanceof MipError)) throw error;
+        return [element("p", { class: "mip-wrong" }, `${error.message}.`)];
+    }
+    const sources = LANGUAGES.map(([key, title]) => [element("dt", {}, title), element("dd", {}, element("code", { "data-language": key }, sourceOf(packet.bytes, key)))]);
+    return [
+        element("h2", {}, to.field(field), ` ${descriptorOf(field)}`),
+        element("p", { class: "mip-bytes" }, element("code", { class: "mip-packet-bytes" }, spacedHex(packet.bytes))),
+        element("p", {}, `${packet.bytes.length} bytes; the checksum is ${spacedHex(packet.checksum)}.`),
+        element("h3", {}, "As source code"),
+        element("dl", { class: "mip-bytes" }, sources),
+        ...(field.role === "command" && field.sent_by !== "device" ? answerReport(protocol, field, values, to) : []),
+    ];
+}
+
+function answerReport(protocol, field, values, to) {
+    const { silent, acknowledge, responses, conditions } = answerOf(protocol, field, values);
+    const unless = conditions.length ? ` There is no answer if ${conditions.join(" or ")}.` : "";
+    if (silent) return [element("h3", {}, "Answer"), element("p", { class: "mip-answer" }, silent)];
+    const listed = responses.map(({ field: response, when }) =>
+        element("li", { "data-field": response.name }, to.field(response), ` ${descriptorOf(response)}, ${sizeText(response)}`, when && `, if ${when}`),
+    );
+    return [
+        element("h3", {}, "Answer"),
+        element(
+            "p",
+            { class: "mip-answer" },
+            listed.length ? "The acknowledge, and directly behind it in the same packet a response:" : "The acknowledge: ",
+            !listed.length && element("code", {}, spacedHex(acknowledge.bytes)),
+            !listed.length && unless,
+        ),
+        listed.length > 0 && element("ul", {}, listed),
+        listed.length > 0 && unless && element("p", {}, unless),
+        element("p", {}, "A refusal is an acknowledge with another code, without a response."),
+    ].filter(Boolean);
+}
+
+function sizeText({ min_size: least, max_size: most }) {
+    return least === most ? `${least + 2} bytes` : `${least + 2} to ${most + 2} bytes`;
+}
+
+globalThis.mip = { MipError, checksum, fromHex, toHex, decodeData, encodeData, bitsOf, enumValue, namedType, parametersAt, unitOf, Packet, buildPacket, Parser, segments, Protocol, answerOf, initialValues, packetOf, builder, find, indexOf, finder, bytesOfText, inspect, inspector, };
 })();

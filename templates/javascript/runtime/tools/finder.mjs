@@ -12,7 +12,7 @@ export function finder(root, protocol, options = {}) {
     const update = () => {
         const found = find(index, input.value);
         const nothing = input.value.trim() ? [element("li", {}, "Nothing found.")] : [];
-        output.replaceChildren(...(found.length ? found.map(({ field }) => result(field, to)) : nothing));
+        output.replaceChildren(...(found.length ? found.map(({ field }) => resultItem(field, to)) : nothing));
     };
     const form = element(
         "form",
@@ -32,7 +32,7 @@ export function finder(root, protocol, options = {}) {
     return { update, input, output };
 }
 
-function result(field, to) {
+function resultItem(field, to) {
     return element(
         "li",
         { "data-field": field.name },

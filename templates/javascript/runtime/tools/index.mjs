@@ -1,5 +1,7 @@
 // The tools for the browser.
 
+export { answerOf, initialValues, packetOf } from "./build.mjs";
+export { builder } from "./builder.mjs";
 export { find, indexOf } from "./find.mjs";
 export { finder } from "./finder.mjs";
 export { bytesOfText } from "./input.mjs";

@@ -80,3 +80,8 @@ export function flagText({ bits, value, flag, named, rest }) {
     if (rest !== undefined) return `0x${rest.toString(16).toUpperCase()} has no name`;
     return flag && !named ? bits.name : `${bits.name} = ${named?.name ?? value}`;
 }
+
+/** "mode is fast"; of another command, "mode of base.echo_control is fast". */
+export function conditionText({ parameter, label, command }) {
+    return `${parameter}${command ? ` of ${command}` : ""} is ${label}`;
+}

@@ -57,13 +57,18 @@ export function bitsNumber(value) {
     return Array.isArray(value) ? value.reduceRight((sum, byte) => (sum << 8n) | BigInt(byte), 0n) : BigInt(value);
 }
 
+/** The bits of a name as a number, a BigInt. */
+export function maskOf(bits) {
+    return ((1n << BigInt(bits.last - bits.first + 1)) - 1n) << BigInt(bits.first);
+}
+
 /** The bits of a bitfield with what they hold: flags that are set, and all numbers. `rest` are bits without a name. */
 export function bitsOf(protocol, type, value) {
     let rest = bitsNumber(value);
     const whole = rest;
     const found = [];
     for (const bits of type.bits) {
-        const mask = ((1n << BigInt(bits.last - bits.first + 1)) - 1n) << BigInt(bits.first);
+        const mask = maskOf(bits);
         const held = (whole & mask) >> BigInt(bits.first);
         rest &= ~mask;
         const named = bits.enum ? enumValue(protocol.type(bits.enum), held) : undefined;
