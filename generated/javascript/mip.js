@@ -2,9 +2,11 @@
 // It defines one global object, `mip`, with what their files index.mjs export.
 (() => {
 "use strict";
+const modules = {};
 
 // ---------------------------------------------------------------------------------------------------- mip/bytes.mjs
 
+modules["mip/bytes"] = (() => {
 // Bytes: hexadecimal text, the checksum, and big-endian numbers.
 
 /** What is wrong, in words; `kind` is one word for programs: "truncated", "count", "range", … */
@@ -136,9 +138,15 @@ function writeText(text, what) {
     });
 }
 
+return { MipError, checksum, toHex, fromHex, concatenated, sameBytes, readInteger, writeInteger, readFloat, floatBits, writeFloat, readText, writeText };
+})();
+
 // ---------------------------------------------------------------------------------------------------- mip/protocol.mjs
 
+modules["mip/protocol"] = (() => {
 // The model of the protocol: what is in mip.json, found by name and by descriptor.
+
+const { MipError } = modules["mip/bytes"];
 
 /** Descriptor set of the fields that are valid in every data set. */
 const SHARED_SET = 255;
@@ -229,13 +237,19 @@ function agrees(constant, data) {
     return true;
 }
 
+return { SHARED_SET, FIRST_DATA_SET, FORMAT, Protocol };
+})();
+
 // ---------------------------------------------------------------------------------------------------- mip/codec.mjs
 
+modules["mip/codec"] = (() => {
 // Decodes and encodes the data of a field by the operations of its layout.
 //
 // Values: integers, enumerations, bitfields and bools are numbers, of eight bytes BigInts; floats are numbers, except for
 // unusual NaNs (see readFloat); text is a string with one character for each byte; a bitfield of bytes is an array of
 // them; arrays are arrays, structures objects, and a union is an object with one member or none.
+
+const { MipError, concatenated, floatBits, readFloat, readInteger, readText, writeFloat, writeInteger, writeText } = modules["mip/bytes"];
 
 /**
  * The values of a field, how many bytes are left over, and `parts`: each value that is not divided further, in wire order,
@@ -502,9 +516,17 @@ function checkCount(op, value) {
     }
 }
 
+return { decodeData, encodeData };
+})();
+
 // ---------------------------------------------------------------------------------------------------- mip/packet.mjs
 
+modules["mip/packet"] = (() => {
 // Packets: their frame, their fields, and building them.
+
+const { MipError, checksum, concatenated, fromHex, sameBytes, toHex } = modules["mip/bytes"];
+const { decodeData, encodeData } = modules["mip/codec"];
+const { SHARED_SET } = modules["mip/protocol"];
 
 const HEAD = 4;
 const TAIL = 2;
@@ -624,9 +646,16 @@ function bytesOf(raw) {
     return typeof raw === "string" ? fromHex(raw) : raw;
 }
 
+return { Packet, buildPacket };
+})();
+
 // ---------------------------------------------------------------------------------------------------- mip/parser.mjs
 
+modules["mip/parser"] = (() => {
 // Finds packets in a stream, among anything else.
+
+const { concatenated } = modules["mip/bytes"];
+const { Packet } = modules["mip/packet"];
 
 /**
  * Takes bytes in pieces of any size and gives the same packets for each division. What is no packet costs nothing but
@@ -729,8 +758,12 @@ function isDamaged(protocol, bytes, at) {
     }
 }
 
+return { Parser, segments };
+})();
+
 // ---------------------------------------------------------------------------------------------------- mip/names.mjs
 
+modules["mip/names"] = (() => {
 // What values are called: names of values and bits, units, and where the type of a value depends on another one.
 
 /** The parameters of the record in which an operation is: those of a field or a structure. */
@@ -817,9 +850,30 @@ function unitOf(parameter, index = 0) {
     return unit === "1" ? "" : (unit ?? "");
 }
 
+return { parameterOf, parametersAt, valueAt, namedType, enumValue, bitsNumber, maskOf, bitsOf, unitOf };
+})();
+
+// ---------------------------------------------------------------------------------------------------- mip/index.mjs
+
+modules["mip/index"] = (() => {
+// The MIP protocol in JavaScript: everything that a program uses.
+
+const { MipError, checksum, fromHex, toHex } = modules["mip/bytes"];
+const { decodeData, encodeData } = modules["mip/codec"];
+const { bitsOf, enumValue, namedType, parametersAt, unitOf } = modules["mip/names"];
+const { Packet, buildPacket } = modules["mip/packet"];
+const { Parser, segments } = modules["mip/parser"];
+const { Protocol } = modules["mip/protocol"];
+
+return { MipError, checksum, fromHex, toHex, decodeData, encodeData, bitsOf, enumValue, namedType, parametersAt, unitOf, Packet, buildPacket, Parser, segments, Protocol };
+})();
+
 // ---------------------------------------------------------------------------------------------------- tools/input.mjs
 
+modules["tools/input"] = (() => {
 // Bytes in any form in which people write them.
+
+const { concatenated } = modules["mip/bytes"];
 
 // A line of a hex dump: an offset, bytes, and what they look like.
 const DUMP_LINE = /^\s*(?:0x)?[0-9a-f]{4,8}(?::\s*|\s{2,})((?:[0-9a-f]{2,4}[ \t]+)*[0-9a-f]{2,4})(?:\s{2,}.*|\s*\|.*)?\s*$/i;
@@ -876,9 +930,16 @@ function bytesOfLiteral(text) {
     return Uint8Array.from(found);
 }
 
+return { bytesOfText };
+})();
+
 // ---------------------------------------------------------------------------------------------------- tools/words.mjs
 
+modules["tools/words"] = (() => {
 // How things of the protocol are shown: numbers, names and places.
+
+const { toHex } = modules["mip/bytes"];
+const { bitsOf, enumValue, unitOf } = modules["mip/names"];
 
 function hexByte(number) {
     return `0x${number.toString(16).toUpperCase().padStart(2, "0")}`;
@@ -963,9 +1024,20 @@ function conditionText({ parameter, label, command }) {
     return `${parameter}${command ? ` of ${command}` : ""} is ${label}`;
 }
 
+return { hexByte, spacedHex, descriptorOf, decimal, pathText, shown, flagText, conditionText };
+})();
+
 // ---------------------------------------------------------------------------------------------------- tools/inspect.mjs
 
+modules["tools/inspect"] = (() => {
 // What bytes mean: packets, fields and values, with names, units and verdicts. The inspector shows it.
+
+const { fromHex, sameBytes } = modules["mip/bytes"];
+const { namedType, parametersAt, valueAt } = modules["mip/names"];
+const { Packet } = modules["mip/packet"];
+const { segments } = modules["mip/parser"];
+const { bytesOfText } = modules["tools/input"];
+const { pathText, shown } = modules["tools/words"];
 
 /**
  * What a text of bytes consists of, each part as `segments` gives it; packets also have `set`, `fields`, `misprints`, and
@@ -1052,8 +1124,12 @@ function printedAs({ string, table }, bytes) {
     return Boolean(table) && table.length === bytes.length && table.every((byte, i) => byte === null || byte === bytes[i]);
 }
 
+return { inspect, errataOf, misprintsOf };
+})();
+
 // ---------------------------------------------------------------------------------------------------- tools/dom.mjs
 
+modules["tools/dom"] = (() => {
 // Elements of a page, and links to the reference.
 
 /** An element with attributes and children; texts are shown as they are. */
@@ -1094,9 +1170,15 @@ function whenChanged(inputs, update) {
     for (const input of inputs) input.addEventListener("input", update);
 }
 
+return { element, links, whenChanged };
+})();
+
 // ---------------------------------------------------------------------------------------------------- tools/find.mjs
 
+modules["tools/find"] = (() => {
 // Finds fields by what people know of them: a descriptor, a name, a symbol, a word.
+
+const { hexByte } = modules["tools/words"];
 
 // Where a word is found counts: the smaller, the better.
 const EXACT = 0;
@@ -1267,9 +1349,218 @@ function kindOf(field) {
     return `${field.role} ${field.set ? `${hexByte(field.set)},` : ""}${hexByte(field.descriptor)}`;
 }
 
+return { indexOf, find, kindOf };
+})();
+
+// ---------------------------------------------------------------------------------------------------- tools/build.mjs
+
+modules["tools/build"] = (() => {
+// What the builder knows of a packet with one field: values to begin with, bytes, source code, and the answer.
+
+const { FIRST_DATA_SET, SHARED_SET } = modules["mip/protocol"];
+const { buildPacket } = modules["mip/packet"];
+const { namedType, parameterOf } = modules["mip/names"];
+const { conditionText, hexByte } = modules["tools/words"];
+
+/** The sets in whose packets a field can be. */
+function setsOf(protocol, field) {
+    if (field.set && field.set !== SHARED_SET) return [field.set];
+    const numbers = protocol.model.sets.map((set) => set.number).filter((number) => number !== SHARED_SET);
+    return numbers.filter((number) => number >= FIRST_DATA_SET === (field.set === SHARED_SET));
+}
+
+/** The operations of a field that a function requires; all that are required where there is no selector. */
+function requiredOperations(protocol, field, selector) {
+    const required = protocol.required(field, selector);
+    return field.operations.flatMap((op) => (op.kind !== "group" ? [op] : op.last <= required ? op.body : []));
+}
+
+/** Values to begin with: the function selector, then factory defaults and reserved values where there are any, else 0. */
+function initialValues(protocol, field, selector) {
+    const values = {};
+    for (const op of requiredOperations(protocol, field, selector)) begin(protocol, op, field, values);
+    if (field.calls) values.function = selector;
+    return values;
+}
+
+function begin(protocol, op, record, values) {
+    if (op.kind === "constant") return;
+    values[op.member] = initialValue(protocol, op, record, values);
+}
+
+/** The value to begin with of one operation; that of a union depends on the values before it. */
+function initialValue(protocol, op, record, values) {
+    const parameter = parameterOf(record, op.member) ?? {};
+    const given = parameter.default ?? parameter.reserved;
+    switch (op.kind) {
+        case "counter":
+            return 0;
+        case "bits":
+            return Array(op.size).fill(0);
+        case "text":
+            return (typeof given === "string" ? given : "").padEnd(op.count ?? 0);
+        case "array": {
+            const count = op.count ?? (Array.isArray(given) ? given.length : 0);
+            const inner = { parameters: [{ name: op.item.member, type: parameter.type }] };
+            return Array.from({ length: count }, (_, i) => {
+                const one = Array.isArray(given) ? given[i] : given;
+                return one === undefined ? initialValue(protocol, op.item, inner, {}) : numberOf(protocol, op.item, parameter, one, {});
+            });
+        }
+        case "struct": {
+            const struct = protocol.type(op.struct);
+            const inner = {};
+            for (const part of struct.operations) begin(protocol, part, struct, inner);
+            return inner;
+        }
+        case "switch": {
+            const selected = op.cases.find((one) => one.value === Number(values[op.tag]))?.operation;
+            return selected ? { [selected.member]: initialValue(protocol, selected, record, {}) } : {};
+        }
+        default:
+            return numberOf(protocol, op, parameter, given ?? firstOf(protocol, op, parameter, values), values);
+    }
+}
+
+function firstOf(protocol, op, parameter, values) {
+    const type = namedType(protocol, parameter, values);
+    if (type?.kind === "enum") return type.values[0].value;
+    return Math.max(0, parameter.minimum ?? 0);
+}
+
+/** A number for a default: it may be the name of a value, or names of bits. */
+function numberOf(protocol, op, parameter, given, values) {
+    const type = namedType(protocol, parameter, values);
+    if (typeof given === "string") return type?.values?.find((one) => one.name === given)?.value ?? 0;
+    if (Array.isArray(given)) {
+        return given.reduce((sum, name) => sum + 2 ** (type?.bits?.find((one) => one.name === name)?.first ?? 0), 0);
+    }
+    return Number(given);
+}
+
+/** The same values, with the number of elements in every counter. */
+function counted(protocol, operations, values) {
+    const all = { ...values };
+    for (const op of operations.flatMap((one) => (one.kind === "group" ? one.body : [one]))) {
+        if (op.kind === "counter" && all[op.array] !== undefined) all[op.member] = all[op.array].length;
+        if (!Object.hasOwn(all, op.member)) continue;
+        if (op.kind === "struct") all[op.member] = counted(protocol, protocol.type(op.struct).operations, all[op.member]);
+        if (op.kind === "array" && op.item.kind === "struct") {
+            const { operations: inner } = protocol.type(op.item.struct);
+            all[op.member] = all[op.member].map((item) => counted(protocol, inner, item));
+        }
+        if (op.kind === "switch") {
+            const selected = op.cases.map((one) => one.operation).filter((one) => one && Object.hasOwn(all[op.member], one.member));
+            all[op.member] = counted(protocol, selected, all[op.member]);
+        }
+    }
+    return all;
+}
+
+/** The packet of a field with these values; raises a MipError that says what is wrong. */
+function packetOf(protocol, field, set, values) {
+    const all = counted(protocol, field.operations, values);
+    return buildPacket(protocol, set, [{ descriptor: field.descriptor, name: field.name, values: all }]);
+}
+
+/**
+ * What a command is answered with: `silent`, why there is no answer; `acknowledge`, the packet if nothing else
+ * comes; `responses`, each with the field and the condition under which it is directly behind the acknowledge.
+ */
+function answerOf(protocol, field, values) {
+    const call = field.calls ? protocol.functions.get(Number(values.function)) : undefined;
+    const conditions = [...(field.silent_when ?? []), ...(field.silenced_by ?? [])].map(conditionText);
+    if (call && !call.reply) return { silent: `The function ${call.name} is not answered.`, conditions, responses: [] };
+    const asked = !call || call.responds ? (field.responses ?? []).map((name) => protocol.field(name)) : [];
+    const { acknowledge } = protocol;
+    const [command, code] = acknowledge.operations.map((op) => op.member);
+    const packet = buildPacket(protocol, field.set, [
+        { descriptor: acknowledge.descriptor, name: acknowledge.name, values: { [command]: field.descriptor, [code]: 0 } },
+    ]);
+    const responses = asked.map((response) => ({
+        field: response,
+        when: response.command === field.name ? (response.when ?? []).map(conditionText).join(" and ") : "",
+    }));
+    return { acknowledge: packet, responses, conditions };
+}
+
+/** The bytes as source code. */
+function sourceOf(bytes, language) {
+    const list = Array.from(bytes, hexByte).join(", ");
+    const plain = Array.from(bytes, (byte) => `\\x${byte.toString(16).padStart(2, "0")}`).join("");
+    return {
+        c: `static const uint8_t packet[] = {${list}};`,
+        python: `packet = b"${plain}"`,
+        rust: `const PACKET: [u8; ${bytes.length}] = [${list}];`,
+    }[language];
+}
+
+return { setsOf, requiredOperations, initialValues, initialValue, counted, packetOf, answerOf, sourceOf };
+})();
+
+// ---------------------------------------------------------------------------------------------------- tools/stream.mjs
+
+modules["tools/stream"] = (() => {
+// How much a port must carry for a stream of data fields.
+
+const { SHARED_SET } = modules["mip/protocol"];
+
+/** Bytes of a packet beside its fields. */
+const FRAME = 6;
+
+/** Bits that a UART sends for a byte. */
+const BITS = 10;
+
+/**
+ * What streams take: `bytes` per second, and the `baud` rate that a UART needs at least, by the formula of the manuals:
+ * packets of a set are sent at the highest rate of its fields.
+ *
+ * @param streams for each data set an array of fields with their rates in Hz: [{ field, rate }]
+ */
+function needOf(streams) {
+    let bytes = 0;
+    for (const fields of streams) {
+        const highest = Math.max(0, ...fields.map(({ rate }) => rate));
+        bytes += FRAME * highest + fields.reduce((sum, { field, rate }) => sum + (field.max_size + 2) * rate, 0);
+    }
+    return { bytes, baud: BITS * bytes };
+}
+
+/** The ports of a device with the smallest rate that is enough: undefined if none is, null where there is no rate. */
+function portsFor(device, baud) {
+    return (device?.ports ?? []).map((port) => ({
+        port,
+        rate: port.baud_rates.length ? port.baud_rates.filter((rate) => rate >= baud).sort((a, b) => a - b)[0] : null,
+    }));
+}
+
+/**
+ * The data sets of a device with the fields that can be streamed in each, shared ones first, and the base rate, if it is
+ * known. Without a device, all.
+ */
+function streamsOf(protocol, device) {
+    const supported = device && new Set(device.supports?.map((support) => support.field));
+    const rates = new Map(device?.base_rates?.map((rate) => [rate.set, rate.hertz]));
+    const fieldsOf = (set) => (set?.fields ?? []).map((name) => protocol.field(name)).filter((field) => !supported || supported.has(field.name));
+    const shared = fieldsOf(protocol.sets.get(SHARED_SET));
+    return protocol.model.sets
+        .filter((set) => set.kind === "data" && set.number !== SHARED_SET)
+        .map((set) => ({ set, base: rates.get(set.name) || undefined, own: fieldsOf(set) }))
+        .filter(({ own }) => own.length)
+        .map(({ set, base, own }) => ({ set, base, fields: [...shared, ...own] }));
+}
+
+return { needOf, portsFor, streamsOf };
+})();
+
 // ---------------------------------------------------------------------------------------------------- tools/inspector.mjs
 
+modules["tools/inspector"] = (() => {
 // The inspector: paste bytes, read what they mean.
+
+const { element, links, whenChanged } = modules["tools/dom"];
+const { inspect } = modules["tools/inspect"];
+const { descriptorOf, flagText, hexByte, spacedHex } = modules["tools/words"];
 
 /** Fills an element with the inspector. `options` are those of `links`, and `text`, the bytes that it begins with. */
 function inspector(root, protocol, options = {}) {
@@ -1410,9 +1701,16 @@ function valueRow({ bytes, path, text, unit, name, meaning, flags, parameter }) 
     );
 }
 
+return { inspector };
+})();
+
 // ---------------------------------------------------------------------------------------------------- tools/finder.mjs
 
+modules["tools/finder"] = (() => {
 // The finder: type what you know of a field, and go to its page.
+
+const { element, links } = modules["tools/dom"];
+const { find, indexOf, kindOf } = modules["tools/find"];
 
 /** Fills an element with the finder. `options` are those of `links`, and `text`, what is looked for at first. */
 function finder(root, protocol, options = {}) {
@@ -1454,146 +1752,19 @@ function resultItem(field, to) {
     );
 }
 
-// ---------------------------------------------------------------------------------------------------- tools/build.mjs
-
-// What the builder knows of a packet with one field: values to begin with, bytes, source code, and the answer.
-
-/** The sets in whose packets a field can be. */
-function setsOf(protocol, field) {
-    if (field.set && field.set !== SHARED_SET) return [field.set];
-    const numbers = protocol.model.sets.map((set) => set.number).filter((number) => number !== SHARED_SET);
-    return numbers.filter((number) => number >= FIRST_DATA_SET === (field.set === SHARED_SET));
-}
-
-/** The operations of a field that a function requires; all that are required where there is no selector. */
-function requiredOperations(protocol, field, selector) {
-    const required = protocol.required(field, selector);
-    return field.operations.flatMap((op) => (op.kind !== "group" ? [op] : op.last <= required ? op.body : []));
-}
-
-/** Values to begin with: the function selector, then factory defaults and reserved values where there are any, else 0. */
-function initialValues(protocol, field, selector) {
-    const values = {};
-    for (const op of requiredOperations(protocol, field, selector)) begin(protocol, op, field, values);
-    if (field.calls) values.function = selector;
-    return values;
-}
-
-function begin(protocol, op, record, values) {
-    if (op.kind === "constant") return;
-    values[op.member] = initialValue(protocol, op, record, values);
-}
-
-/** The value to begin with of one operation; that of a union depends on the values before it. */
-function initialValue(protocol, op, record, values) {
-    const parameter = parameterOf(record, op.member) ?? {};
-    const given = parameter.default ?? parameter.reserved;
-    switch (op.kind) {
-        case "counter":
-            return 0;
-        case "bits":
-            return Array(op.size).fill(0);
-        case "text":
-            return (typeof given === "string" ? given : "").padEnd(op.count ?? 0);
-        case "array": {
-            const count = op.count ?? (Array.isArray(given) ? given.length : 0);
-            const inner = { parameters: [{ name: op.item.member, type: parameter.type }] };
-            return Array.from({ length: count }, (_, i) => {
-                const one = Array.isArray(given) ? given[i] : given;
-                return one === undefined ? initialValue(protocol, op.item, inner, {}) : numberOf(protocol, op.item, parameter, one, {});
-            });
-        }
-        case "struct": {
-            const struct = protocol.type(op.struct);
-            const inner = {};
-            for (const part of struct.operations) begin(protocol, part, struct, inner);
-            return inner;
-        }
-        case "switch": {
-            const selected = op.cases.find((one) => one.value === Number(values[op.tag]))?.operation;
-            return selected ? { [selected.member]: initialValue(protocol, selected, record, {}) } : {};
-        }
-        default:
-            return numberOf(protocol, op, parameter, given ?? firstOf(protocol, op, parameter, values), values);
-    }
-}
-
-function firstOf(protocol, op, parameter, values) {
-    const type = namedType(protocol, parameter, values);
-    if (type?.kind === "enum") return type.values[0].value;
-    return Math.max(0, parameter.minimum ?? 0);
-}
-
-/** A number for a default: it may be the name of a value, or names of bits. */
-function numberOf(protocol, op, parameter, given, values) {
-    const type = namedType(protocol, parameter, values);
-    if (typeof given === "string") return type?.values?.find((one) => one.name === given)?.value ?? 0;
-    if (Array.isArray(given)) {
-        return given.reduce((sum, name) => sum + 2 ** (type?.bits?.find((one) => one.name === name)?.first ?? 0), 0);
-    }
-    return Number(given);
-}
-
-/** The same values, with the number of elements in every counter. */
-function counted(protocol, operations, values) {
-    const all = { ...values };
-    for (const op of operations.flatMap((one) => (one.kind === "group" ? one.body : [one]))) {
-        if (op.kind === "counter" && all[op.array] !== undefined) all[op.member] = all[op.array].length;
-        if (!Object.hasOwn(all, op.member)) continue;
-        if (op.kind === "struct") all[op.member] = counted(protocol, protocol.type(op.struct).operations, all[op.member]);
-        if (op.kind === "array" && op.item.kind === "struct") {
-            const { operations: inner } = protocol.type(op.item.struct);
-            all[op.member] = all[op.member].map((item) => counted(protocol, inner, item));
-        }
-        if (op.kind === "switch") {
-            const selected = op.cases.map((one) => one.operation).filter((one) => one && Object.hasOwn(all[op.member], one.member));
-            all[op.member] = counted(protocol, selected, all[op.member]);
-        }
-    }
-    return all;
-}
-
-/** The packet of a field with these values; raises a MipError that says what is wrong. */
-function packetOf(protocol, field, set, values) {
-    const all = counted(protocol, field.operations, values);
-    return buildPacket(protocol, set, [{ descriptor: field.descriptor, name: field.name, values: all }]);
-}
-
-/**
- * What a command is answered with: `silent`, why there is no answer; `acknowledge`, the packet if nothing else
- * comes; `responses`, each with the field and the condition under which it is directly behind the acknowledge.
- */
-function answerOf(protocol, field, values) {
-    const call = field.calls ? protocol.functions.get(Number(values.function)) : undefined;
-    const conditions = [...(field.silent_when ?? []), ...(field.silenced_by ?? [])].map(conditionText);
-    if (call && !call.reply) return { silent: `The function ${call.name} is not answered.`, conditions, responses: [] };
-    const asked = !call || call.responds ? (field.responses ?? []).map((name) => protocol.field(name)) : [];
-    const { acknowledge } = protocol;
-    const [command, code] = acknowledge.operations.map((op) => op.member);
-    const packet = buildPacket(protocol, field.set, [
-        { descriptor: acknowledge.descriptor, name: acknowledge.name, values: { [command]: field.descriptor, [code]: 0 } },
-    ]);
-    const responses = asked.map((response) => ({
-        field: response,
-        when: response.command === field.name ? (response.when ?? []).map(conditionText).join(" and ") : "",
-    }));
-    return { acknowledge: packet, responses, conditions };
-}
-
-/** The bytes as source code. */
-function sourceOf(bytes, language) {
-    const list = Array.from(bytes, hexByte).join(", ");
-    const plain = Array.from(bytes, (byte) => `\\x${byte.toString(16).padStart(2, "0")}`).join("");
-    return {
-        c: `static const uint8_t packet[] = {${list}};`,
-        python: `packet = b"${plain}"`,
-        rust: `const PACKET: [u8; ${bytes.length}] = [${list}];`,
-    }[language];
-}
+return { finder };
+})();
 
 // ---------------------------------------------------------------------------------------------------- tools/builder.mjs
 
+modules["tools/builder"] = (() => {
 // The builder: choose a command or a field, fill it in, and see its bytes and the answer.
+
+const { MipError } = modules["mip/bytes"];
+const { bitsNumber, maskOf, namedType, parameterOf, unitOf } = modules["mip/names"];
+const { answerOf, initialValue, initialValues, packetOf, requiredOperations, setsOf, sourceOf } = modules["tools/build"];
+const { element, links } = modules["tools/dom"];
+const { descriptorOf, hexByte, spacedHex } = modules["tools/words"];
 
 const LANGUAGES = [
     ["c", "C"],
@@ -1877,5 +2048,128 @@ function sizeText({ min_size: least, max_size: most }) {
     return least === most ? `${least + 2} bytes` : `${least + 2} to ${most + 2} bytes`;
 }
 
-globalThis.mip = { MipError, checksum, fromHex, toHex, decodeData, encodeData, bitsOf, enumValue, namedType, parametersAt, unitOf, Packet, buildPacket, Parser, segments, Protocol, answerOf, initialValues, packetOf, builder, find, indexOf, finder, bytesOfText, inspect, inspector, };
+return { builder, numberOfText };
+})();
+
+// ---------------------------------------------------------------------------------------------------- tools/bandwidth.mjs
+
+modules["tools/bandwidth"] = (() => {
+// Bandwidth: choose data fields and rates, and see which baud rate they need.
+
+const { element, links } = modules["tools/dom"];
+const { needOf, portsFor, streamsOf } = modules["tools/stream"];
+const { descriptorOf, hexByte } = modules["tools/words"];
+
+/** Fills an element with the tool. `options` are those of `links`, and `device`, the id of the one to begin with. */
+function bandwidth(root, protocol, options = {}) {
+    const to = links(options);
+    const device = element(
+        "select",
+        { id: "mip-stream-device" },
+        element("option", { value: "" }, "any device"),
+        protocol.model.devices.map((one) => element("option", { value: one.id, selected: one.id === options.device }, one.title)),
+    );
+    const output = element("div", { class: "mip-output", "aria-live": "polite" });
+    const list = element("div");
+    let rows = [];
+    const chosen = () => protocol.model.devices.find((one) => one.id === device.value);
+    const show = () => output.replaceChildren(...report(chosen(), rows));
+    const layOut = () => {
+        const streams = streamsOf(protocol, chosen());
+        rows = streams.map((stream) => stream.fields.map((field) => streamRow(field, stream, show, to)));
+        list.replaceChildren(...streams.map((stream, i) => streamTable(stream, rows[i])));
+        show();
+    };
+    device.addEventListener("input", layOut);
+    root.replaceChildren(element("p", {}, element("label", { for: "mip-stream-device" }, "Device "), device), output, list);
+    layOut();
+}
+
+function streamTable({ set, base }, rows) {
+    const rate = base ? `base rate ${base} Hz` : "base rate not known";
+    const heads = ["Field", "Bytes", base ? "Decimation" : "Rate in Hz", "Rate"].map((text) => element("th", { scope: "col" }, text));
+    return element(
+        "details",
+        { "data-set": set.name, open: rows.some(({ box }) => box.checked) },
+        element("summary", {}, `${set.title} (${hexByte(set.number)}), ${rate}`),
+        element(
+            "div",
+            { class: "mip-scroll" },
+            element("table", {}, element("thead", {}, element("tr", {}, heads)), element("tbody", {}, rows.map(({ line }) => line))),
+        ),
+    );
+}
+
+/** A line of the table; `rate` is that of the field, 0 while it is not chosen. */
+function streamRow(field, { set, base }, show, to) {
+    const id = `mip-stream-${set.name}-${field.name}`;
+    const box = element("input", { type: "checkbox", id });
+    const number = element("input", { type: "number", min: base ? 1 : 0, step: base ? 1 : "any", value: base ? 10 : 1, "aria-label": `${base ? "decimation" : "rate in Hz"} of ${field.title}` });
+    const text = element("td", { class: "mip-rate" });
+    const rateOf = () => {
+        const given = Math.max(0, Number(number.value) || 0);
+        return base ? base / Math.max(1, Math.trunc(given)) : given;
+    };
+    const row = { field, box, rate: () => (box.checked ? rateOf() : 0) };
+    const changed = () => {
+        text.textContent = `${Number(rateOf().toPrecision(6))} Hz`;
+        show();
+    };
+    for (const control of [box, number]) control.addEventListener("input", changed);
+    text.textContent = `${Number(rateOf().toPrecision(6))} Hz`;
+    const label = element("label", { for: id }, ` ${descriptorOf(field)} ${field.title}`);
+    row.line = element(
+        "tr",
+        { "data-field": field.name },
+        element("td", {}, box, label, " ", to.field(field, "page")),
+        element("td", {}, `${field.max_size + 2}`),
+        element("td", {}, number),
+        text,
+    );
+    return row;
+}
+
+function report(device, rows) {
+    const streams = rows.map((set) => set.filter(({ box }) => box.checked).map(({ field, rate }) => ({ field, rate: rate() })));
+    const { bytes, baud } = needOf(streams);
+    if (!bytes) return [element("p", { class: "mip-note" }, "Choose fields below.")];
+    const ports = portsFor(device, baud).map(({ port, rate }) => {
+        const words = rate === null ? "no baud rate" : (rate ?? "none of its baud rates is enough");
+        return element("tr", { "data-port": port.name }, element("td", {}, port.name), element("td", {}, `${words}`));
+    });
+    const heads = ["Port", "Smallest baud rate"].map((text) => element("th", { scope: "col" }, text));
+    return [
+        element("p", { class: "mip-need" }, `${round(bytes)} bytes/s; over a UART at least ${round(baud)} Bd.`),
+        ports.length > 0 && element("table", {}, element("thead", {}, element("tr", {}, heads)), element("tbody", {}, ports)),
+        element("p", {}, "Leave room for the answers to commands. A device drops the packets that do not fit."),
+    ].filter(Boolean);
+}
+
+/** Rounded up: a rate that is a little too low is too low. */
+function round(number) {
+    return Math.ceil(Number(number.toFixed(6)));
+}
+
+return { bandwidth };
+})();
+
+// ---------------------------------------------------------------------------------------------------- tools/index.mjs
+
+modules["tools/index"] = (() => {
+// The tools for the browser.
+
+const { bandwidth } = modules["tools/bandwidth"];
+const { answerOf, initialValues, packetOf } = modules["tools/build"];
+const { builder } = modules["tools/builder"];
+const { find, indexOf } = modules["tools/find"];
+const { finder } = modules["tools/finder"];
+const { bytesOfText } = modules["tools/input"];
+const { inspect } = modules["tools/inspect"];
+const { inspector } = modules["tools/inspector"];
+const { needOf, portsFor, streamsOf } = modules["tools/stream"];
+
+return { bandwidth, answerOf, initialValues, packetOf, builder, find, indexOf, finder, bytesOfText, inspect, inspector, needOf, portsFor, streamsOf };
+})();
+
+globalThis.mip = { ...modules["mip/index"], ...modules["tools/index"], };
 })();

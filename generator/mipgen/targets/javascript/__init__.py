@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 import re
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
@@ -27,28 +28,33 @@ def files(model: m.Model) -> Iterator[File]:
 
 
 def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
-    return {"classic": classic, "exported": exported}
+    return {"classic": classic}
 
 
-def classic(module: str) -> str:
-    """The text of a module as a part of one script: what it imports is there already, and what it exports stays.
+_IMPORT = re.compile(r"^(import|export) \{([^}]*)\} from \"([^\"]*)\";\n", re.M)
+_EXPORT = re.compile(r"^export (?=(?:async )?(?:const|class|function\*?) (\w+))", re.M)
 
-    >>> classic('import { a } from "./a.mjs";\\n\\nexport const b = a + 1;\\n')
-    'const b = a + 1;\\n'
+
+def classic(text: str, name: str) -> str:
+    """A module as a function with names of its own, which puts what it exports into `modules`.
+
+    >>> print(classic('import { a } from "./a.mjs";\\n\\nexport const b = a + 1;\\n', "mip/b"))
+    modules["mip/b"] = (() => {
+    const { a } = modules["mip/a"];
+    <BLANKLINE>
+    const b = a + 1;
+    <BLANKLINE>
+    return { b };
+    })();
     """
-    without = re.sub(r"^import [^;]*;\n+", "", module, flags=re.M)
-    return re.sub(r"^export (?=(?:const|function|class|async) )", "", without, flags=re.M)
+    exported = [match[1] for match in _EXPORT.finditer(text)]
 
+    def held(match: re.Match[str]) -> str:
+        names = " ".join(match[2].split()).rstrip(",")
+        if match[1] == "export":
+            exported.extend(names.split(", "))
+        other = posixpath.normpath(posixpath.join(posixpath.dirname(name), match[3])).removesuffix(".mjs")
+        return f'const {{ {names} }} = modules["{other}"];\n'
 
-def exported(index: str) -> str:
-    """What a module exports from others.
-
-    >>> exported('export { a, B } from "./a.mjs";\\n')
-    ' a, B,'
-    """
-    names = (
-        name.strip()
-        for inner in re.findall(r"^export \{([^}]*)\} from", index, flags=re.M)
-        for name in inner.split(",")
-    )
-    return "".join(f" {name}," for name in names if name)
+    inner = _EXPORT.sub("", _IMPORT.sub(held, text))
+    return f'modules["{name}"] = (() => {{\n{inner}\nreturn {{ {", ".join(exported)} }};\n}})();'
