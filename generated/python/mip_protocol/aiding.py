@@ -8,7 +8,6 @@ Measurements of external sensors for the navigation filter, and the frames of th
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
 from enum import IntFlag
 
 from . import codec, types
@@ -57,16 +56,23 @@ class Timebase(codec.OpenEnum):
 _MEASUREMENT_TIME_0 = codec.Block("BBQ", "timebase", "reserved", "nanoseconds")
 
 
-@dataclass(slots=True)
 class MeasurementTime(Structure):
     """When a measurement was taken."""
 
+    __slots__ = ("timebase", "reserved", "nanoseconds")
+    __match_args__ = ("timebase", "nanoseconds")
+
     timebase: Timebase
     """Clock of the time."""
-    reserved: int = field(default=1, kw_only=True)
+    reserved: int
     """Reserved: send 1."""
     nanoseconds: int
     """Time by that clock. Unit: ns."""
+
+    def __init__(self, timebase: Timebase, nanoseconds: int, *, reserved: int = 1) -> None:
+        self.timebase = timebase
+        self.reserved = reserved
+        self.nanoseconds = nanoseconds
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MeasurementTime, int]:
@@ -113,7 +119,6 @@ _FRAME_CONFIG_RESPONSE_1 = codec.Block("fff", *["rotation"] * 3)
 _FRAME_CONFIG_RESPONSE_2 = codec.Block("ffff", *["rotation"] * 4)
 
 
-@dataclass(slots=True)
 class FrameConfigResponse(Response):
     """Frame configuration response (0x13,0x81).
 
@@ -123,10 +128,14 @@ class FrameConfigResponse(Response):
     - 3dm-cv7-gnss-ins: Aiding Frames
     """
 
+    __slots__ = ("frame_id", "format", "tracking_enabled", "translation", "rotation")
+    __match_args__ = ("frame_id", "format", "tracking_enabled", "translation", "rotation")
+
     SET = 0x13
     DESCRIPTOR = 0x81
     NAME = "aiding.frame_config_response"
     ROLE = "response"
+    _VECTORS = {"translation": (types.Vector3f,), "rotation": (types.Vector3f, types.Quatf)}
 
     frame_id: int
     """Number of the frame. Range: 1 to 4."""
@@ -136,7 +145,7 @@ class FrameConfigResponse(Response):
     """Whether the filter estimates the errors of the frame."""
     translation: types.Vector3f
     """Origin of the frame in the vehicle. Elements: x, y, z. Unit: m. Frame: vehicle."""
-    rotation: types.Vector3f | types.Quatf | None = None
+    rotation: types.Vector3f | types.Quatf | None
     """Rotation from the frame to the vehicle. Selected by `format`.
 
     - If `format` is `AidingFrameFormat.EULER`: `types.Vector3f`. Roll, pitch and yaw. Elements: x,
@@ -144,6 +153,20 @@ class FrameConfigResponse(Response):
     - If `format` is `AidingFrameFormat.QUATERNION`: `types.Quatf`. Quaternion, scalar part first.
       Elements: w, x, y, z. Unit: 1.
     """
+
+    def __init__(
+        self,
+        frame_id: int,
+        format: AidingFrameFormat,
+        tracking_enabled: bool,
+        translation: types.Vector3f | codec.Numbers,
+        rotation: types.Vector3f | types.Quatf | None | codec.Numbers = None,
+    ) -> None:
+        self.frame_id = frame_id
+        self.format = format
+        self.tracking_enabled = tracking_enabled
+        self.translation = codec.vector(translation, types.Vector3f)
+        self.rotation = codec.vector(rotation, types.Vector3f, types.Quatf)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[FrameConfigResponse, int]:
@@ -153,15 +176,15 @@ class FrameConfigResponse(Response):
         frame_id = v[0]
         format = AidingFrameFormat(v[1])
         tracking_enabled = codec.truth(v[2])
-        translation = v[3:6]
+        translation = types.Vector3f._make(v[3:6])
         if format == 1:
             v = _FRAME_CONFIG_RESPONSE_1.read(raw, at)
             at += 12
-            rotation = v[0:3]
+            rotation = types.Vector3f._make(v[0:3])
         elif format == 2:
             v = _FRAME_CONFIG_RESPONSE_2.read(raw, at)
             at += 16
-            rotation = v[0:4]
+            rotation = types.Quatf._make(v[0:4])
         return cls(frame_id, format, tracking_enabled, translation, rotation), at
 
     def _write(self) -> bytes:
@@ -169,16 +192,16 @@ class FrameConfigResponse(Response):
             self.frame_id,
             self.format,
             self.tracking_enabled,
-            *codec.exactly("translation", self.translation, 3),
+            *codec.elements("translation", self.translation, 3),
         )
         if self.format == 1:
             if self.rotation is None or isinstance(self.rotation, Structure):
                 raise codec.mismatch("rotation", self.format)
-            out += _FRAME_CONFIG_RESPONSE_1.write(*codec.exactly("rotation", self.rotation, 3))
+            out += _FRAME_CONFIG_RESPONSE_1.write(*codec.elements("rotation", self.rotation, 3))
         elif self.format == 2:
             if self.rotation is None or isinstance(self.rotation, Structure):
                 raise codec.mismatch("rotation", self.format)
-            out += _FRAME_CONFIG_RESPONSE_2.write(*codec.exactly("rotation", self.rotation, 4))
+            out += _FRAME_CONFIG_RESPONSE_2.write(*codec.elements("rotation", self.rotation, 4))
         elif self.rotation is not None:
             raise codec.mismatch("rotation", self.format)
         return codec.finished(out)
@@ -187,7 +210,6 @@ class FrameConfigResponse(Response):
 _ECHO_CONTROL_RESPONSE_0 = codec.Block("B", "mode")
 
 
-@dataclass(slots=True)
 class EchoControlResponse(Response):
     """Echo control response (0x13,0x9F).
 
@@ -197,13 +219,20 @@ class EchoControlResponse(Response):
     - 3dm-cv7-gnss-ins: Aiding Command Echo Control
     """
 
+    __slots__ = ("mode",)
+    __match_args__ = ("mode",)
+
     SET = 0x13
     DESCRIPTOR = 0x9F
     NAME = "aiding.echo_control_response"
     ROLE = "response"
+    _LAYOUT = (("mode", "B", AidingEchoMode),)
 
     mode: AidingEchoMode
     """How they are answered."""
+
+    def __init__(self, mode: AidingEchoMode) -> None:
+        self.mode = mode
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EchoControlResponse, int]:
@@ -233,7 +262,6 @@ _FRAME_CONFIG_GROUPS = (
 )
 
 
-@dataclass(slots=True)
 class FrameConfig(Command):
     """Frame configuration (0x13,0x01).
 
@@ -250,26 +278,37 @@ class FrameConfig(Command):
     - 3dm-cv7-gnss-ins: Aiding Frames
     """
 
+    __slots__ = ("function", "frame_id", "format", "tracking_enabled", "translation", "rotation")
+    __match_args__ = (
+        "function",
+        "frame_id",
+        "format",
+        "tracking_enabled",
+        "translation",
+        "rotation",
+    )
+
     SET = 0x13
     DESCRIPTOR = 0x01
     NAME = "aiding.frame_config"
     ROLE = "command"
     RESPONSES = (FrameConfigResponse,)
     REQUIRED = {1: 5, 2: 2, 3: 1, 4: 1, 5: 1}
+    _VECTORS = {"translation": (types.Vector3f,), "rotation": (types.Vector3f, types.Quatf)}
 
     function: FunctionSelector
     """What to do with the setting."""
-    frame_id: int | None = None
+    frame_id: int | None
     """Number of the frame. Range: 1 to 4."""
-    format: AidingFrameFormat | None = None
+    format: AidingFrameFormat | None
     """How the rotation is given. Required for `write` and `read`."""
-    tracking_enabled: bool | None = None
+    tracking_enabled: bool | None
     """Whether the filter estimates the errors of the frame. Required for `write`."""
-    translation: types.Vector3f | None = None
+    translation: types.Vector3f | None
     """Origin of the frame in the vehicle. Elements: x, y, z. Unit: m. Frame: vehicle. Required for
     `write`.
     """
-    rotation: types.Vector3f | types.Quatf | None = None
+    rotation: types.Vector3f | types.Quatf | None
     """Rotation from the frame to the vehicle. Selected by `format`. Required for `write`.
 
     - If `format` is `AidingFrameFormat.EULER`: `types.Vector3f`. Roll, pitch and yaw. Elements: x,
@@ -278,14 +317,30 @@ class FrameConfig(Command):
       Elements: w, x, y, z. Unit: 1.
     """
 
+    def __init__(
+        self,
+        function: FunctionSelector,
+        frame_id: int | None = None,
+        format: AidingFrameFormat | None = None,
+        tracking_enabled: bool | None = None,
+        translation: types.Vector3f | None | codec.Numbers = None,
+        rotation: types.Vector3f | types.Quatf | None | codec.Numbers = None,
+    ) -> None:
+        self.function = function
+        self.frame_id = frame_id
+        self.format = format
+        self.tracking_enabled = tracking_enabled
+        self.translation = codec.vector(translation, types.Vector3f)
+        self.rotation = codec.vector(rotation, types.Vector3f, types.Quatf)
+
     @classmethod
     def write(
         cls,
         frame_id: int,
         format: AidingFrameFormat,
         tracking_enabled: bool,
-        translation: types.Vector3f,
-        rotation: types.Vector3f | types.Quatf | None,
+        translation: types.Vector3f | codec.Numbers,
+        rotation: types.Vector3f | types.Quatf | None | codec.Numbers,
     ) -> FrameConfig:
         """Apply the new setting."""
         return cls(
@@ -358,18 +413,18 @@ class FrameConfig(Command):
                 raise Truncated(1, 0)
             v = _FRAME_CONFIG_4.read(raw, at)
             at += 12
-            translation = v[0:3]
+            translation = types.Vector3f._make(v[0:3])
             done, end = 4, at
             if at == len(raw) and required < 5:
                 raise Truncated(1, 0)
             if format == 1:
                 v = _FRAME_CONFIG_5.read(raw, at)
                 at += 12
-                rotation = v[0:3]
+                rotation = types.Vector3f._make(v[0:3])
             elif format == 2:
                 v = _FRAME_CONFIG_6.read(raw, at)
                 at += 16
-                rotation = v[0:4]
+                rotation = types.Quatf._make(v[0:4])
             done, end = 5, at
         except Truncated:
             if done < required:
@@ -388,16 +443,16 @@ class FrameConfig(Command):
         if there >= 3:
             out += _FRAME_CONFIG_3.write(self.tracking_enabled)
         if there >= 4:
-            out += _FRAME_CONFIG_4.write(*codec.exactly("translation", self.translation, 3))
+            out += _FRAME_CONFIG_4.write(*codec.elements("translation", self.translation, 3))
         if there >= 5:
             if self.format == 1:
                 if self.rotation is None or isinstance(self.rotation, Structure):
                     raise codec.mismatch("rotation", self.format)
-                out += _FRAME_CONFIG_5.write(*codec.exactly("rotation", self.rotation, 3))
+                out += _FRAME_CONFIG_5.write(*codec.elements("rotation", self.rotation, 3))
             elif self.format == 2:
                 if self.rotation is None or isinstance(self.rotation, Structure):
                     raise codec.mismatch("rotation", self.format)
-                out += _FRAME_CONFIG_6.write(*codec.exactly("rotation", self.rotation, 4))
+                out += _FRAME_CONFIG_6.write(*codec.elements("rotation", self.rotation, 4))
             elif self.rotation is not None:
                 raise codec.mismatch("rotation", self.format)
         return codec.finished(out)
@@ -408,7 +463,6 @@ _ECHO_CONTROL_1 = codec.Block("B", "mode")
 _ECHO_CONTROL_GROUPS = ((1, ("mode",), False),)
 
 
-@dataclass(slots=True)
 class EchoControl(Command):
     """Echo control (0x13,0x1F).
 
@@ -423,6 +477,9 @@ class EchoControl(Command):
     - 3dm-cv7-gnss-ins: Aiding Command Echo Control
     """
 
+    __slots__ = ("function", "mode")
+    __match_args__ = ("function", "mode")
+
     SET = 0x13
     DESCRIPTOR = 0x1F
     NAME = "aiding.echo_control"
@@ -432,8 +489,12 @@ class EchoControl(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
-    mode: AidingEchoMode | None = None
+    mode: AidingEchoMode | None
     """How they are answered. Required for `write`."""
+
+    def __init__(self, function: FunctionSelector, mode: AidingEchoMode | None = None) -> None:
+        self.function = function
+        self.mode = mode
 
     @classmethod
     def write(cls, mode: AidingEchoMode) -> EchoControl:
@@ -501,7 +562,6 @@ _ECEF_POSITION_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class EcefPosition(Command):
     """ECEF position (0x13,0x21).
 
@@ -517,10 +577,14 @@ class EcefPosition(Command):
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > ECEF Position
     """
 
+    __slots__ = ("time", "frame_id", "position", "uncertainty", "valid_flags")
+    __match_args__ = ("time", "frame_id", "position", "uncertainty", "valid_flags")
+
     SET = 0x13
     DESCRIPTOR = 0x21
     NAME = "aiding.ecef_position"
     ROLE = "command"
+    _VECTORS = {"position": (types.Vector3d,), "uncertainty": (types.Vector3f,)}
 
     time: MeasurementTime
     """When the measurement was taken."""
@@ -539,14 +603,28 @@ class EcefPosition(Command):
     valid_flags: AxisFlags
     """Which axes are valid."""
 
+    def __init__(
+        self,
+        time: MeasurementTime,
+        frame_id: int,
+        position: types.Vector3d | codec.Numbers,
+        uncertainty: types.Vector3f | codec.Numbers,
+        valid_flags: AxisFlags,
+    ) -> None:
+        self.time = time
+        self.frame_id = frame_id
+        self.position = codec.vector(position, types.Vector3d)
+        self.uncertainty = codec.vector(uncertainty, types.Vector3f)
+        self.valid_flags = valid_flags
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EcefPosition, int]:
         time, at = MeasurementTime._read(raw, at)
         v = _ECEF_POSITION_0.read(raw, at)
         at += 39
         frame_id = v[0]
-        position = v[1:4]
-        uncertainty = v[4:7]
+        position = types.Vector3d._make(v[1:4])
+        uncertainty = types.Vector3f._make(v[4:7])
         valid_flags = AxisFlags(v[7])
         return cls(time, frame_id, position, uncertainty, valid_flags), at
 
@@ -554,8 +632,8 @@ class EcefPosition(Command):
         out = codec.structure("time", self.time, MeasurementTime)
         out += _ECEF_POSITION_0.write(
             self.frame_id,
-            *codec.exactly("position", self.position, 3),
-            *codec.exactly("uncertainty", self.uncertainty, 3),
+            *codec.elements("position", self.position, 3),
+            *codec.elements("uncertainty", self.uncertainty, 3),
             self.valid_flags,
         )
         return codec.finished(out)
@@ -566,7 +644,6 @@ _LLH_POSITION_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class LlhPosition(Command):
     """LLH position (0x13,0x22).
 
@@ -582,10 +659,30 @@ class LlhPosition(Command):
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > LLH Position
     """
 
+    __slots__ = (
+        "time",
+        "frame_id",
+        "latitude",
+        "longitude",
+        "height",
+        "uncertainty",
+        "valid_flags",
+    )
+    __match_args__ = (
+        "time",
+        "frame_id",
+        "latitude",
+        "longitude",
+        "height",
+        "uncertainty",
+        "valid_flags",
+    )
+
     SET = 0x13
     DESCRIPTOR = 0x22
     NAME = "aiding.llh_position"
     ROLE = "command"
+    _VECTORS = {"uncertainty": (types.Vector3f,)}
 
     time: MeasurementTime
     """When the measurement was taken."""
@@ -608,6 +705,24 @@ class LlhPosition(Command):
     valid_flags: LlhAxisFlags
     """Which coordinates are valid."""
 
+    def __init__(
+        self,
+        time: MeasurementTime,
+        frame_id: int,
+        latitude: float,
+        longitude: float,
+        height: float,
+        uncertainty: types.Vector3f | codec.Numbers,
+        valid_flags: LlhAxisFlags,
+    ) -> None:
+        self.time = time
+        self.frame_id = frame_id
+        self.latitude = latitude
+        self.longitude = longitude
+        self.height = height
+        self.uncertainty = codec.vector(uncertainty, types.Vector3f)
+        self.valid_flags = valid_flags
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[LlhPosition, int]:
         time, at = MeasurementTime._read(raw, at)
@@ -617,7 +732,7 @@ class LlhPosition(Command):
         latitude = v[1]
         longitude = v[2]
         height = v[3]
-        uncertainty = v[4:7]
+        uncertainty = types.Vector3f._make(v[4:7])
         valid_flags = LlhAxisFlags(v[7])
         return cls(time, frame_id, latitude, longitude, height, uncertainty, valid_flags), at
 
@@ -628,7 +743,7 @@ class LlhPosition(Command):
             self.latitude,
             self.longitude,
             self.height,
-            *codec.exactly("uncertainty", self.uncertainty, 3),
+            *codec.elements("uncertainty", self.uncertainty, 3),
             self.valid_flags,
         )
         return codec.finished(out)
@@ -637,7 +752,6 @@ class LlhPosition(Command):
 _HEIGHT_ABOVE_ELLIPSOID_0 = codec.Block("BffH", "frame_id", "height", "uncertainty", "valid_flags")
 
 
-@dataclass(slots=True)
 class HeightAboveEllipsoid(Command):
     """Height above ellipsoid (0x13,0x23).
 
@@ -651,6 +765,9 @@ class HeightAboveEllipsoid(Command):
 
     - 3dm-cv7-gnss-ins: Height Above Ellipsoid (0x13,0x23)
     """
+
+    __slots__ = ("time", "frame_id", "height", "uncertainty", "valid_flags")
+    __match_args__ = ("time", "frame_id", "height", "uncertainty", "valid_flags")
 
     SET = 0x13
     DESCRIPTOR = 0x23
@@ -667,6 +784,20 @@ class HeightAboveEllipsoid(Command):
     """Uncertainty of the height. Unit: m."""
     valid_flags: int
     """Not 0: the measurement is valid."""
+
+    def __init__(
+        self,
+        time: MeasurementTime,
+        frame_id: int,
+        height: float,
+        uncertainty: float,
+        valid_flags: int,
+    ) -> None:
+        self.time = time
+        self.frame_id = frame_id
+        self.height = height
+        self.uncertainty = uncertainty
+        self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[HeightAboveEllipsoid, int]:
@@ -692,7 +823,6 @@ _ECEF_VELOCITY_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class EcefVelocity(Command):
     """ECEF velocity (0x13,0x28).
 
@@ -709,10 +839,14 @@ class EcefVelocity(Command):
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > ECEF Velocity
     """
 
+    __slots__ = ("time", "frame_id", "velocity", "uncertainty", "valid_flags")
+    __match_args__ = ("time", "frame_id", "velocity", "uncertainty", "valid_flags")
+
     SET = 0x13
     DESCRIPTOR = 0x28
     NAME = "aiding.ecef_velocity"
     ROLE = "command"
+    _VECTORS = {"velocity": (types.Vector3f,), "uncertainty": (types.Vector3f,)}
 
     time: MeasurementTime
     """When the measurement was taken."""
@@ -731,14 +865,28 @@ class EcefVelocity(Command):
     valid_flags: AxisFlags
     """Which axes are valid."""
 
+    def __init__(
+        self,
+        time: MeasurementTime,
+        frame_id: int,
+        velocity: types.Vector3f | codec.Numbers,
+        uncertainty: types.Vector3f | codec.Numbers,
+        valid_flags: AxisFlags,
+    ) -> None:
+        self.time = time
+        self.frame_id = frame_id
+        self.velocity = codec.vector(velocity, types.Vector3f)
+        self.uncertainty = codec.vector(uncertainty, types.Vector3f)
+        self.valid_flags = valid_flags
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EcefVelocity, int]:
         time, at = MeasurementTime._read(raw, at)
         v = _ECEF_VELOCITY_0.read(raw, at)
         at += 27
         frame_id = v[0]
-        velocity = v[1:4]
-        uncertainty = v[4:7]
+        velocity = types.Vector3f._make(v[1:4])
+        uncertainty = types.Vector3f._make(v[4:7])
         valid_flags = AxisFlags(v[7])
         return cls(time, frame_id, velocity, uncertainty, valid_flags), at
 
@@ -746,8 +894,8 @@ class EcefVelocity(Command):
         out = codec.structure("time", self.time, MeasurementTime)
         out += _ECEF_VELOCITY_0.write(
             self.frame_id,
-            *codec.exactly("velocity", self.velocity, 3),
-            *codec.exactly("uncertainty", self.uncertainty, 3),
+            *codec.elements("velocity", self.velocity, 3),
+            *codec.elements("uncertainty", self.uncertainty, 3),
             self.valid_flags,
         )
         return codec.finished(out)
@@ -758,7 +906,6 @@ _NED_VELOCITY_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class NedVelocity(Command):
     """NED velocity (0x13,0x29).
 
@@ -775,10 +922,14 @@ class NedVelocity(Command):
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > NED Velocity
     """
 
+    __slots__ = ("time", "frame_id", "velocity", "uncertainty", "valid_flags")
+    __match_args__ = ("time", "frame_id", "velocity", "uncertainty", "valid_flags")
+
     SET = 0x13
     DESCRIPTOR = 0x29
     NAME = "aiding.ned_velocity"
     ROLE = "command"
+    _VECTORS = {"velocity": (types.Vector3f,), "uncertainty": (types.Vector3f,)}
 
     time: MeasurementTime
     """When the measurement was taken."""
@@ -797,14 +948,28 @@ class NedVelocity(Command):
     valid_flags: AxisFlags
     """Which axes are valid."""
 
+    def __init__(
+        self,
+        time: MeasurementTime,
+        frame_id: int,
+        velocity: types.Vector3f | codec.Numbers,
+        uncertainty: types.Vector3f | codec.Numbers,
+        valid_flags: AxisFlags,
+    ) -> None:
+        self.time = time
+        self.frame_id = frame_id
+        self.velocity = codec.vector(velocity, types.Vector3f)
+        self.uncertainty = codec.vector(uncertainty, types.Vector3f)
+        self.valid_flags = valid_flags
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[NedVelocity, int]:
         time, at = MeasurementTime._read(raw, at)
         v = _NED_VELOCITY_0.read(raw, at)
         at += 27
         frame_id = v[0]
-        velocity = v[1:4]
-        uncertainty = v[4:7]
+        velocity = types.Vector3f._make(v[1:4])
+        uncertainty = types.Vector3f._make(v[4:7])
         valid_flags = AxisFlags(v[7])
         return cls(time, frame_id, velocity, uncertainty, valid_flags), at
 
@@ -812,8 +977,8 @@ class NedVelocity(Command):
         out = codec.structure("time", self.time, MeasurementTime)
         out += _NED_VELOCITY_0.write(
             self.frame_id,
-            *codec.exactly("velocity", self.velocity, 3),
-            *codec.exactly("uncertainty", self.uncertainty, 3),
+            *codec.elements("velocity", self.velocity, 3),
+            *codec.elements("uncertainty", self.uncertainty, 3),
             self.valid_flags,
         )
         return codec.finished(out)
@@ -824,7 +989,6 @@ _BODY_FRAME_VELOCITY_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class BodyFrameVelocity(Command):
     """Body frame velocity (0x13,0x2A).
 
@@ -844,10 +1008,14 @@ class BodyFrameVelocity(Command):
     - 3dm-cv7-gnss-ins: Filter Kinematic Constraints
     """
 
+    __slots__ = ("time", "frame_id", "velocity", "uncertainty", "valid_flags")
+    __match_args__ = ("time", "frame_id", "velocity", "uncertainty", "valid_flags")
+
     SET = 0x13
     DESCRIPTOR = 0x2A
     NAME = "aiding.body_frame_velocity"
     ROLE = "command"
+    _VECTORS = {"velocity": (types.Vector3f,), "uncertainty": (types.Vector3f,)}
 
     time: MeasurementTime
     """When the measurement was taken."""
@@ -866,14 +1034,28 @@ class BodyFrameVelocity(Command):
     valid_flags: AxisFlags
     """Which axes are valid."""
 
+    def __init__(
+        self,
+        time: MeasurementTime,
+        frame_id: int,
+        velocity: types.Vector3f | codec.Numbers,
+        uncertainty: types.Vector3f | codec.Numbers,
+        valid_flags: AxisFlags,
+    ) -> None:
+        self.time = time
+        self.frame_id = frame_id
+        self.velocity = codec.vector(velocity, types.Vector3f)
+        self.uncertainty = codec.vector(uncertainty, types.Vector3f)
+        self.valid_flags = valid_flags
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[BodyFrameVelocity, int]:
         time, at = MeasurementTime._read(raw, at)
         v = _BODY_FRAME_VELOCITY_0.read(raw, at)
         at += 27
         frame_id = v[0]
-        velocity = v[1:4]
-        uncertainty = v[4:7]
+        velocity = types.Vector3f._make(v[1:4])
+        uncertainty = types.Vector3f._make(v[4:7])
         valid_flags = AxisFlags(v[7])
         return cls(time, frame_id, velocity, uncertainty, valid_flags), at
 
@@ -881,8 +1063,8 @@ class BodyFrameVelocity(Command):
         out = codec.structure("time", self.time, MeasurementTime)
         out += _BODY_FRAME_VELOCITY_0.write(
             self.frame_id,
-            *codec.exactly("velocity", self.velocity, 3),
-            *codec.exactly("uncertainty", self.uncertainty, 3),
+            *codec.elements("velocity", self.velocity, 3),
+            *codec.elements("uncertainty", self.uncertainty, 3),
             self.valid_flags,
         )
         return codec.finished(out)
@@ -891,7 +1073,6 @@ class BodyFrameVelocity(Command):
 _TRUE_HEADING_0 = codec.Block("BffH", "frame_id", "heading", "uncertainty", "valid_flags")
 
 
-@dataclass(slots=True)
 class TrueHeading(Command):
     """True heading (0x13,0x31).
 
@@ -906,6 +1087,9 @@ class TrueHeading(Command):
     - 3dm-cv7-gnss-ins: True Heading (0x13,0x31)
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > True Heading
     """
+
+    __slots__ = ("time", "frame_id", "heading", "uncertainty", "valid_flags")
+    __match_args__ = ("time", "frame_id", "heading", "uncertainty", "valid_flags")
 
     SET = 0x13
     DESCRIPTOR = 0x31
@@ -922,6 +1106,20 @@ class TrueHeading(Command):
     """Uncertainty of the heading. Unit: rad. Range: greater than 0."""
     valid_flags: int
     """Not 0: the measurement is valid."""
+
+    def __init__(
+        self,
+        time: MeasurementTime,
+        frame_id: int,
+        heading: float,
+        uncertainty: float,
+        valid_flags: int,
+    ) -> None:
+        self.time = time
+        self.frame_id = frame_id
+        self.heading = heading
+        self.uncertainty = uncertainty
+        self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[TrueHeading, int]:
@@ -947,7 +1145,6 @@ _MAGNETIC_FIELD_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class MagneticField(Command):
     """Magnetic field (0x13,0x32).
 
@@ -963,10 +1160,14 @@ class MagneticField(Command):
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > External Magnetometer
     """
 
+    __slots__ = ("time", "frame_id", "magnetic_field", "uncertainty", "valid_flags")
+    __match_args__ = ("time", "frame_id", "magnetic_field", "uncertainty", "valid_flags")
+
     SET = 0x13
     DESCRIPTOR = 0x32
     NAME = "aiding.magnetic_field"
     ROLE = "command"
+    _VECTORS = {"magnetic_field": (types.Vector3f,), "uncertainty": (types.Vector3f,)}
 
     time: MeasurementTime
     """When the measurement was taken."""
@@ -985,14 +1186,28 @@ class MagneticField(Command):
     valid_flags: AxisFlags
     """Which axes are valid."""
 
+    def __init__(
+        self,
+        time: MeasurementTime,
+        frame_id: int,
+        magnetic_field: types.Vector3f | codec.Numbers,
+        uncertainty: types.Vector3f | codec.Numbers,
+        valid_flags: AxisFlags,
+    ) -> None:
+        self.time = time
+        self.frame_id = frame_id
+        self.magnetic_field = codec.vector(magnetic_field, types.Vector3f)
+        self.uncertainty = codec.vector(uncertainty, types.Vector3f)
+        self.valid_flags = valid_flags
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagneticField, int]:
         time, at = MeasurementTime._read(raw, at)
         v = _MAGNETIC_FIELD_0.read(raw, at)
         at += 27
         frame_id = v[0]
-        magnetic_field = v[1:4]
-        uncertainty = v[4:7]
+        magnetic_field = types.Vector3f._make(v[1:4])
+        uncertainty = types.Vector3f._make(v[4:7])
         valid_flags = AxisFlags(v[7])
         return cls(time, frame_id, magnetic_field, uncertainty, valid_flags), at
 
@@ -1000,8 +1215,8 @@ class MagneticField(Command):
         out = codec.structure("time", self.time, MeasurementTime)
         out += _MAGNETIC_FIELD_0.write(
             self.frame_id,
-            *codec.exactly("magnetic_field", self.magnetic_field, 3),
-            *codec.exactly("uncertainty", self.uncertainty, 3),
+            *codec.elements("magnetic_field", self.magnetic_field, 3),
+            *codec.elements("uncertainty", self.uncertainty, 3),
             self.valid_flags,
         )
         return codec.finished(out)
@@ -1010,7 +1225,6 @@ class MagneticField(Command):
 _PRESSURE_0 = codec.Block("BffH", "frame_id", "pressure", "uncertainty", "valid_flags")
 
 
-@dataclass(slots=True)
 class Pressure(Command):
     """Pressure (0x13,0x33).
 
@@ -1025,6 +1239,9 @@ class Pressure(Command):
     - 3dm-cv7-gnss-ins: Pressure (0x13,0x33)
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > External Pressure
     """
+
+    __slots__ = ("time", "frame_id", "pressure", "uncertainty", "valid_flags")
+    __match_args__ = ("time", "frame_id", "pressure", "uncertainty", "valid_flags")
 
     SET = 0x13
     DESCRIPTOR = 0x33
@@ -1041,6 +1258,20 @@ class Pressure(Command):
     """Standard deviation of the pressure. Unit: mbar. Range: greater than 0."""
     valid_flags: int
     """Not 0: the measurement is valid."""
+
+    def __init__(
+        self,
+        time: MeasurementTime,
+        frame_id: int,
+        pressure: float,
+        uncertainty: float,
+        valid_flags: int,
+    ) -> None:
+        self.time = time
+        self.frame_id = frame_id
+        self.pressure = pressure
+        self.uncertainty = uncertainty
+        self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Pressure, int]:

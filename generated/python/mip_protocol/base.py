@@ -8,9 +8,7 @@ Commands common to all devices: identity, supported descriptors, idle and resume
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
-from . import codec, types
+from . import codec
 from .errors import Truncated
 from .field import Command, Field, Response, ResponseClasses, Structure
 from .protocol import FunctionSelector
@@ -18,13 +16,29 @@ from .protocol import FunctionSelector
 _BASE_DEVICE_INFO_0 = codec.Block("H", "firmware_version")
 
 
-@dataclass(slots=True)
 class BaseDeviceInfo(Structure):
     """Identity of a device. The strings are padded with spaces.
 
     - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
     - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
     """
+
+    __slots__ = (
+        "firmware_version",
+        "model_name",
+        "model_number",
+        "serial_number",
+        "lot_number",
+        "device_options",
+    )
+    __match_args__ = (
+        "firmware_version",
+        "model_name",
+        "model_number",
+        "serial_number",
+        "lot_number",
+        "device_options",
+    )
 
     firmware_version: int
     """Firmware version as one decimal number: 1202 stands for 1.2.02."""
@@ -38,6 +52,22 @@ class BaseDeviceInfo(Structure):
     """Lot number; reserved and blank on some devices."""
     device_options: str
     """Options of the unit, such as its sensor ranges."""
+
+    def __init__(
+        self,
+        firmware_version: int,
+        model_name: str,
+        model_number: str,
+        serial_number: str,
+        lot_number: str,
+        device_options: str,
+    ) -> None:
+        self.firmware_version = firmware_version
+        self.model_name = model_name
+        self.model_number = model_number
+        self.serial_number = serial_number
+        self.lot_number = lot_number
+        self.device_options = device_options
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[BaseDeviceInfo, int]:
@@ -82,7 +112,6 @@ class GpsTimeField(codec.OpenEnum):
     """Time of week in whole seconds."""
 
 
-@dataclass(slots=True)
 class GetDeviceInfoResponse(Response):
     """Get device information response (0x01,0x81).
 
@@ -97,6 +126,9 @@ class GetDeviceInfoResponse(Response):
     - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
     """
 
+    __slots__ = ("device_info",)
+    __match_args__ = ("device_info",)
+
     SET = 0x01
     DESCRIPTOR = 0x81
     NAME = "base.get_device_info_response"
@@ -104,6 +136,9 @@ class GetDeviceInfoResponse(Response):
 
     device_info: BaseDeviceInfo
     """Identity of the device."""
+
+    def __init__(self, device_info: BaseDeviceInfo) -> None:
+        self.device_info = device_info
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetDeviceInfoResponse, int]:
@@ -115,7 +150,6 @@ class GetDeviceInfoResponse(Response):
         return codec.finished(out)
 
 
-@dataclass(slots=True)
 class GetDeviceDescriptorsResponse(Response):
     """Get device descriptors response (0x01,0x82).
 
@@ -130,6 +164,9 @@ class GetDeviceDescriptorsResponse(Response):
     - 3dm-cv7-gnss-ins: Get device descriptors (0x01,0x04)
     """
 
+    __slots__ = ("descriptors",)
+    __match_args__ = ("descriptors",)
+
     SET = 0x01
     DESCRIPTOR = 0x82
     NAME = "base.get_device_descriptors_response"
@@ -139,6 +176,9 @@ class GetDeviceDescriptorsResponse(Response):
     """Supported descriptors: the descriptor set in the high byte, the field descriptor in the low
     byte.
     """
+
+    def __init__(self, descriptors: tuple[int, ...]) -> None:
+        self.descriptors = descriptors
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetDeviceDescriptorsResponse, int]:
@@ -157,7 +197,6 @@ class GetDeviceDescriptorsResponse(Response):
 _BUILT_IN_TEST_RESPONSE_0 = codec.Block("I", "result")
 
 
-@dataclass(slots=True)
 class BuiltInTestResponse(Response):
     """Built-in test response (0x01,0x83).
 
@@ -169,16 +208,14 @@ class BuiltInTestResponse(Response):
     - 3dm-cv7-gnss-ins: Commanded Built-in Test
     """
 
+    __slots__ = ("result",)
+    __match_args__ = ("result",)
+
     SET = 0x01
     DESCRIPTOR = 0x83
     NAME = "base.built_in_test_response"
     ROLE = "response"
-    READINGS = {
-        "result": (
-            "device",
-            {"3dm-cv7-gnss-ins": types.Cv7BuiltInTest, "3dm-gx5-15": types.Gx5BuiltInTest},
-        )
-    }
+    _LAYOUT = (("result", "I", None),)
 
     result: int
     """Failure flags, defined by each device. Zero means that every test passed.
@@ -188,6 +225,9 @@ class BuiltInTestResponse(Response):
       not known.
     - On the 3DM-GX5-15: values of `types.Gx5BuiltInTest`.
     """
+
+    def __init__(self, result: int) -> None:
+        self.result = result
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[BuiltInTestResponse, int]:
@@ -204,7 +244,6 @@ class BuiltInTestResponse(Response):
 _GPS_TIME_UPDATE_WEEK_NUMBER_RESPONSE_0 = codec.Block("I", "week_number")
 
 
-@dataclass(slots=True)
 class GpsTimeUpdateWeekNumberResponse(Response):
     """GPS time update, week number (0x01,0x84).
 
@@ -217,13 +256,20 @@ class GpsTimeUpdateWeekNumberResponse(Response):
     - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
     """
 
+    __slots__ = ("week_number",)
+    __match_args__ = ("week_number",)
+
     SET = 0x01
     DESCRIPTOR = 0x84
     NAME = "base.gps_time_update_week_number_response"
     ROLE = "response"
+    _LAYOUT = (("week_number", "I", None),)
 
     week_number: int
     """GPS week number. Unit: week."""
+
+    def __init__(self, week_number: int) -> None:
+        self.week_number = week_number
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GpsTimeUpdateWeekNumberResponse, int]:
@@ -240,7 +286,6 @@ class GpsTimeUpdateWeekNumberResponse(Response):
 _GPS_TIME_UPDATE_TOW_RESPONSE_0 = codec.Block("I", "tow")
 
 
-@dataclass(slots=True)
 class GpsTimeUpdateTowResponse(Response):
     """GPS time update, time of week (0x01,0x85).
 
@@ -253,13 +298,20 @@ class GpsTimeUpdateTowResponse(Response):
     - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
     """
 
+    __slots__ = ("tow",)
+    __match_args__ = ("tow",)
+
     SET = 0x01
     DESCRIPTOR = 0x85
     NAME = "base.gps_time_update_tow_response"
     ROLE = "response"
+    _LAYOUT = (("tow", "I", None),)
 
     tow: int
     """GPS time of week in whole seconds. Unit: s."""
+
+    def __init__(self, tow: int) -> None:
+        self.tow = tow
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GpsTimeUpdateTowResponse, int]:
@@ -273,7 +325,6 @@ class GpsTimeUpdateTowResponse(Response):
         return codec.finished(out)
 
 
-@dataclass(slots=True)
 class GetExtendedDescriptorsResponse(Response):
     """Get device descriptors (extended) response (0x01,0x86).
 
@@ -284,6 +335,9 @@ class GetExtendedDescriptorsResponse(Response):
     - 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07)
     """
 
+    __slots__ = ("descriptors",)
+    __match_args__ = ("descriptors",)
+
     SET = 0x01
     DESCRIPTOR = 0x86
     NAME = "base.get_extended_descriptors_response"
@@ -293,6 +347,9 @@ class GetExtendedDescriptorsResponse(Response):
     """Supported descriptors: the descriptor set in the high byte, the field descriptor in the low
     byte.
     """
+
+    def __init__(self, descriptors: tuple[int, ...]) -> None:
+        self.descriptors = descriptors
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetExtendedDescriptorsResponse, int]:
@@ -311,7 +368,6 @@ class GetExtendedDescriptorsResponse(Response):
 _CONTINUOUS_BUILT_IN_TEST_RESPONSE_0 = codec.Block("BBBBBBBBBBBBBBBB", *["result"] * 16)
 
 
-@dataclass(slots=True)
 class ContinuousBuiltInTestResponse(Response):
     """Continuous built-in test response (0x01,0x88).
 
@@ -321,11 +377,14 @@ class ContinuousBuiltInTestResponse(Response):
     - 3dm-cv7-gnss-ins: Continuous built-in test (0x01,0x08)
     """
 
+    __slots__ = ("result",)
+    __match_args__ = ("result",)
+
     SET = 0x01
     DESCRIPTOR = 0x88
     NAME = "base.continuous_built_in_test_response"
     ROLE = "response"
-    READINGS = {"result": ("device", {"3dm-cv7-gnss-ins": types.Cv7ContinuousBuiltInTest})}
+    _LAYOUT = (("result", "BBBBBBBBBBBBBBBB", tuple),)
 
     result: tuple[int, ...]
     """Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the second
@@ -333,6 +392,9 @@ class ContinuousBuiltInTestResponse(Response):
 
     - On the 3DM-CV7-GNSS/INS: values of `types.Cv7ContinuousBuiltInTest`.
     """
+
+    def __init__(self, result: tuple[int, ...]) -> None:
+        self.result = result
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ContinuousBuiltInTestResponse, int]:
@@ -349,7 +411,6 @@ class ContinuousBuiltInTestResponse(Response):
 _COMM_SPEED_RESPONSE_0 = codec.Block("BI", "port", "baud")
 
 
-@dataclass(slots=True)
 class CommSpeedResponse(Response):
     """Comm port speed response (0x01,0x89).
 
@@ -358,15 +419,23 @@ class CommSpeedResponse(Response):
     - 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09)
     """
 
+    __slots__ = ("port", "baud")
+    __match_args__ = ("port", "baud")
+
     SET = 0x01
     DESCRIPTOR = 0x89
     NAME = "base.comm_speed_response"
     ROLE = "response"
+    _LAYOUT = (("port", "B", None), ("baud", "I", None))
 
     port: int
     """Port id of the device; 0 means all ports, and is for save, load and default only."""
     baud: int
     """Baud rate; one that the port supports. Unit: Bd."""
+
+    def __init__(self, port: int, baud: int) -> None:
+        self.port = port
+        self.baud = baud
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[CommSpeedResponse, int]:
@@ -381,7 +450,6 @@ class CommSpeedResponse(Response):
         return codec.finished(out)
 
 
-@dataclass(slots=True)
 class Ping(Command):
     """Ping (0x01,0x01).
 
@@ -400,6 +468,8 @@ class Ping(Command):
     - 3dm-cv7-gnss-ins: Ping (0x01,0x01)
     """
 
+    __slots__ = ()
+
     SET = 0x01
     DESCRIPTOR = 0x01
     NAME = "base.ping"
@@ -413,7 +483,6 @@ class Ping(Command):
         return b""
 
 
-@dataclass(slots=True)
 class SetIdle(Command):
     """Set to idle (0x01,0x02).
 
@@ -433,6 +502,8 @@ class SetIdle(Command):
     - 3dm-cv7-gnss-ins: Set to idle (0x01,0x02)
     """
 
+    __slots__ = ()
+
     SET = 0x01
     DESCRIPTOR = 0x02
     NAME = "base.set_idle"
@@ -446,7 +517,6 @@ class SetIdle(Command):
         return b""
 
 
-@dataclass(slots=True)
 class GetDeviceInfo(Command):
     """Get device information (0x01,0x03).
 
@@ -463,6 +533,8 @@ class GetDeviceInfo(Command):
     - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
     """
 
+    __slots__ = ()
+
     SET = 0x01
     DESCRIPTOR = 0x03
     NAME = "base.get_device_info"
@@ -477,7 +549,6 @@ class GetDeviceInfo(Command):
         return b""
 
 
-@dataclass(slots=True)
 class GetDeviceDescriptors(Command):
     """Get device descriptors (0x01,0x04).
 
@@ -497,6 +568,8 @@ class GetDeviceDescriptors(Command):
     - 3dm-cv7-gnss-ins: Get device descriptors (0x01,0x04)
     """
 
+    __slots__ = ()
+
     SET = 0x01
     DESCRIPTOR = 0x04
     NAME = "base.get_device_descriptors"
@@ -511,7 +584,6 @@ class GetDeviceDescriptors(Command):
         return b""
 
 
-@dataclass(slots=True)
 class BuiltInTest(Command):
     """Built-in test (0x01,0x05).
 
@@ -531,6 +603,8 @@ class BuiltInTest(Command):
     - 3dm-cv7-gnss-ins: Commanded Built-in Test
     """
 
+    __slots__ = ()
+
     SET = 0x01
     DESCRIPTOR = 0x05
     NAME = "base.built_in_test"
@@ -546,7 +620,6 @@ class BuiltInTest(Command):
         return b""
 
 
-@dataclass(slots=True)
 class Resume(Command):
     """Resume (0x01,0x06).
 
@@ -565,6 +638,8 @@ class Resume(Command):
     - 3dm-cv7-gnss-ins: Resume (0x01,0x06)
     """
 
+    __slots__ = ()
+
     SET = 0x01
     DESCRIPTOR = 0x06
     NAME = "base.resume"
@@ -578,7 +653,6 @@ class Resume(Command):
         return b""
 
 
-@dataclass(slots=True)
 class GetExtendedDescriptors(Command):
     """Get device descriptors (extended) (0x01,0x07).
 
@@ -592,6 +666,8 @@ class GetExtendedDescriptors(Command):
     - 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07)
     - 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07)
     """
+
+    __slots__ = ()
 
     SET = 0x01
     DESCRIPTOR = 0x07
@@ -607,7 +683,6 @@ class GetExtendedDescriptors(Command):
         return b""
 
 
-@dataclass(slots=True)
 class ContinuousBuiltInTest(Command):
     """Continuous built-in test (0x01,0x08).
 
@@ -622,6 +697,8 @@ class ContinuousBuiltInTest(Command):
 
     - 3dm-cv7-gnss-ins: Continuous built-in test (0x01,0x08)
     """
+
+    __slots__ = ()
 
     SET = 0x01
     DESCRIPTOR = 0x08
@@ -643,7 +720,6 @@ _COMM_SPEED_2 = codec.Block("I", "baud")
 _COMM_SPEED_GROUPS = ((1, ("port",), False), (2, ("baud",), False))
 
 
-@dataclass(slots=True)
 class CommSpeed(Command):
     """Comm port speed (0x01,0x09).
 
@@ -659,6 +735,9 @@ class CommSpeed(Command):
     - 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09)
     """
 
+    __slots__ = ("function", "port", "baud")
+    __match_args__ = ("function", "port", "baud")
+
     SET = 0x01
     DESCRIPTOR = 0x09
     NAME = "base.comm_speed"
@@ -668,10 +747,17 @@ class CommSpeed(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
-    port: int | None = None
+    port: int | None
     """Port id of the device; 0 means all ports, and is for save, load and default only."""
-    baud: int | None = None
+    baud: int | None
     """Baud rate; one that the port supports. Unit: Bd. Required for `write`."""
+
+    def __init__(
+        self, function: FunctionSelector, port: int | None = None, baud: int | None = None
+    ) -> None:
+        self.function = function
+        self.port = port
+        self.baud = baud
 
     @classmethod
     def write(cls, port: int, baud: int) -> CommSpeed:
@@ -749,7 +835,6 @@ _GPS_TIME_UPDATE_2 = codec.Block("I", "value")
 _GPS_TIME_UPDATE_GROUPS = ((1, ("field_id",), False), (2, ("value",), False))
 
 
-@dataclass(slots=True)
 class GpsTimeUpdate(Command):
     """GPS time update (0x01,0x72).
 
@@ -769,6 +854,9 @@ class GpsTimeUpdate(Command):
     - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
     """
 
+    __slots__ = ("function", "field_id", "value")
+    __match_args__ = ("function", "field_id", "value")
+
     SET = 0x01
     DESCRIPTOR = 0x72
     NAME = "base.gps_time_update"
@@ -778,14 +866,24 @@ class GpsTimeUpdate(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
-    field_id: GpsTimeField | None = None
+    field_id: GpsTimeField | None
     """What the value is."""
-    value: int | None = None
+    value: int | None
     """What `field_id` says. Required for `write` and `apply`.
 
     - If `field_id` is `GpsTimeField.WEEK_NUMBER`: unit week. GPS week number since 6 January 1980.
     - If `field_id` is `GpsTimeField.TOW`: unit s. Whole seconds of the GPS week.
     """
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        field_id: GpsTimeField | None = None,
+        value: int | None = None,
+    ) -> None:
+        self.function = function
+        self.field_id = field_id
+        self.value = value
 
     @classmethod
     def write(cls, field_id: GpsTimeField, value: int) -> GpsTimeUpdate:
@@ -853,7 +951,6 @@ class GpsTimeUpdate(Command):
         return codec.finished(out)
 
 
-@dataclass(slots=True)
 class SoftReset(Command):
     """Reset device (0x01,0x7E).
 
@@ -865,6 +962,8 @@ class SoftReset(Command):
     - 3dm-gx5-15: 4.1.9 Device Reset (0x01, 0x7E)
     - 3dm-cv7-gnss-ins: Reset device (0x01,0x7E)
     """
+
+    __slots__ = ()
 
     SET = 0x01
     DESCRIPTOR = 0x7E

@@ -8,7 +8,6 @@ Commands that set up, start and aid the navigation filter.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
 from enum import IntFlag
 
 from . import codec, types
@@ -303,7 +302,6 @@ class ReferencePoint(codec.OpenEnum):
 _VEHICLE_DYNAMICS_MODE_RESPONSE_0 = codec.Block("B", "mode")
 
 
-@dataclass(slots=True)
 class VehicleDynamicsModeResponse(Response):
     """Vehicle dynamics mode response (0x0D,0x80).
 
@@ -313,13 +311,20 @@ class VehicleDynamicsModeResponse(Response):
     - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
     """
 
+    __slots__ = ("mode",)
+    __match_args__ = ("mode",)
+
     SET = 0x0D
     DESCRIPTOR = 0x80
     NAME = "filter.vehicle_dynamics_mode_response"
     ROLE = "response"
+    _LAYOUT = (("mode", "B", DynamicsMode),)
 
     mode: DynamicsMode
     """Kind of vehicle."""
+
+    def __init__(self, mode: DynamicsMode) -> None:
+        self.mode = mode
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[VehicleDynamicsModeResponse, int]:
@@ -336,7 +341,6 @@ class VehicleDynamicsModeResponse(Response):
 _SENSOR_TO_VEHICLE_ROTATION_EULER_RESPONSE_0 = codec.Block("fff", "roll", "pitch", "yaw")
 
 
-@dataclass(slots=True)
 class SensorToVehicleRotationEulerResponse(Response):
     """Sensor to vehicle frame transformation response (0x0D,0x81).
 
@@ -345,10 +349,14 @@ class SensorToVehicleRotationEulerResponse(Response):
     - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
     """
 
+    __slots__ = ("roll", "pitch", "yaw")
+    __match_args__ = ("roll", "pitch", "yaw")
+
     SET = 0x0D
     DESCRIPTOR = 0x81
     NAME = "filter.sensor_to_vehicle_rotation_euler_response"
     ROLE = "response"
+    _LAYOUT = (("roll", "f", None), ("pitch", "f", None), ("yaw", "f", None))
 
     roll: float
     """Roll angle. Unit: rad."""
@@ -356,6 +364,11 @@ class SensorToVehicleRotationEulerResponse(Response):
     """Pitch angle. Unit: rad."""
     yaw: float
     """Yaw angle. Unit: rad."""
+
+    def __init__(self, roll: float, pitch: float, yaw: float) -> None:
+        self.roll = roll
+        self.pitch = pitch
+        self.yaw = yaw
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationEulerResponse, int]:
@@ -374,7 +387,6 @@ class SensorToVehicleRotationEulerResponse(Response):
 _SENSOR_TO_VEHICLE_OFFSET_RESPONSE_0 = codec.Block("fff", *["offset"] * 3)
 
 
-@dataclass(slots=True)
 class SensorToVehicleOffsetResponse(Response):
     """Sensor to vehicle offset response (0x0D,0x82).
 
@@ -384,32 +396,39 @@ class SensorToVehicleOffsetResponse(Response):
     - mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12)
     """
 
+    __slots__ = ("offset",)
+    __match_args__ = ("offset",)
+
     SET = 0x0D
     DESCRIPTOR = 0x82
     NAME = "filter.sensor_to_vehicle_offset_response"
     ROLE = "response"
+    _LAYOUT = (("offset", "fff", types.Vector3f),)
+    _VECTORS = {"offset": (types.Vector3f,)}
 
     offset: types.Vector3f
     """From the sensor to the origin of the vehicle frame. Elements: x, y, z. Unit: m. Frame:
     sensor. Range: magnitude at most 10.
     """
 
+    def __init__(self, offset: types.Vector3f | codec.Numbers) -> None:
+        self.offset = codec.vector(offset, types.Vector3f)
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleOffsetResponse, int]:
         v = _SENSOR_TO_VEHICLE_OFFSET_RESPONSE_0.read(raw, at)
         at += 12
-        offset = v[0:3]
+        offset = types.Vector3f._make(v[0:3])
         return cls(offset), at
 
     def _write(self) -> bytes:
-        out = _SENSOR_TO_VEHICLE_OFFSET_RESPONSE_0.write(*codec.exactly("offset", self.offset, 3))
+        out = _SENSOR_TO_VEHICLE_OFFSET_RESPONSE_0.write(*codec.elements("offset", self.offset, 3))
         return codec.finished(out)
 
 
 _ANTENNA_OFFSET_RESPONSE_0 = codec.Block("fff", *["offset"] * 3)
 
 
-@dataclass(slots=True)
 class AntennaOffsetResponse(Response):
     """GNSS antenna offset response (0x0D,0x83).
 
@@ -418,32 +437,39 @@ class AntennaOffsetResponse(Response):
     - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
     """
 
+    __slots__ = ("offset",)
+    __match_args__ = ("offset",)
+
     SET = 0x0D
     DESCRIPTOR = 0x83
     NAME = "filter.antenna_offset_response"
     ROLE = "response"
+    _LAYOUT = (("offset", "fff", types.Vector3f),)
+    _VECTORS = {"offset": (types.Vector3f,)}
 
     offset: types.Vector3f
     """From the sensor origin to the centre of the antenna. Elements: x, y, z. Unit: m. Frame:
     vehicle. Range: magnitude at most 10.
     """
 
+    def __init__(self, offset: types.Vector3f | codec.Numbers) -> None:
+        self.offset = codec.vector(offset, types.Vector3f)
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AntennaOffsetResponse, int]:
         v = _ANTENNA_OFFSET_RESPONSE_0.read(raw, at)
         at += 12
-        offset = v[0:3]
+        offset = types.Vector3f._make(v[0:3])
         return cls(offset), at
 
     def _write(self) -> bytes:
-        out = _ANTENNA_OFFSET_RESPONSE_0.write(*codec.exactly("offset", self.offset, 3))
+        out = _ANTENNA_OFFSET_RESPONSE_0.write(*codec.elements("offset", self.offset, 3))
         return codec.finished(out)
 
 
 _ESTIMATION_CONTROL_RESPONSE_0 = codec.Block("H", "flags")
 
 
-@dataclass(slots=True)
 class EstimationControlResponse(Response):
     """Estimation control flags response (0x0D,0x84).
 
@@ -454,13 +480,20 @@ class EstimationControlResponse(Response):
     - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
     """
 
+    __slots__ = ("flags",)
+    __match_args__ = ("flags",)
+
     SET = 0x0D
     DESCRIPTOR = 0x84
     NAME = "filter.estimation_control_response"
     ROLE = "response"
+    _LAYOUT = (("flags", "H", EstimatedStates),)
 
     flags: EstimatedStates
     """States to estimate."""
+
+    def __init__(self, flags: EstimatedStates) -> None:
+        self.flags = flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EstimationControlResponse, int]:
@@ -477,7 +510,6 @@ class EstimationControlResponse(Response):
 _GNSS_SOURCE_RESPONSE_0 = codec.Block("B", "source")
 
 
-@dataclass(slots=True)
 class GnssSourceResponse(Response):
     """GNSS aiding source response (0x0D,0x86).
 
@@ -486,13 +518,20 @@ class GnssSourceResponse(Response):
     - 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
     """
 
+    __slots__ = ("source",)
+    __match_args__ = ("source",)
+
     SET = 0x0D
     DESCRIPTOR = 0x86
     NAME = "filter.gnss_source_response"
     ROLE = "response"
+    _LAYOUT = (("source", "B", GnssAidingSource),)
 
     source: GnssAidingSource
     """Source of the GNSS data."""
+
+    def __init__(self, source: GnssAidingSource) -> None:
+        self.source = source
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssSourceResponse, int]:
@@ -509,7 +548,6 @@ class GnssSourceResponse(Response):
 _HEADING_SOURCE_RESPONSE_0 = codec.Block("B", "source")
 
 
-@dataclass(slots=True)
 class HeadingSourceResponse(Response):
     """Heading update control response (0x0D,0x87).
 
@@ -520,13 +558,20 @@ class HeadingSourceResponse(Response):
     - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
     """
 
+    __slots__ = ("source",)
+    __match_args__ = ("source",)
+
     SET = 0x0D
     DESCRIPTOR = 0x87
     NAME = "filter.heading_source_response"
     ROLE = "response"
+    _LAYOUT = (("source", "B", HeadingUpdateSource),)
 
     source: HeadingUpdateSource
     """Source of the heading."""
+
+    def __init__(self, source: HeadingUpdateSource) -> None:
+        self.source = source
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[HeadingSourceResponse, int]:
@@ -543,7 +588,6 @@ class HeadingSourceResponse(Response):
 _AUTO_INITIALIZATION_CONTROL_RESPONSE_0 = codec.Block("B", "enable")
 
 
-@dataclass(slots=True)
 class AutoInitializationControlResponse(Response):
     """Automatic initialization response (0x0D,0x88).
 
@@ -553,13 +597,20 @@ class AutoInitializationControlResponse(Response):
     - 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19)
     """
 
+    __slots__ = ("enable",)
+    __match_args__ = ("enable",)
+
     SET = 0x0D
     DESCRIPTOR = 0x88
     NAME = "filter.auto_initialization_control_response"
     ROLE = "response"
+    _LAYOUT = (("enable", "B", None),)
 
     enable: int
     """0 disables, 1 enables. Range: 0 to 1."""
+
+    def __init__(self, enable: int) -> None:
+        self.enable = enable
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AutoInitializationControlResponse, int]:
@@ -576,7 +627,6 @@ class AutoInitializationControlResponse(Response):
 _ACCEL_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
 
 
-@dataclass(slots=True)
 class AccelNoiseResponse(Response):
     """Accelerometer noise response (0x0D,0x89).
 
@@ -586,30 +636,37 @@ class AccelNoiseResponse(Response):
     - 3dm-gx5-15: 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A)
     """
 
+    __slots__ = ("noise",)
+    __match_args__ = ("noise",)
+
     SET = 0x0D
     DESCRIPTOR = 0x89
     NAME = "filter.accel_noise_response"
     ROLE = "response"
+    _LAYOUT = (("noise", "fff", types.Vector3f),)
+    _VECTORS = {"noise": (types.Vector3f,)}
 
     noise: types.Vector3f
     """Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. Range: greater than 0."""
+
+    def __init__(self, noise: types.Vector3f | codec.Numbers) -> None:
+        self.noise = codec.vector(noise, types.Vector3f)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AccelNoiseResponse, int]:
         v = _ACCEL_NOISE_RESPONSE_0.read(raw, at)
         at += 12
-        noise = v[0:3]
+        noise = types.Vector3f._make(v[0:3])
         return cls(noise), at
 
     def _write(self) -> bytes:
-        out = _ACCEL_NOISE_RESPONSE_0.write(*codec.exactly("noise", self.noise, 3))
+        out = _ACCEL_NOISE_RESPONSE_0.write(*codec.elements("noise", self.noise, 3))
         return codec.finished(out)
 
 
 _GYRO_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
 
 
-@dataclass(slots=True)
 class GyroNoiseResponse(Response):
     """Gyroscope noise response (0x0D,0x8A).
 
@@ -619,30 +676,37 @@ class GyroNoiseResponse(Response):
     - 3dm-gx5-15: 4.3.13 Gyroscope Noise Standard Deviation (0x0D, 0x1B)
     """
 
+    __slots__ = ("noise",)
+    __match_args__ = ("noise",)
+
     SET = 0x0D
     DESCRIPTOR = 0x8A
     NAME = "filter.gyro_noise_response"
     ROLE = "response"
+    _LAYOUT = (("noise", "fff", types.Vector3f),)
+    _VECTORS = {"noise": (types.Vector3f,)}
 
     noise: types.Vector3f
     """Standard deviation per axis. Elements: x, y, z. Unit: rad/s. Range: greater than 0."""
+
+    def __init__(self, noise: types.Vector3f | codec.Numbers) -> None:
+        self.noise = codec.vector(noise, types.Vector3f)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GyroNoiseResponse, int]:
         v = _GYRO_NOISE_RESPONSE_0.read(raw, at)
         at += 12
-        noise = v[0:3]
+        noise = types.Vector3f._make(v[0:3])
         return cls(noise), at
 
     def _write(self) -> bytes:
-        out = _GYRO_NOISE_RESPONSE_0.write(*codec.exactly("noise", self.noise, 3))
+        out = _GYRO_NOISE_RESPONSE_0.write(*codec.elements("noise", self.noise, 3))
         return codec.finished(out)
 
 
 _ACCEL_BIAS_MODEL_RESPONSE_0 = codec.Block("ffffff", *["beta"] * 3, *["noise"] * 3)
 
 
-@dataclass(slots=True)
 class AccelBiasModelResponse(Response):
     """Accelerometer bias model response (0x0D,0x8B).
 
@@ -651,10 +715,15 @@ class AccelBiasModelResponse(Response):
     - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
     """
 
+    __slots__ = ("beta", "noise")
+    __match_args__ = ("beta", "noise")
+
     SET = 0x0D
     DESCRIPTOR = 0x8B
     NAME = "filter.accel_bias_model_response"
     ROLE = "response"
+    _LAYOUT = (("beta", "fff", types.Vector3f), ("noise", "fff", types.Vector3f))
+    _VECTORS = {"beta": (types.Vector3f,), "noise": (types.Vector3f,)}
 
     beta: types.Vector3f
     """Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s."""
@@ -663,17 +732,23 @@ class AccelBiasModelResponse(Response):
     0.
     """
 
+    def __init__(
+        self, beta: types.Vector3f | codec.Numbers, noise: types.Vector3f | codec.Numbers
+    ) -> None:
+        self.beta = codec.vector(beta, types.Vector3f)
+        self.noise = codec.vector(noise, types.Vector3f)
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AccelBiasModelResponse, int]:
         v = _ACCEL_BIAS_MODEL_RESPONSE_0.read(raw, at)
         at += 24
-        beta = v[0:3]
-        noise = v[3:6]
+        beta = types.Vector3f._make(v[0:3])
+        noise = types.Vector3f._make(v[3:6])
         return cls(beta, noise), at
 
     def _write(self) -> bytes:
         out = _ACCEL_BIAS_MODEL_RESPONSE_0.write(
-            *codec.exactly("beta", self.beta, 3), *codec.exactly("noise", self.noise, 3)
+            *codec.elements("beta", self.beta, 3), *codec.elements("noise", self.noise, 3)
         )
         return codec.finished(out)
 
@@ -681,7 +756,6 @@ class AccelBiasModelResponse(Response):
 _GYRO_BIAS_MODEL_RESPONSE_0 = codec.Block("ffffff", *["beta"] * 3, *["noise"] * 3)
 
 
-@dataclass(slots=True)
 class GyroBiasModelResponse(Response):
     """Gyroscope bias model response (0x0D,0x8C).
 
@@ -691,10 +765,15 @@ class GyroBiasModelResponse(Response):
     - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
     """
 
+    __slots__ = ("beta", "noise")
+    __match_args__ = ("beta", "noise")
+
     SET = 0x0D
     DESCRIPTOR = 0x8C
     NAME = "filter.gyro_bias_model_response"
     ROLE = "response"
+    _LAYOUT = (("beta", "fff", types.Vector3f), ("noise", "fff", types.Vector3f))
+    _VECTORS = {"beta": (types.Vector3f,), "noise": (types.Vector3f,)}
 
     beta: types.Vector3f
     """Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s."""
@@ -703,17 +782,23 @@ class GyroBiasModelResponse(Response):
     0.
     """
 
+    def __init__(
+        self, beta: types.Vector3f | codec.Numbers, noise: types.Vector3f | codec.Numbers
+    ) -> None:
+        self.beta = codec.vector(beta, types.Vector3f)
+        self.noise = codec.vector(noise, types.Vector3f)
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GyroBiasModelResponse, int]:
         v = _GYRO_BIAS_MODEL_RESPONSE_0.read(raw, at)
         at += 24
-        beta = v[0:3]
-        noise = v[3:6]
+        beta = types.Vector3f._make(v[0:3])
+        noise = types.Vector3f._make(v[3:6])
         return cls(beta, noise), at
 
     def _write(self) -> bytes:
         out = _GYRO_BIAS_MODEL_RESPONSE_0.write(
-            *codec.exactly("beta", self.beta, 3), *codec.exactly("noise", self.noise, 3)
+            *codec.elements("beta", self.beta, 3), *codec.elements("noise", self.noise, 3)
         )
         return codec.finished(out)
 
@@ -721,7 +806,6 @@ class GyroBiasModelResponse(Response):
 _AUTO_ZUPT_RESPONSE_0 = codec.Block("Bf", "enable", "threshold")
 
 
-@dataclass(slots=True)
 class AutoZuptResponse(Response):
     """Automatic zero velocity update response (0x0D,0x8D).
 
@@ -731,15 +815,23 @@ class AutoZuptResponse(Response):
     - mip-sdk-4: Auto Zupt (0x0D,0x1E)
     """
 
+    __slots__ = ("enable", "threshold")
+    __match_args__ = ("enable", "threshold")
+
     SET = 0x0D
     DESCRIPTOR = 0x8D
     NAME = "filter.auto_zupt_response"
     ROLE = "response"
+    _LAYOUT = (("enable", "B", None), ("threshold", "f", None))
 
     enable: int
     """0 disables, 1 enables. Range: 0 to 1."""
     threshold: float
     """Largest speed that is taken as zero. Unit: m/s. Range: at least 0."""
+
+    def __init__(self, enable: int, threshold: float) -> None:
+        self.enable = enable
+        self.threshold = threshold
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AutoZuptResponse, int]:
@@ -757,7 +849,6 @@ class AutoZuptResponse(Response):
 _AUTO_ANGULAR_ZUPT_RESPONSE_0 = codec.Block("Bf", "enable", "threshold")
 
 
-@dataclass(slots=True)
 class AutoAngularZuptResponse(Response):
     """Zero angular rate update response (0x0D,0x8E).
 
@@ -768,15 +859,23 @@ class AutoAngularZuptResponse(Response):
     - 3dm-gx5-15: 4.3.15 Zero Angular Rate Update Control (0x0D, 0x20)
     """
 
+    __slots__ = ("enable", "threshold")
+    __match_args__ = ("enable", "threshold")
+
     SET = 0x0D
     DESCRIPTOR = 0x8E
     NAME = "filter.auto_angular_zupt_response"
     ROLE = "response"
+    _LAYOUT = (("enable", "B", None), ("threshold", "f", None))
 
     enable: int
     """0 disables, 1 enables. Range: 0 to 1."""
     threshold: float
     """Largest angular rate that is taken as zero. Unit: rad/s. Range: at least 0."""
+
+    def __init__(self, enable: int, threshold: float) -> None:
+        self.enable = enable
+        self.threshold = threshold
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AutoAngularZuptResponse, int]:
@@ -794,7 +893,6 @@ class AutoAngularZuptResponse(Response):
 _REFERENCE_POSITION_RESPONSE_0 = codec.Block("Bddd", "enable", "latitude", "longitude", "altitude")
 
 
-@dataclass(slots=True)
 class ReferencePositionResponse(Response):
     """Set reference position response (0x0D,0x90).
 
@@ -803,10 +901,19 @@ class ReferencePositionResponse(Response):
     - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
     """
 
+    __slots__ = ("enable", "latitude", "longitude", "altitude")
+    __match_args__ = ("enable", "latitude", "longitude", "altitude")
+
     SET = 0x0D
     DESCRIPTOR = 0x90
     NAME = "filter.reference_position_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("enable", "B", None),
+        ("latitude", "d", None),
+        ("longitude", "d", None),
+        ("altitude", "d", None),
+    )
 
     enable: int
     """0 disables, 1 enables. Range: 0 to 1."""
@@ -816,6 +923,12 @@ class ReferencePositionResponse(Response):
     """Longitude. Unit: deg. Frame: llh."""
     altitude: float
     """Altitude. Unit: m. Frame: llh."""
+
+    def __init__(self, enable: int, latitude: float, longitude: float, altitude: float) -> None:
+        self.enable = enable
+        self.latitude = latitude
+        self.longitude = longitude
+        self.altitude = altitude
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ReferencePositionResponse, int]:
@@ -837,7 +950,6 @@ class ReferencePositionResponse(Response):
 _GRAVITY_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
 
 
-@dataclass(slots=True)
 class GravityNoiseResponse(Response):
     """Gravity noise response (0x0D,0x93).
 
@@ -847,30 +959,37 @@ class GravityNoiseResponse(Response):
     - 3dm-gx5-15: 4.3.11 Gravity Noise Standard Deviation (0x0D, 0x28)
     """
 
+    __slots__ = ("noise",)
+    __match_args__ = ("noise",)
+
     SET = 0x0D
     DESCRIPTOR = 0x93
     NAME = "filter.gravity_noise_response"
     ROLE = "response"
+    _LAYOUT = (("noise", "fff", types.Vector3f),)
+    _VECTORS = {"noise": (types.Vector3f,)}
 
     noise: types.Vector3f
     """Standard deviation per axis. Elements: x, y, z. Unit: g. Range: greater than 0."""
+
+    def __init__(self, noise: types.Vector3f | codec.Numbers) -> None:
+        self.noise = codec.vector(noise, types.Vector3f)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GravityNoiseResponse, int]:
         v = _GRAVITY_NOISE_RESPONSE_0.read(raw, at)
         at += 12
-        noise = v[0:3]
+        noise = types.Vector3f._make(v[0:3])
         return cls(noise), at
 
     def _write(self) -> bytes:
-        out = _GRAVITY_NOISE_RESPONSE_0.write(*codec.exactly("noise", self.noise, 3))
+        out = _GRAVITY_NOISE_RESPONSE_0.write(*codec.elements("noise", self.noise, 3))
         return codec.finished(out)
 
 
 _PRESSURE_ALTITUDE_NOISE_RESPONSE_0 = codec.Block("f", "noise")
 
 
-@dataclass(slots=True)
 class PressureAltitudeNoiseResponse(Response):
     """Pressure altitude noise response (0x0D,0x94).
 
@@ -880,13 +999,20 @@ class PressureAltitudeNoiseResponse(Response):
     - mip-sdk-4: Pressure Altitude Noise (0x0D,0x29)
     """
 
+    __slots__ = ("noise",)
+    __match_args__ = ("noise",)
+
     SET = 0x0D
     DESCRIPTOR = 0x94
     NAME = "filter.pressure_altitude_noise_response"
     ROLE = "response"
+    _LAYOUT = (("noise", "f", None),)
 
     noise: float
     """Standard deviation. Unit: m. Range: greater than 0."""
+
+    def __init__(self, noise: float) -> None:
+        self.noise = noise
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PressureAltitudeNoiseResponse, int]:
@@ -903,7 +1029,6 @@ class PressureAltitudeNoiseResponse(Response):
 _HARD_IRON_OFFSET_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
 
 
-@dataclass(slots=True)
 class HardIronOffsetNoiseResponse(Response):
     """Hard iron offset noise response (0x0D,0x96).
 
@@ -912,30 +1037,37 @@ class HardIronOffsetNoiseResponse(Response):
     - mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B)
     """
 
+    __slots__ = ("noise",)
+    __match_args__ = ("noise",)
+
     SET = 0x0D
     DESCRIPTOR = 0x96
     NAME = "filter.hard_iron_offset_noise_response"
     ROLE = "response"
+    _LAYOUT = (("noise", "fff", types.Vector3f),)
+    _VECTORS = {"noise": (types.Vector3f,)}
 
     noise: types.Vector3f
     """Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0."""
+
+    def __init__(self, noise: types.Vector3f | codec.Numbers) -> None:
+        self.noise = codec.vector(noise, types.Vector3f)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[HardIronOffsetNoiseResponse, int]:
         v = _HARD_IRON_OFFSET_NOISE_RESPONSE_0.read(raw, at)
         at += 12
-        noise = v[0:3]
+        noise = types.Vector3f._make(v[0:3])
         return cls(noise), at
 
     def _write(self) -> bytes:
-        out = _HARD_IRON_OFFSET_NOISE_RESPONSE_0.write(*codec.exactly("noise", self.noise, 3))
+        out = _HARD_IRON_OFFSET_NOISE_RESPONSE_0.write(*codec.elements("noise", self.noise, 3))
         return codec.finished(out)
 
 
 _SOFT_IRON_MATRIX_NOISE_RESPONSE_0 = codec.Block("fffffffff", *["noise"] * 9)
 
 
-@dataclass(slots=True)
 class SoftIronMatrixNoiseResponse(Response):
     """Soft iron matrix noise response (0x0D,0x97).
 
@@ -944,32 +1076,39 @@ class SoftIronMatrixNoiseResponse(Response):
     - mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C)
     """
 
+    __slots__ = ("noise",)
+    __match_args__ = ("noise",)
+
     SET = 0x0D
     DESCRIPTOR = 0x97
     NAME = "filter.soft_iron_matrix_noise_response"
     ROLE = "response"
+    _LAYOUT = (("noise", "fffffffff", types.Matrix3f),)
+    _VECTORS = {"noise": (types.Matrix3f,)}
 
     noise: types.Matrix3f
     """Standard deviation per element. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
     1. Range: greater than 0.
     """
 
+    def __init__(self, noise: types.Matrix3f | codec.Rows) -> None:
+        self.noise = codec.vector(noise, types.Matrix3f)
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SoftIronMatrixNoiseResponse, int]:
         v = _SOFT_IRON_MATRIX_NOISE_RESPONSE_0.read(raw, at)
         at += 36
-        noise = v[0:9]
+        noise = types.Matrix3f._make(v[0:9])
         return cls(noise), at
 
     def _write(self) -> bytes:
-        out = _SOFT_IRON_MATRIX_NOISE_RESPONSE_0.write(*codec.exactly("noise", self.noise, 9))
+        out = _SOFT_IRON_MATRIX_NOISE_RESPONSE_0.write(*codec.elements("noise", self.noise, 9))
         return codec.finished(out)
 
 
 _TARE_ORIENTATION_RESPONSE_0 = codec.Block("B", "axes")
 
 
-@dataclass(slots=True)
 class TareOrientationResponse(Response):
     """Tare orientation response (0x0D,0xA1).
 
@@ -980,13 +1119,20 @@ class TareOrientationResponse(Response):
     - mip-sdk-4: Tare Orientation (0x0D,0x21)
     """
 
+    __slots__ = ("axes",)
+    __match_args__ = ("axes",)
+
     SET = 0x0D
     DESCRIPTOR = 0xA1
     NAME = "filter.tare_orientation_response"
     ROLE = "response"
+    _LAYOUT = (("axes", "B", TareAxes),)
 
     axes: TareAxes
     """Axes to tare; 0 resets all axes."""
+
+    def __init__(self, axes: TareAxes) -> None:
+        self.axes = axes
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[TareOrientationResponse, int]:
@@ -1003,7 +1149,6 @@ class TareOrientationResponse(Response):
 _ENABLE_MEASUREMENTS_RESPONSE_0 = codec.Block("H", "control")
 
 
-@dataclass(slots=True)
 class EnableMeasurementsResponse(Response):
     """Enable or disable measurements response (0x0D,0xB0).
 
@@ -1012,13 +1157,20 @@ class EnableMeasurementsResponse(Response):
     - 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
     """
 
+    __slots__ = ("control",)
+    __match_args__ = ("control",)
+
     SET = 0x0D
     DESCRIPTOR = 0xB0
     NAME = "filter.enable_measurements_response"
     ROLE = "response"
+    _LAYOUT = (("control", "H", MeasurementFlags),)
 
     control: MeasurementFlags
     """Measurements to use."""
+
+    def __init__(self, control: MeasurementFlags) -> None:
+        self.control = control
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EnableMeasurementsResponse, int]:
@@ -1035,7 +1187,6 @@ class EnableMeasurementsResponse(Response):
 _MAG_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
 
 
-@dataclass(slots=True)
 class MagNoiseResponse(Response):
     """Magnetometer noise response (0x0D,0xB1).
 
@@ -1044,30 +1195,37 @@ class MagNoiseResponse(Response):
     - mip-sdk-4: Mag Noise (0x0D,0x42)
     """
 
+    __slots__ = ("noise",)
+    __match_args__ = ("noise",)
+
     SET = 0x0D
     DESCRIPTOR = 0xB1
     NAME = "filter.mag_noise_response"
     ROLE = "response"
+    _LAYOUT = (("noise", "fff", types.Vector3f),)
+    _VECTORS = {"noise": (types.Vector3f,)}
 
     noise: types.Vector3f
     """Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0."""
+
+    def __init__(self, noise: types.Vector3f | codec.Numbers) -> None:
+        self.noise = codec.vector(noise, types.Vector3f)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagNoiseResponse, int]:
         v = _MAG_NOISE_RESPONSE_0.read(raw, at)
         at += 12
-        noise = v[0:3]
+        noise = types.Vector3f._make(v[0:3])
         return cls(noise), at
 
     def _write(self) -> bytes:
-        out = _MAG_NOISE_RESPONSE_0.write(*codec.exactly("noise", self.noise, 3))
+        out = _MAG_NOISE_RESPONSE_0.write(*codec.elements("noise", self.noise, 3))
         return codec.finished(out)
 
 
 _MAGNETIC_DECLINATION_SOURCE_RESPONSE_0 = codec.Block("Bf", "source", "declination")
 
 
-@dataclass(slots=True)
 class MagneticDeclinationSourceResponse(Response):
     """Magnetic declination source response (0x0D,0xB2).
 
@@ -1077,15 +1235,23 @@ class MagneticDeclinationSourceResponse(Response):
     - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
     """
 
+    __slots__ = ("source", "declination")
+    __match_args__ = ("source", "declination")
+
     SET = 0x0D
     DESCRIPTOR = 0xB2
     NAME = "filter.magnetic_declination_source_response"
     ROLE = "response"
+    _LAYOUT = (("source", "B", MagParameterSource), ("declination", "f", None))
 
     source: MagParameterSource
     """Source of the declination."""
     declination: float
     """Declination; used only if `source` is manual. Unit: rad."""
+
+    def __init__(self, source: MagParameterSource, declination: float) -> None:
+        self.source = source
+        self.declination = declination
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagneticDeclinationSourceResponse, int]:
@@ -1112,7 +1278,6 @@ _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class AccelMagnitudeErrorAdaptiveMeasurementResponse(Response):
     """Gravity magnitude error adaptive measurement response (0x0D,0xB3).
 
@@ -1123,10 +1288,38 @@ class AccelMagnitudeErrorAdaptiveMeasurementResponse(Response):
     - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
     """
 
+    __slots__ = (
+        "adaptive_measurement",
+        "frequency",
+        "low_limit",
+        "high_limit",
+        "low_limit_uncertainty",
+        "high_limit_uncertainty",
+        "minimum_uncertainty",
+    )
+    __match_args__ = (
+        "adaptive_measurement",
+        "frequency",
+        "low_limit",
+        "high_limit",
+        "low_limit_uncertainty",
+        "high_limit_uncertainty",
+        "minimum_uncertainty",
+    )
+
     SET = 0x0D
     DESCRIPTOR = 0xB3
     NAME = "filter.accel_magnitude_error_adaptive_measurement_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("adaptive_measurement", "B", AdaptiveMeasurementSelector),
+        ("frequency", "f", None),
+        ("low_limit", "f", None),
+        ("high_limit", "f", None),
+        ("low_limit_uncertainty", "f", None),
+        ("high_limit_uncertainty", "f", None),
+        ("minimum_uncertainty", "f", None),
+    )
 
     adaptive_measurement: AdaptiveMeasurementSelector
     """Kind of adaptation."""
@@ -1142,6 +1335,24 @@ class AccelMagnitudeErrorAdaptiveMeasurementResponse(Response):
     """Standard deviation at the upper limit. Unit: m/s^2."""
     minimum_uncertainty: float
     """Smallest standard deviation. Unit: m/s^2."""
+
+    def __init__(
+        self,
+        adaptive_measurement: AdaptiveMeasurementSelector,
+        frequency: float,
+        low_limit: float,
+        high_limit: float,
+        low_limit_uncertainty: float,
+        high_limit_uncertainty: float,
+        minimum_uncertainty: float,
+    ) -> None:
+        self.adaptive_measurement = adaptive_measurement
+        self.frequency = frequency
+        self.low_limit = low_limit
+        self.high_limit = high_limit
+        self.low_limit_uncertainty = low_limit_uncertainty
+        self.high_limit_uncertainty = high_limit_uncertainty
+        self.minimum_uncertainty = minimum_uncertainty
 
     @classmethod
     def _read(
@@ -1191,7 +1402,6 @@ _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class MagMagnitudeErrorAdaptiveMeasurementResponse(Response):
     """Magnetometer magnitude error adaptive measurement response (0x0D,0xB4).
 
@@ -1202,10 +1412,38 @@ class MagMagnitudeErrorAdaptiveMeasurementResponse(Response):
     - mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
     """
 
+    __slots__ = (
+        "adaptive_measurement",
+        "frequency",
+        "low_limit",
+        "high_limit",
+        "low_limit_uncertainty",
+        "high_limit_uncertainty",
+        "minimum_uncertainty",
+    )
+    __match_args__ = (
+        "adaptive_measurement",
+        "frequency",
+        "low_limit",
+        "high_limit",
+        "low_limit_uncertainty",
+        "high_limit_uncertainty",
+        "minimum_uncertainty",
+    )
+
     SET = 0x0D
     DESCRIPTOR = 0xB4
     NAME = "filter.mag_magnitude_error_adaptive_measurement_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("adaptive_measurement", "B", AdaptiveMeasurementSelector),
+        ("frequency", "f", None),
+        ("low_limit", "f", None),
+        ("high_limit", "f", None),
+        ("low_limit_uncertainty", "f", None),
+        ("high_limit_uncertainty", "f", None),
+        ("minimum_uncertainty", "f", None),
+    )
 
     adaptive_measurement: AdaptiveMeasurementSelector
     """Kind of adaptation."""
@@ -1231,6 +1469,24 @@ class MagMagnitudeErrorAdaptiveMeasurementResponse(Response):
     """Smallest standard deviation. Unit: gauss. Uncertain: The unit. The SDK prints m/s^2; a manual
     of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
     """
+
+    def __init__(
+        self,
+        adaptive_measurement: AdaptiveMeasurementSelector,
+        frequency: float,
+        low_limit: float,
+        high_limit: float,
+        low_limit_uncertainty: float,
+        high_limit_uncertainty: float,
+        minimum_uncertainty: float,
+    ) -> None:
+        self.adaptive_measurement = adaptive_measurement
+        self.frequency = frequency
+        self.low_limit = low_limit
+        self.high_limit = high_limit
+        self.low_limit_uncertainty = low_limit_uncertainty
+        self.high_limit_uncertainty = high_limit_uncertainty
+        self.minimum_uncertainty = minimum_uncertainty
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagMagnitudeErrorAdaptiveMeasurementResponse, int]:
@@ -1271,7 +1527,6 @@ _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class MagDipAngleErrorAdaptiveMeasurementResponse(Response):
     """Magnetometer dip angle error adaptive measurement response (0x0D,0xB5).
 
@@ -1281,10 +1536,32 @@ class MagDipAngleErrorAdaptiveMeasurementResponse(Response):
     - mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
     """
 
+    __slots__ = (
+        "enable",
+        "frequency",
+        "high_limit",
+        "high_limit_uncertainty",
+        "minimum_uncertainty",
+    )
+    __match_args__ = (
+        "enable",
+        "frequency",
+        "high_limit",
+        "high_limit_uncertainty",
+        "minimum_uncertainty",
+    )
+
     SET = 0x0D
     DESCRIPTOR = 0xB5
     NAME = "filter.mag_dip_angle_error_adaptive_measurement_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("enable", "B", codec.truth),
+        ("frequency", "f", None),
+        ("high_limit", "f", None),
+        ("high_limit_uncertainty", "f", None),
+        ("minimum_uncertainty", "f", None),
+    )
 
     enable: bool
     """Whether the adaptation is on."""
@@ -1302,6 +1579,20 @@ class MagDipAngleErrorAdaptiveMeasurementResponse(Response):
     """Smallest standard deviation. Unit: rad. Uncertain: The unit. The SDK prints m/s^2; rad is
     inferred from the quantity.
     """
+
+    def __init__(
+        self,
+        enable: bool,
+        frequency: float,
+        high_limit: float,
+        high_limit_uncertainty: float,
+        minimum_uncertainty: float,
+    ) -> None:
+        self.enable = enable
+        self.frequency = frequency
+        self.high_limit = high_limit
+        self.high_limit_uncertainty = high_limit_uncertainty
+        self.minimum_uncertainty = minimum_uncertainty
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagDipAngleErrorAdaptiveMeasurementResponse, int]:
@@ -1328,7 +1619,6 @@ class MagDipAngleErrorAdaptiveMeasurementResponse(Response):
 _ALTITUDE_AIDING_RESPONSE_0 = codec.Block("B", "selector")
 
 
-@dataclass(slots=True)
 class AltitudeAidingResponse(Response):
     """Altitude aiding response (0x0D,0xB7).
 
@@ -1337,13 +1627,20 @@ class AltitudeAidingResponse(Response):
     - mip-sdk-4: Altitude Aiding (0x0D,0x47)
     """
 
+    __slots__ = ("selector",)
+    __match_args__ = ("selector",)
+
     SET = 0x0D
     DESCRIPTOR = 0xB7
     NAME = "filter.altitude_aiding_response"
     ROLE = "response"
+    _LAYOUT = (("selector", "B", AltitudeAidingSource),)
 
     selector: AltitudeAidingSource
     """Source of the aiding."""
+
+    def __init__(self, selector: AltitudeAidingSource) -> None:
+        self.selector = selector
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AltitudeAidingResponse, int]:
@@ -1360,7 +1657,6 @@ class AltitudeAidingResponse(Response):
 _PITCH_ROLL_AIDING_RESPONSE_0 = codec.Block("B", "aiding")
 
 
-@dataclass(slots=True)
 class PitchRollAidingResponse(Response):
     """Pitch and roll aiding response (0x0D,0xBB).
 
@@ -1369,13 +1665,20 @@ class PitchRollAidingResponse(Response):
     - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
     """
 
+    __slots__ = ("aiding",)
+    __match_args__ = ("aiding",)
+
     SET = 0x0D
     DESCRIPTOR = 0xBB
     NAME = "filter.pitch_roll_aiding_response"
     ROLE = "response"
+    _LAYOUT = (("aiding", "B", PitchRollAidingSource),)
 
     aiding: PitchRollAidingSource
     """Source of the aiding."""
+
+    def __init__(self, aiding: PitchRollAidingSource) -> None:
+        self.aiding = aiding
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PitchRollAidingResponse, int]:
@@ -1392,7 +1695,6 @@ class PitchRollAidingResponse(Response):
 _MAGNETIC_INCLINATION_SOURCE_RESPONSE_0 = codec.Block("Bf", "source", "inclination")
 
 
-@dataclass(slots=True)
 class MagneticInclinationSourceResponse(Response):
     """Magnetic inclination source response (0x0D,0xBC).
 
@@ -1402,10 +1704,14 @@ class MagneticInclinationSourceResponse(Response):
     - mip-sdk-4: Inclination Source (0x0D,0x4C)
     """
 
+    __slots__ = ("source", "inclination")
+    __match_args__ = ("source", "inclination")
+
     SET = 0x0D
     DESCRIPTOR = 0xBC
     NAME = "filter.magnetic_inclination_source_response"
     ROLE = "response"
+    _LAYOUT = (("source", "B", MagParameterSource), ("inclination", "f", None))
 
     source: MagParameterSource
     """Source of the inclination."""
@@ -1413,6 +1719,10 @@ class MagneticInclinationSourceResponse(Response):
     """Inclination; used only if `source` is manual. Unit: rad. Uncertain: Whether it may be left
     out if `source` is not manual. The SDK sends it always.
     """
+
+    def __init__(self, source: MagParameterSource, inclination: float) -> None:
+        self.source = source
+        self.inclination = inclination
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagneticInclinationSourceResponse, int]:
@@ -1430,7 +1740,6 @@ class MagneticInclinationSourceResponse(Response):
 _MAGNETIC_MAGNITUDE_SOURCE_RESPONSE_0 = codec.Block("Bf", "source", "magnitude")
 
 
-@dataclass(slots=True)
 class MagneticMagnitudeSourceResponse(Response):
     """Magnetic field magnitude source response (0x0D,0xBD).
 
@@ -1440,10 +1749,14 @@ class MagneticMagnitudeSourceResponse(Response):
     - mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D)
     """
 
+    __slots__ = ("source", "magnitude")
+    __match_args__ = ("source", "magnitude")
+
     SET = 0x0D
     DESCRIPTOR = 0xBD
     NAME = "filter.magnetic_magnitude_source_response"
     ROLE = "response"
+    _LAYOUT = (("source", "B", MagParameterSource), ("magnitude", "f", None))
 
     source: MagParameterSource
     """Source of the magnitude."""
@@ -1451,6 +1764,10 @@ class MagneticMagnitudeSourceResponse(Response):
     """Magnitude; used only if `source` is manual. Unit: gauss. Uncertain: Whether it may be left
     out if `source` is not manual. The SDK sends it always.
     """
+
+    def __init__(self, source: MagParameterSource, magnitude: float) -> None:
+        self.source = source
+        self.magnitude = magnitude
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagneticMagnitudeSourceResponse, int]:
@@ -1468,7 +1785,6 @@ class MagneticMagnitudeSourceResponse(Response):
 _SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_0 = codec.Block("fffffffff", *["dcm"] * 9)
 
 
-@dataclass(slots=True)
 class SensorToVehicleRotationDcmResponse(Response):
     """Sensor to vehicle rotation, matrix response (0x0D,0xBE).
 
@@ -1477,32 +1793,39 @@ class SensorToVehicleRotationDcmResponse(Response):
     - mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E)
     """
 
+    __slots__ = ("dcm",)
+    __match_args__ = ("dcm",)
+
     SET = 0x0D
     DESCRIPTOR = 0xBE
     NAME = "filter.sensor_to_vehicle_rotation_dcm_response"
     ROLE = "response"
+    _LAYOUT = (("dcm", "fffffffff", types.Matrix3f),)
+    _VECTORS = {"dcm": (types.Matrix3f,)}
 
     dcm: types.Matrix3f
     """Rotation matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
     Unit: 1.
     """
 
+    def __init__(self, dcm: types.Matrix3f | codec.Rows) -> None:
+        self.dcm = codec.vector(dcm, types.Matrix3f)
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationDcmResponse, int]:
         v = _SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_0.read(raw, at)
         at += 36
-        dcm = v[0:9]
+        dcm = types.Matrix3f._make(v[0:9])
         return cls(dcm), at
 
     def _write(self) -> bytes:
-        out = _SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_0.write(*codec.exactly("dcm", self.dcm, 9))
+        out = _SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_0.write(*codec.elements("dcm", self.dcm, 9))
         return codec.finished(out)
 
 
 _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE_0 = codec.Block("ffff", *["q"] * 4)
 
 
-@dataclass(slots=True)
 class SensorToVehicleRotationQuaternionResponse(Response):
     """Sensor to vehicle rotation, quaternion response (0x0D,0xBF).
 
@@ -1511,26 +1834,34 @@ class SensorToVehicleRotationQuaternionResponse(Response):
     - mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F)
     """
 
+    __slots__ = ("q",)
+    __match_args__ = ("q",)
+
     SET = 0x0D
     DESCRIPTOR = 0xBF
     NAME = "filter.sensor_to_vehicle_rotation_quaternion_response"
     ROLE = "response"
+    _LAYOUT = (("q", "ffff", types.Quatf),)
+    _VECTORS = {"q": (types.Quatf,)}
 
     q: types.Quatf
     """Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Range: magnitude 0.999 to
     1.001.
     """
 
+    def __init__(self, q: types.Quatf | codec.Numbers) -> None:
+        self.q = codec.vector(q, types.Quatf)
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationQuaternionResponse, int]:
         v = _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE_0.read(raw, at)
         at += 16
-        q = v[0:4]
+        q = types.Quatf._make(v[0:4])
         return cls(q), at
 
     def _write(self) -> bytes:
         out = _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE_0.write(
-            *codec.exactly("q", self.q, 4)
+            *codec.elements("q", self.q, 4)
         )
         return codec.finished(out)
 
@@ -1538,7 +1869,6 @@ class SensorToVehicleRotationQuaternionResponse(Response):
 _AIDING_MEASUREMENT_ENABLE_RESPONSE_0 = codec.Block("HB", "aiding_source", "enable")
 
 
-@dataclass(slots=True)
 class AidingMeasurementEnableResponse(Response):
     """Aiding measurement control response (0x0D,0xD0).
 
@@ -1548,15 +1878,23 @@ class AidingMeasurementEnableResponse(Response):
     - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
     """
 
+    __slots__ = ("aiding_source", "enable")
+    __match_args__ = ("aiding_source", "enable")
+
     SET = 0x0D
     DESCRIPTOR = 0xD0
     NAME = "filter.aiding_measurement_enable_response"
     ROLE = "response"
+    _LAYOUT = (("aiding_source", "H", AidingSource), ("enable", "B", codec.truth))
 
     aiding_source: AidingSource
     """The source; `all` is for save, load and default."""
     enable: bool
     """Whether the filter uses the source."""
+
+    def __init__(self, aiding_source: AidingSource, enable: bool) -> None:
+        self.aiding_source = aiding_source
+        self.enable = enable
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AidingMeasurementEnableResponse, int]:
@@ -1576,7 +1914,6 @@ _KINEMATIC_CONSTRAINT_RESPONSE_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class KinematicConstraintResponse(Response):
     """Kinematic constraint response (0x0D,0xD1).
 
@@ -1585,10 +1922,18 @@ class KinematicConstraintResponse(Response):
     - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
     """
 
+    __slots__ = ("accel_constraint", "velocity_constraint", "angular_constraint")
+    __match_args__ = ("accel_constraint", "velocity_constraint", "angular_constraint")
+
     SET = 0x0D
     DESCRIPTOR = 0xD1
     NAME = "filter.kinematic_constraint_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("accel_constraint", "B", AccelConstraint),
+        ("velocity_constraint", "B", VelocityConstraint),
+        ("angular_constraint", "B", AngularConstraint),
+    )
 
     accel_constraint: AccelConstraint
     """Assumption about the acceleration. Default: `AccelConstraint.NONE`."""
@@ -1596,6 +1941,16 @@ class KinematicConstraintResponse(Response):
     """Assumption about the velocity. Default: `VelocityConstraint.NONE`."""
     angular_constraint: AngularConstraint
     """Assumption about the angular rate. Default: `AngularConstraint.NONE`."""
+
+    def __init__(
+        self,
+        accel_constraint: AccelConstraint,
+        velocity_constraint: VelocityConstraint,
+        angular_constraint: AngularConstraint,
+    ) -> None:
+        self.accel_constraint = accel_constraint
+        self.velocity_constraint = velocity_constraint
+        self.angular_constraint = angular_constraint
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[KinematicConstraintResponse, int]:
@@ -1627,7 +1982,6 @@ _INITIALIZATION_CONFIG_RESPONSE_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class InitializationConfigResponse(Response):
     """Navigation filter initialization response (0x0D,0xD2).
 
@@ -1637,10 +1991,45 @@ class InitializationConfigResponse(Response):
     - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
     """
 
+    __slots__ = (
+        "wait_for_run_command",
+        "initial_condition_source",
+        "auto_heading_alignment_selector",
+        "initial_heading",
+        "initial_pitch",
+        "initial_roll",
+        "initial_position",
+        "initial_velocity",
+        "reference_frame_selector",
+    )
+    __match_args__ = (
+        "wait_for_run_command",
+        "initial_condition_source",
+        "auto_heading_alignment_selector",
+        "initial_heading",
+        "initial_pitch",
+        "initial_roll",
+        "initial_position",
+        "initial_velocity",
+        "reference_frame_selector",
+    )
+
     SET = 0x0D
     DESCRIPTOR = 0xD2
     NAME = "filter.initialization_config_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("wait_for_run_command", "B", None),
+        ("initial_condition_source", "B", InitialConditionSource),
+        ("auto_heading_alignment_selector", "B", HeadingAlignment),
+        ("initial_heading", "f", None),
+        ("initial_pitch", "f", None),
+        ("initial_roll", "f", None),
+        ("initial_position", "fff", types.Vector3f),
+        ("initial_velocity", "fff", types.Vector3f),
+        ("reference_frame_selector", "B", ReferenceFrame),
+    )
+    _VECTORS = {"initial_position": (types.Vector3f,), "initial_velocity": (types.Vector3f,)}
 
     wait_for_run_command: int
     """1: the filter starts only after `Run`; 0: as soon as it can. Range: 0 to 1."""
@@ -1669,6 +2058,28 @@ class InitializationConfigResponse(Response):
     reference_frame_selector: ReferenceFrame
     """Frame of the given position and velocity."""
 
+    def __init__(
+        self,
+        wait_for_run_command: int,
+        initial_condition_source: InitialConditionSource,
+        auto_heading_alignment_selector: HeadingAlignment,
+        initial_heading: float,
+        initial_pitch: float,
+        initial_roll: float,
+        initial_position: types.Vector3f | codec.Numbers,
+        initial_velocity: types.Vector3f | codec.Numbers,
+        reference_frame_selector: ReferenceFrame,
+    ) -> None:
+        self.wait_for_run_command = wait_for_run_command
+        self.initial_condition_source = initial_condition_source
+        self.auto_heading_alignment_selector = auto_heading_alignment_selector
+        self.initial_heading = initial_heading
+        self.initial_pitch = initial_pitch
+        self.initial_roll = initial_roll
+        self.initial_position = codec.vector(initial_position, types.Vector3f)
+        self.initial_velocity = codec.vector(initial_velocity, types.Vector3f)
+        self.reference_frame_selector = reference_frame_selector
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[InitializationConfigResponse, int]:
         v = _INITIALIZATION_CONFIG_RESPONSE_0.read(raw, at)
@@ -1679,8 +2090,8 @@ class InitializationConfigResponse(Response):
         initial_heading = v[3]
         initial_pitch = v[4]
         initial_roll = v[5]
-        initial_position = v[6:9]
-        initial_velocity = v[9:12]
+        initial_position = types.Vector3f._make(v[6:9])
+        initial_velocity = types.Vector3f._make(v[9:12])
         reference_frame_selector = ReferenceFrame(v[12])
         return cls(
             wait_for_run_command,
@@ -1702,8 +2113,8 @@ class InitializationConfigResponse(Response):
             self.initial_heading,
             self.initial_pitch,
             self.initial_roll,
-            *codec.exactly("initial_position", self.initial_position, 3),
-            *codec.exactly("initial_velocity", self.initial_velocity, 3),
+            *codec.elements("initial_position", self.initial_position, 3),
+            *codec.elements("initial_velocity", self.initial_velocity, 3),
             self.reference_frame_selector,
         )
         return codec.finished(out)
@@ -1712,7 +2123,6 @@ class InitializationConfigResponse(Response):
 _ADAPTIVE_FILTER_OPTIONS_RESPONSE_0 = codec.Block("BH", "level", "time_limit")
 
 
-@dataclass(slots=True)
 class AdaptiveFilterOptionsResponse(Response):
     """Adaptive filter control response (0x0D,0xD3).
 
@@ -1721,15 +2131,23 @@ class AdaptiveFilterOptionsResponse(Response):
     - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
     """
 
+    __slots__ = ("level", "time_limit")
+    __match_args__ = ("level", "time_limit")
+
     SET = 0x0D
     DESCRIPTOR = 0xD3
     NAME = "filter.adaptive_filter_options_response"
     ROLE = "response"
+    _LAYOUT = (("level", "B", AdaptiveLevel), ("time_limit", "H", None))
 
     level: AdaptiveLevel
     """Strength of the adaptation. Default: 2."""
     time_limit: int
     """Longest time for which measurements are rejected before the filter recovers. Unit: ms."""
+
+    def __init__(self, level: AdaptiveLevel, time_limit: int) -> None:
+        self.level = level
+        self.time_limit = time_limit
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AdaptiveFilterOptionsResponse, int]:
@@ -1747,7 +2165,6 @@ class AdaptiveFilterOptionsResponse(Response):
 _MULTI_ANTENNA_OFFSET_RESPONSE_0 = codec.Block("Bfff", "receiver_id", *["antenna_offset"] * 3)
 
 
-@dataclass(slots=True)
 class MultiAntennaOffsetResponse(Response):
     """GNSS multi-antenna offset response (0x0D,0xD4).
 
@@ -1756,10 +2173,15 @@ class MultiAntennaOffsetResponse(Response):
     - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
     """
 
+    __slots__ = ("receiver_id", "antenna_offset")
+    __match_args__ = ("receiver_id", "antenna_offset")
+
     SET = 0x0D
     DESCRIPTOR = 0xD4
     NAME = "filter.multi_antenna_offset_response"
     ROLE = "response"
+    _LAYOUT = (("receiver_id", "B", None), ("antenna_offset", "fff", types.Vector3f))
+    _VECTORS = {"antenna_offset": (types.Vector3f,)}
 
     receiver_id: int
     """Number of the receiver, from 1. Range: at least 1."""
@@ -1768,17 +2190,21 @@ class MultiAntennaOffsetResponse(Response):
     at most 10.
     """
 
+    def __init__(self, receiver_id: int, antenna_offset: types.Vector3f | codec.Numbers) -> None:
+        self.receiver_id = receiver_id
+        self.antenna_offset = codec.vector(antenna_offset, types.Vector3f)
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MultiAntennaOffsetResponse, int]:
         v = _MULTI_ANTENNA_OFFSET_RESPONSE_0.read(raw, at)
         at += 13
         receiver_id = v[0]
-        antenna_offset = v[1:4]
+        antenna_offset = types.Vector3f._make(v[1:4])
         return cls(receiver_id, antenna_offset), at
 
     def _write(self) -> bytes:
         out = _MULTI_ANTENNA_OFFSET_RESPONSE_0.write(
-            self.receiver_id, *codec.exactly("antenna_offset", self.antenna_offset, 3)
+            self.receiver_id, *codec.elements("antenna_offset", self.antenna_offset, 3)
         )
         return codec.finished(out)
 
@@ -1788,7 +2214,6 @@ _RELATIVE_POSITION_CONFIG_RESPONSE_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class RelativePositionConfigResponse(Response):
     """Relative position configuration response (0x0D,0xD5).
 
@@ -1798,10 +2223,19 @@ class RelativePositionConfigResponse(Response):
     - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
     """
 
+    __slots__ = ("source", "reference_frame_selector", "reference_coordinates")
+    __match_args__ = ("source", "reference_frame_selector", "reference_coordinates")
+
     SET = 0x0D
     DESCRIPTOR = 0xD5
     NAME = "filter.relative_position_config_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("source", "B", RelativePositionSource),
+        ("reference_frame_selector", "B", ReferenceFrame),
+        ("reference_coordinates", "ddd", types.Vector3d),
+    )
+    _VECTORS = {"reference_coordinates": (types.Vector3d,)}
 
     source: RelativePositionSource
     """Source of the reference point."""
@@ -1814,20 +2248,30 @@ class RelativePositionConfigResponse(Response):
     - If `reference_frame_selector` is `ReferenceFrame.LLH`: unit deg, deg, m; frame llh.
     """
 
+    def __init__(
+        self,
+        source: RelativePositionSource,
+        reference_frame_selector: ReferenceFrame,
+        reference_coordinates: types.Vector3d | codec.Numbers,
+    ) -> None:
+        self.source = source
+        self.reference_frame_selector = reference_frame_selector
+        self.reference_coordinates = codec.vector(reference_coordinates, types.Vector3d)
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[RelativePositionConfigResponse, int]:
         v = _RELATIVE_POSITION_CONFIG_RESPONSE_0.read(raw, at)
         at += 26
         source = RelativePositionSource(v[0])
         reference_frame_selector = ReferenceFrame(v[1])
-        reference_coordinates = v[2:5]
+        reference_coordinates = types.Vector3d._make(v[2:5])
         return cls(source, reference_frame_selector, reference_coordinates), at
 
     def _write(self) -> bytes:
         out = _RELATIVE_POSITION_CONFIG_RESPONSE_0.write(
             self.source,
             self.reference_frame_selector,
-            *codec.exactly("reference_coordinates", self.reference_coordinates, 3),
+            *codec.elements("reference_coordinates", self.reference_coordinates, 3),
         )
         return codec.finished(out)
 
@@ -1837,7 +2281,6 @@ _REFERENCE_POINT_LEVER_ARM_RESPONSE_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class ReferencePointLeverArmResponse(Response):
     """Reference point lever arm response (0x0D,0xD6).
 
@@ -1847,10 +2290,18 @@ class ReferencePointLeverArmResponse(Response):
     - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
     """
 
+    __slots__ = ("reference_point", "lever_arm_offset")
+    __match_args__ = ("reference_point", "lever_arm_offset")
+
     SET = 0x0D
     DESCRIPTOR = 0xD6
     NAME = "filter.reference_point_lever_arm_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("reference_point", "B", ReferencePoint),
+        ("lever_arm_offset", "fff", types.Vector3f),
+    )
+    _VECTORS = {"lever_arm_offset": (types.Vector3f,)}
 
     reference_point: ReferencePoint
     """Point to move; it must be 1."""
@@ -1859,17 +2310,23 @@ class ReferencePointLeverArmResponse(Response):
     most 10.
     """
 
+    def __init__(
+        self, reference_point: ReferencePoint, lever_arm_offset: types.Vector3f | codec.Numbers
+    ) -> None:
+        self.reference_point = reference_point
+        self.lever_arm_offset = codec.vector(lever_arm_offset, types.Vector3f)
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ReferencePointLeverArmResponse, int]:
         v = _REFERENCE_POINT_LEVER_ARM_RESPONSE_0.read(raw, at)
         at += 13
         reference_point = ReferencePoint(v[0])
-        lever_arm_offset = v[1:4]
+        lever_arm_offset = types.Vector3f._make(v[1:4])
         return cls(reference_point, lever_arm_offset), at
 
     def _write(self) -> bytes:
         out = _REFERENCE_POINT_LEVER_ARM_RESPONSE_0.write(
-            self.reference_point, *codec.exactly("lever_arm_offset", self.lever_arm_offset, 3)
+            self.reference_point, *codec.elements("lever_arm_offset", self.lever_arm_offset, 3)
         )
         return codec.finished(out)
 
@@ -1877,7 +2334,6 @@ class ReferencePointLeverArmResponse(Response):
 _SPEED_LEVER_ARM_RESPONSE_0 = codec.Block("Bfff", "source", *["lever_arm_offset"] * 3)
 
 
-@dataclass(slots=True)
 class SpeedLeverArmResponse(Response):
     """Speed measurement lever arm response (0x0D,0xE1).
 
@@ -1886,27 +2342,38 @@ class SpeedLeverArmResponse(Response):
     - 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61)
     """
 
+    __slots__ = ("source", "lever_arm_offset")
+    __match_args__ = ("lever_arm_offset",)
+
     SET = 0x0D
     DESCRIPTOR = 0xE1
     NAME = "filter.speed_lever_arm_response"
     ROLE = "response"
+    _LAYOUT = (("source", "B", None), ("lever_arm_offset", "fff", types.Vector3f))
+    _VECTORS = {"lever_arm_offset": (types.Vector3f,)}
 
-    source: int = field(default=1, kw_only=True)
+    source: int
     """Reserved."""
     lever_arm_offset: types.Vector3f
     """From the sensor to the point of measurement. Elements: x, y, z. Unit: m. Frame: vehicle."""
+
+    def __init__(
+        self, lever_arm_offset: types.Vector3f | codec.Numbers, *, source: int = 1
+    ) -> None:
+        self.source = source
+        self.lever_arm_offset = codec.vector(lever_arm_offset, types.Vector3f)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SpeedLeverArmResponse, int]:
         v = _SPEED_LEVER_ARM_RESPONSE_0.read(raw, at)
         at += 13
         source = v[0]
-        lever_arm_offset = v[1:4]
+        lever_arm_offset = types.Vector3f._make(v[1:4])
         return cls(lever_arm_offset, source=source), at
 
     def _write(self) -> bytes:
         out = _SPEED_LEVER_ARM_RESPONSE_0.write(
-            self.source, *codec.exactly("lever_arm_offset", self.lever_arm_offset, 3)
+            self.source, *codec.elements("lever_arm_offset", self.lever_arm_offset, 3)
         )
         return codec.finished(out)
 
@@ -1914,7 +2381,6 @@ class SpeedLeverArmResponse(Response):
 _VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE_0 = codec.Block("B", "enable")
 
 
-@dataclass(slots=True)
 class VerticalGyroConstraintControlResponse(Response):
     """Vertical gyro constraint response (0x0D,0xE2).
 
@@ -1923,13 +2389,20 @@ class VerticalGyroConstraintControlResponse(Response):
     - mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62)
     """
 
+    __slots__ = ("enable",)
+    __match_args__ = ("enable",)
+
     SET = 0x0D
     DESCRIPTOR = 0xE2
     NAME = "filter.vertical_gyro_constraint_control_response"
     ROLE = "response"
+    _LAYOUT = (("enable", "B", None),)
 
     enable: int
     """0 disables, 1 enables. Range: 0 to 1."""
+
+    def __init__(self, enable: int) -> None:
+        self.enable = enable
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[VerticalGyroConstraintControlResponse, int]:
@@ -1946,7 +2419,6 @@ class VerticalGyroConstraintControlResponse(Response):
 _WHEELED_VEHICLE_CONSTRAINT_CONTROL_RESPONSE_0 = codec.Block("B", "enable")
 
 
-@dataclass(slots=True)
 class WheeledVehicleConstraintControlResponse(Response):
     """Wheeled vehicle constraint response (0x0D,0xE3).
 
@@ -1955,13 +2427,20 @@ class WheeledVehicleConstraintControlResponse(Response):
     - 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63)
     """
 
+    __slots__ = ("enable",)
+    __match_args__ = ("enable",)
+
     SET = 0x0D
     DESCRIPTOR = 0xE3
     NAME = "filter.wheeled_vehicle_constraint_control_response"
     ROLE = "response"
+    _LAYOUT = (("enable", "B", None),)
 
     enable: int
     """0 disables, 1 enables. Range: 0 to 1."""
+
+    def __init__(self, enable: int) -> None:
+        self.enable = enable
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[WheeledVehicleConstraintControlResponse, int]:
@@ -1978,7 +2457,6 @@ class WheeledVehicleConstraintControlResponse(Response):
 _GNSS_ANTENNA_CALIBRATION_CONTROL_RESPONSE_0 = codec.Block("Bf", "enable", "max_offset")
 
 
-@dataclass(slots=True)
 class GnssAntennaCalibrationControlResponse(Response):
     """GNSS antenna offset calibration response (0x0D,0xE4).
 
@@ -1989,10 +2467,14 @@ class GnssAntennaCalibrationControlResponse(Response):
     - 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration
     """
 
+    __slots__ = ("enable", "max_offset")
+    __match_args__ = ("enable", "max_offset")
+
     SET = 0x0D
     DESCRIPTOR = 0xE4
     NAME = "filter.gnss_antenna_calibration_control_response"
     ROLE = "response"
+    _LAYOUT = (("enable", "B", None), ("max_offset", "f", None))
 
     enable: int
     """0 disables, 1 enables. Range: 0 to 1."""
@@ -2000,6 +2482,10 @@ class GnssAntennaCalibrationControlResponse(Response):
     """Largest absolute error that is tracked; the limits are those of the 3DM-CV7. Unit: m. Frame:
     vehicle. Range: 0 to 0.5. Default: 0.1.
     """
+
+    def __init__(self, enable: int, max_offset: float) -> None:
+        self.enable = enable
+        self.max_offset = max_offset
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssAntennaCalibrationControlResponse, int]:
@@ -2014,7 +2500,6 @@ class GnssAntennaCalibrationControlResponse(Response):
         return codec.finished(out)
 
 
-@dataclass(slots=True)
 class Reset(Command):
     """Reset navigation filter (0x0D,0x01).
 
@@ -2030,6 +2515,8 @@ class Reset(Command):
     - 3dm-cv7-gnss-ins: Reset Navigation Filter (0x0D,0x01)
     - 3dm-gx5-15: 4.3.1 Reset Filter (0x0D, 0x01)
     """
+
+    __slots__ = ()
 
     SET = 0x0D
     DESCRIPTOR = 0x01
@@ -2047,7 +2534,6 @@ class Reset(Command):
 _SET_INITIAL_ATTITUDE_0 = codec.Block("fff", "roll", "pitch", "heading")
 
 
-@dataclass(slots=True)
 class SetInitialAttitude(Command):
     """Set initial attitude (0x0D,0x02).
 
@@ -2060,10 +2546,14 @@ class SetInitialAttitude(Command):
     - 3dm-gx5-15: 4.3.2 Set Initial Attitude (0x0D, 0x02)
     """
 
+    __slots__ = ("roll", "pitch", "heading")
+    __match_args__ = ("roll", "pitch", "heading")
+
     SET = 0x0D
     DESCRIPTOR = 0x02
     NAME = "filter.set_initial_attitude"
     ROLE = "command"
+    _LAYOUT = (("roll", "f", None), ("pitch", "f", None), ("heading", "f", None))
 
     roll: float
     """Roll angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793."""
@@ -2072,6 +2562,11 @@ class SetInitialAttitude(Command):
     heading: float
     """Heading (yaw) angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
     """
+
+    def __init__(self, roll: float, pitch: float, heading: float) -> None:
+        self.roll = roll
+        self.pitch = pitch
+        self.heading = heading
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SetInitialAttitude, int]:
@@ -2090,7 +2585,6 @@ class SetInitialAttitude(Command):
 _SET_INITIAL_HEADING_0 = codec.Block("f", "heading")
 
 
-@dataclass(slots=True)
 class SetInitialHeading(Command):
     """Set initial heading (0x0D,0x03).
 
@@ -2106,13 +2600,20 @@ class SetInitialHeading(Command):
     - 3dm-gx5-15: 4.3.3 Set Initial Heading (0x0D, 0x03)
     """
 
+    __slots__ = ("heading",)
+    __match_args__ = ("heading",)
+
     SET = 0x0D
     DESCRIPTOR = 0x03
     NAME = "filter.set_initial_heading"
     ROLE = "command"
+    _LAYOUT = (("heading", "f", None),)
 
     heading: float
     """Initial heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793."""
+
+    def __init__(self, heading: float) -> None:
+        self.heading = heading
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SetInitialHeading, int]:
@@ -2126,7 +2627,6 @@ class SetInitialHeading(Command):
         return codec.finished(out)
 
 
-@dataclass(slots=True)
 class Run(Command):
     """Run navigation filter (0x0D,0x05).
 
@@ -2139,6 +2639,8 @@ class Run(Command):
 
     - 3dm-cv7-gnss-ins: Run Navigation Filter (0x0D,0x05)
     """
+
+    __slots__ = ()
 
     SET = 0x0D
     DESCRIPTOR = 0x05
@@ -2158,7 +2660,6 @@ _VEHICLE_DYNAMICS_MODE_1 = codec.Block("B", "mode")
 _VEHICLE_DYNAMICS_MODE_GROUPS = ((1, ("mode",), False),)
 
 
-@dataclass(slots=True)
 class VehicleDynamicsMode(Command):
     """Vehicle dynamics mode (0x0D,0x10).
 
@@ -2171,6 +2672,9 @@ class VehicleDynamicsMode(Command):
     - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
     """
 
+    __slots__ = ("function", "mode")
+    __match_args__ = ("function", "mode")
+
     SET = 0x0D
     DESCRIPTOR = 0x10
     NAME = "filter.vehicle_dynamics_mode"
@@ -2180,12 +2684,16 @@ class VehicleDynamicsMode(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
-    mode: DynamicsMode | None = None
+    mode: DynamicsMode | None
     """Kind of vehicle. Required for `write`.
 
     - On the 3DM-GX3-45: only `DynamicsMode.PORTABLE`, `DynamicsMode.AUTOMOTIVE` and
       `DynamicsMode.AIRBORNE`.
     """
+
+    def __init__(self, function: FunctionSelector, mode: DynamicsMode | None = None) -> None:
+        self.function = function
+        self.mode = mode
 
     @classmethod
     def write(cls, mode: DynamicsMode) -> VehicleDynamicsMode:
@@ -2259,7 +2767,6 @@ _SENSOR_TO_VEHICLE_ROTATION_EULER_GROUPS = (
 )
 
 
-@dataclass(slots=True)
 class SensorToVehicleRotationEuler(Command):
     """Sensor to vehicle frame transformation (0x0D,0x11).
 
@@ -2276,6 +2783,9 @@ class SensorToVehicleRotationEuler(Command):
     - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
     """
 
+    __slots__ = ("function", "roll", "pitch", "yaw")
+    __match_args__ = ("function", "roll", "pitch", "yaw")
+
     SET = 0x0D
     DESCRIPTOR = 0x11
     NAME = "filter.sensor_to_vehicle_rotation_euler"
@@ -2285,12 +2795,24 @@ class SensorToVehicleRotationEuler(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
-    roll: float | None = None
+    roll: float | None
     """Roll angle. Unit: rad. Required for `write`."""
-    pitch: float | None = None
+    pitch: float | None
     """Pitch angle. Unit: rad. Required for `write`."""
-    yaw: float | None = None
+    yaw: float | None
     """Yaw angle. Unit: rad. Required for `write`."""
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        roll: float | None = None,
+        pitch: float | None = None,
+        yaw: float | None = None,
+    ) -> None:
+        self.function = function
+        self.roll = roll
+        self.pitch = pitch
+        self.yaw = yaw
 
     @classmethod
     def write(cls, roll: float, pitch: float, yaw: float) -> SensorToVehicleRotationEuler:
@@ -2376,7 +2898,6 @@ _SENSOR_TO_VEHICLE_OFFSET_1 = codec.Block("fff", *["offset"] * 3)
 _SENSOR_TO_VEHICLE_OFFSET_GROUPS = ((1, ("offset",), False),)
 
 
-@dataclass(slots=True)
 class SensorToVehicleOffset(Command):
     """Sensor to vehicle offset (0x0D,0x12).
 
@@ -2393,22 +2914,32 @@ class SensorToVehicleOffset(Command):
     - mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12)
     """
 
+    __slots__ = ("function", "offset")
+    __match_args__ = ("function", "offset")
+
     SET = 0x0D
     DESCRIPTOR = 0x12
     NAME = "filter.sensor_to_vehicle_offset"
     ROLE = "command"
     RESPONSES = (SensorToVehicleOffsetResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _VECTORS = {"offset": (types.Vector3f,)}
 
     function: FunctionSelector
     """What to do with the setting."""
-    offset: types.Vector3f | None = None
+    offset: types.Vector3f | None
     """From the sensor to the origin of the vehicle frame. Elements: x, y, z. Unit: m. Frame:
     sensor. Range: magnitude at most 10. Required for `write`.
     """
 
+    def __init__(
+        self, function: FunctionSelector, offset: types.Vector3f | None | codec.Numbers = None
+    ) -> None:
+        self.function = function
+        self.offset = codec.vector(offset, types.Vector3f)
+
     @classmethod
-    def write(cls, offset: types.Vector3f) -> SensorToVehicleOffset:
+    def write(cls, offset: types.Vector3f | codec.Numbers) -> SensorToVehicleOffset:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, offset=offset)
 
@@ -2451,7 +2982,7 @@ class SensorToVehicleOffset(Command):
                 raise Truncated(1, 0)
             v = _SENSOR_TO_VEHICLE_OFFSET_1.read(raw, at)
             at += 12
-            offset = v[0:3]
+            offset = types.Vector3f._make(v[0:3])
             done, end = 1, at
         except Truncated:
             if done < required:
@@ -2464,7 +2995,7 @@ class SensorToVehicleOffset(Command):
         required = self.REQUIRED.get(self.function, 0)
         there = codec.present(self, required, _SENSOR_TO_VEHICLE_OFFSET_GROUPS)
         if there >= 1:
-            out += _SENSOR_TO_VEHICLE_OFFSET_1.write(*codec.exactly("offset", self.offset, 3))
+            out += _SENSOR_TO_VEHICLE_OFFSET_1.write(*codec.elements("offset", self.offset, 3))
         return codec.finished(out)
 
 
@@ -2473,7 +3004,6 @@ _ANTENNA_OFFSET_1 = codec.Block("fff", *["offset"] * 3)
 _ANTENNA_OFFSET_GROUPS = ((1, ("offset",), False),)
 
 
-@dataclass(slots=True)
 class AntennaOffset(Command):
     """GNSS antenna offset (0x0D,0x13).
 
@@ -2489,22 +3019,32 @@ class AntennaOffset(Command):
     - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
     """
 
+    __slots__ = ("function", "offset")
+    __match_args__ = ("function", "offset")
+
     SET = 0x0D
     DESCRIPTOR = 0x13
     NAME = "filter.antenna_offset"
     ROLE = "command"
     RESPONSES = (AntennaOffsetResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _VECTORS = {"offset": (types.Vector3f,)}
 
     function: FunctionSelector
     """What to do with the setting."""
-    offset: types.Vector3f | None = None
+    offset: types.Vector3f | None
     """From the sensor origin to the centre of the antenna. Elements: x, y, z. Unit: m. Frame:
     vehicle. Range: magnitude at most 10. Required for `write`.
     """
 
+    def __init__(
+        self, function: FunctionSelector, offset: types.Vector3f | None | codec.Numbers = None
+    ) -> None:
+        self.function = function
+        self.offset = codec.vector(offset, types.Vector3f)
+
     @classmethod
-    def write(cls, offset: types.Vector3f) -> AntennaOffset:
+    def write(cls, offset: types.Vector3f | codec.Numbers) -> AntennaOffset:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, offset=offset)
 
@@ -2547,7 +3087,7 @@ class AntennaOffset(Command):
                 raise Truncated(1, 0)
             v = _ANTENNA_OFFSET_1.read(raw, at)
             at += 12
-            offset = v[0:3]
+            offset = types.Vector3f._make(v[0:3])
             done, end = 1, at
         except Truncated:
             if done < required:
@@ -2560,7 +3100,7 @@ class AntennaOffset(Command):
         required = self.REQUIRED.get(self.function, 0)
         there = codec.present(self, required, _ANTENNA_OFFSET_GROUPS)
         if there >= 1:
-            out += _ANTENNA_OFFSET_1.write(*codec.exactly("offset", self.offset, 3))
+            out += _ANTENNA_OFFSET_1.write(*codec.elements("offset", self.offset, 3))
         return codec.finished(out)
 
 
@@ -2569,7 +3109,6 @@ _ESTIMATION_CONTROL_1 = codec.Block("H", "flags")
 _ESTIMATION_CONTROL_GROUPS = ((1, ("flags",), False),)
 
 
-@dataclass(slots=True)
 class EstimationControl(Command):
     """Estimation control flags (0x0D,0x14).
 
@@ -2583,6 +3122,9 @@ class EstimationControl(Command):
     - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
     """
 
+    __slots__ = ("function", "flags")
+    __match_args__ = ("function", "flags")
+
     SET = 0x0D
     DESCRIPTOR = 0x14
     NAME = "filter.estimation_control"
@@ -2592,7 +3134,7 @@ class EstimationControl(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
-    flags: EstimatedStates | None = None
+    flags: EstimatedStates | None
     """States to estimate. Required for `write`.
 
     - On the 3DM-CL5-15, 3DM-CV5-15, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25 and 3DM-GX5-15: only
@@ -2604,6 +3146,10 @@ class EstimationControl(Command):
       `EstimatedStates.GYRO_SCALE_FACTOR`, `EstimatedStates.ACCEL_SCALE_FACTOR` and
       `EstimatedStates.ANTENNA_OFFSET`.
     """
+
+    def __init__(self, function: FunctionSelector, flags: EstimatedStates | None = None) -> None:
+        self.function = function
+        self.flags = flags
 
     @classmethod
     def write(cls, flags: EstimatedStates) -> EstimationControl:
@@ -2671,7 +3217,6 @@ _GNSS_SOURCE_1 = codec.Block("B", "source")
 _GNSS_SOURCE_GROUPS = ((1, ("source",), False),)
 
 
-@dataclass(slots=True)
 class GnssSource(Command):
     """GNSS aiding source (0x0D,0x15).
 
@@ -2686,6 +3231,9 @@ class GnssSource(Command):
     - 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
     """
 
+    __slots__ = ("function", "source")
+    __match_args__ = ("function", "source")
+
     SET = 0x0D
     DESCRIPTOR = 0x15
     NAME = "filter.gnss_source"
@@ -2695,8 +3243,12 @@ class GnssSource(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
-    source: GnssAidingSource | None = None
+    source: GnssAidingSource | None
     """Source of the GNSS data. Required for `write`."""
+
+    def __init__(self, function: FunctionSelector, source: GnssAidingSource | None = None) -> None:
+        self.function = function
+        self.source = source
 
     @classmethod
     def write(cls, source: GnssAidingSource) -> GnssSource:
@@ -2772,7 +3324,6 @@ _EXTERNAL_GNSS_UPDATE_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class ExternalGnssUpdate(Command):
     """External GNSS update (0x0D,0x16).
 
@@ -2785,10 +3336,46 @@ class ExternalGnssUpdate(Command):
     - mip-sdk-4: External Gnss Update (0x0D,0x16)
     """
 
+    __slots__ = (
+        "tow",
+        "week_number",
+        "latitude",
+        "longitude",
+        "height",
+        "velocity",
+        "position_uncertainty",
+        "velocity_uncertainty",
+    )
+    __match_args__ = (
+        "tow",
+        "week_number",
+        "latitude",
+        "longitude",
+        "height",
+        "velocity",
+        "position_uncertainty",
+        "velocity_uncertainty",
+    )
+
     SET = 0x0D
     DESCRIPTOR = 0x16
     NAME = "filter.external_gnss_update"
     ROLE = "command"
+    _LAYOUT = (
+        ("tow", "d", None),
+        ("week_number", "H", None),
+        ("latitude", "d", None),
+        ("longitude", "d", None),
+        ("height", "d", None),
+        ("velocity", "fff", types.Vector3f),
+        ("position_uncertainty", "fff", types.Vector3f),
+        ("velocity_uncertainty", "fff", types.Vector3f),
+    )
+    _VECTORS = {
+        "velocity": (types.Vector3f,),
+        "position_uncertainty": (types.Vector3f,),
+        "velocity_uncertainty": (types.Vector3f,),
+    }
 
     tow: float
     """GPS time of week. Unit: s."""
@@ -2807,6 +3394,26 @@ class ExternalGnssUpdate(Command):
     velocity_uncertainty: types.Vector3f
     """Standard deviation of the velocity. Elements: x, y, z. Unit: m/s. Frame: ned."""
 
+    def __init__(
+        self,
+        tow: float,
+        week_number: int,
+        latitude: float,
+        longitude: float,
+        height: float,
+        velocity: types.Vector3f | codec.Numbers,
+        position_uncertainty: types.Vector3f | codec.Numbers,
+        velocity_uncertainty: types.Vector3f | codec.Numbers,
+    ) -> None:
+        self.tow = tow
+        self.week_number = week_number
+        self.latitude = latitude
+        self.longitude = longitude
+        self.height = height
+        self.velocity = codec.vector(velocity, types.Vector3f)
+        self.position_uncertainty = codec.vector(position_uncertainty, types.Vector3f)
+        self.velocity_uncertainty = codec.vector(velocity_uncertainty, types.Vector3f)
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ExternalGnssUpdate, int]:
         v = _EXTERNAL_GNSS_UPDATE_0.read(raw, at)
@@ -2816,9 +3423,9 @@ class ExternalGnssUpdate(Command):
         latitude = v[2]
         longitude = v[3]
         height = v[4]
-        velocity = v[5:8]
-        position_uncertainty = v[8:11]
-        velocity_uncertainty = v[11:14]
+        velocity = types.Vector3f._make(v[5:8])
+        position_uncertainty = types.Vector3f._make(v[8:11])
+        velocity_uncertainty = types.Vector3f._make(v[11:14])
         return cls(
             tow,
             week_number,
@@ -2837,9 +3444,9 @@ class ExternalGnssUpdate(Command):
             self.latitude,
             self.longitude,
             self.height,
-            *codec.exactly("velocity", self.velocity, 3),
-            *codec.exactly("position_uncertainty", self.position_uncertainty, 3),
-            *codec.exactly("velocity_uncertainty", self.velocity_uncertainty, 3),
+            *codec.elements("velocity", self.velocity, 3),
+            *codec.elements("position_uncertainty", self.position_uncertainty, 3),
+            *codec.elements("velocity_uncertainty", self.velocity_uncertainty, 3),
         )
         return codec.finished(out)
 
@@ -2847,7 +3454,6 @@ class ExternalGnssUpdate(Command):
 _EXTERNAL_HEADING_UPDATE_0 = codec.Block("ffB", "heading", "heading_uncertainty", "type")
 
 
-@dataclass(slots=True)
 class ExternalHeadingUpdate(Command):
     """External heading update (0x0D,0x17).
 
@@ -2864,10 +3470,18 @@ class ExternalHeadingUpdate(Command):
     - 3dm-gx5-15: 4.3.7 External Heading Update (0x0D, 0x17)
     """
 
+    __slots__ = ("heading", "heading_uncertainty", "type")
+    __match_args__ = ("heading", "heading_uncertainty", "type")
+
     SET = 0x0D
     DESCRIPTOR = 0x17
     NAME = "filter.external_heading_update"
     ROLE = "command"
+    _LAYOUT = (
+        ("heading", "f", None),
+        ("heading_uncertainty", "f", None),
+        ("type", "B", HeadingType),
+    )
 
     heading: float
     """Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
@@ -2879,6 +3493,11 @@ class ExternalHeadingUpdate(Command):
     """
     type: HeadingType
     """North that the heading refers to."""
+
+    def __init__(self, heading: float, heading_uncertainty: float, type: HeadingType) -> None:
+        self.heading = heading
+        self.heading_uncertainty = heading_uncertainty
+        self.type = type
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ExternalHeadingUpdate, int]:
@@ -2899,7 +3518,6 @@ _HEADING_SOURCE_1 = codec.Block("B", "source")
 _HEADING_SOURCE_GROUPS = ((1, ("source",), False),)
 
 
-@dataclass(slots=True)
 class HeadingSource(Command):
     """Heading update control (0x0D,0x18).
 
@@ -2913,6 +3531,9 @@ class HeadingSource(Command):
     - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
     """
 
+    __slots__ = ("function", "source")
+    __match_args__ = ("function", "source")
+
     SET = 0x0D
     DESCRIPTOR = 0x18
     NAME = "filter.heading_source"
@@ -2922,7 +3543,7 @@ class HeadingSource(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
-    source: HeadingUpdateSource | None = None
+    source: HeadingUpdateSource | None
     """Source of the heading. Required for `write`.
 
     - On the 3DM-CL5-15, 3DM-CV5-15 and 3DM-GX5-15: only `HeadingUpdateSource.NONE` and
@@ -2935,6 +3556,12 @@ class HeadingSource(Command):
     - On the 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only `HeadingUpdateSource.NONE`,
       `HeadingUpdateSource.GNSS_VELOCITY` and `HeadingUpdateSource.EXTERNAL`.
     """
+
+    def __init__(
+        self, function: FunctionSelector, source: HeadingUpdateSource | None = None
+    ) -> None:
+        self.function = function
+        self.source = source
 
     @classmethod
     def write(cls, source: HeadingUpdateSource) -> HeadingSource:
@@ -3002,7 +3629,6 @@ _AUTO_INITIALIZATION_CONTROL_1 = codec.Block("B", "enable")
 _AUTO_INITIALIZATION_CONTROL_GROUPS = ((1, ("enable",), False),)
 
 
-@dataclass(slots=True)
 class AutoInitializationControl(Command):
     """Automatic initialization (0x0D,0x19).
 
@@ -3016,6 +3642,9 @@ class AutoInitializationControl(Command):
     - 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19)
     """
 
+    __slots__ = ("function", "enable")
+    __match_args__ = ("function", "enable")
+
     SET = 0x0D
     DESCRIPTOR = 0x19
     NAME = "filter.auto_initialization_control"
@@ -3025,8 +3654,12 @@ class AutoInitializationControl(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
-    enable: int | None = None
+    enable: int | None
     """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
+
+    def __init__(self, function: FunctionSelector, enable: int | None = None) -> None:
+        self.function = function
+        self.enable = enable
 
     @classmethod
     def write(cls, enable: int) -> AutoInitializationControl:
@@ -3094,7 +3727,6 @@ _ACCEL_NOISE_1 = codec.Block("fff", *["noise"] * 3)
 _ACCEL_NOISE_GROUPS = ((1, ("noise",), False),)
 
 
-@dataclass(slots=True)
 class AccelNoise(Command):
     """Accelerometer noise (0x0D,0x1A).
 
@@ -3109,22 +3741,32 @@ class AccelNoise(Command):
     - 3dm-gx5-15: 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A)
     """
 
+    __slots__ = ("function", "noise")
+    __match_args__ = ("function", "noise")
+
     SET = 0x0D
     DESCRIPTOR = 0x1A
     NAME = "filter.accel_noise"
     ROLE = "command"
     RESPONSES = (AccelNoiseResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _VECTORS = {"noise": (types.Vector3f,)}
 
     function: FunctionSelector
     """What to do with the setting."""
-    noise: types.Vector3f | None = None
+    noise: types.Vector3f | None
     """Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. Range: greater than 0. Required
     for `write`.
     """
 
+    def __init__(
+        self, function: FunctionSelector, noise: types.Vector3f | None | codec.Numbers = None
+    ) -> None:
+        self.function = function
+        self.noise = codec.vector(noise, types.Vector3f)
+
     @classmethod
-    def write(cls, noise: types.Vector3f) -> AccelNoise:
+    def write(cls, noise: types.Vector3f | codec.Numbers) -> AccelNoise:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, noise=noise)
 
@@ -3167,7 +3809,7 @@ class AccelNoise(Command):
                 raise Truncated(1, 0)
             v = _ACCEL_NOISE_1.read(raw, at)
             at += 12
-            noise = v[0:3]
+            noise = types.Vector3f._make(v[0:3])
             done, end = 1, at
         except Truncated:
             if done < required:
@@ -3180,7 +3822,7 @@ class AccelNoise(Command):
         required = self.REQUIRED.get(self.function, 0)
         there = codec.present(self, required, _ACCEL_NOISE_GROUPS)
         if there >= 1:
-            out += _ACCEL_NOISE_1.write(*codec.exactly("noise", self.noise, 3))
+            out += _ACCEL_NOISE_1.write(*codec.elements("noise", self.noise, 3))
         return codec.finished(out)
 
 
@@ -3189,7 +3831,6 @@ _GYRO_NOISE_1 = codec.Block("fff", *["noise"] * 3)
 _GYRO_NOISE_GROUPS = ((1, ("noise",), False),)
 
 
-@dataclass(slots=True)
 class GyroNoise(Command):
     """Gyroscope noise (0x0D,0x1B).
 
@@ -3204,22 +3845,32 @@ class GyroNoise(Command):
     - 3dm-gx5-15: 4.3.13 Gyroscope Noise Standard Deviation (0x0D, 0x1B)
     """
 
+    __slots__ = ("function", "noise")
+    __match_args__ = ("function", "noise")
+
     SET = 0x0D
     DESCRIPTOR = 0x1B
     NAME = "filter.gyro_noise"
     ROLE = "command"
     RESPONSES = (GyroNoiseResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _VECTORS = {"noise": (types.Vector3f,)}
 
     function: FunctionSelector
     """What to do with the setting."""
-    noise: types.Vector3f | None = None
+    noise: types.Vector3f | None
     """Standard deviation per axis. Elements: x, y, z. Unit: rad/s. Range: greater than 0. Required
     for `write`.
     """
 
+    def __init__(
+        self, function: FunctionSelector, noise: types.Vector3f | None | codec.Numbers = None
+    ) -> None:
+        self.function = function
+        self.noise = codec.vector(noise, types.Vector3f)
+
     @classmethod
-    def write(cls, noise: types.Vector3f) -> GyroNoise:
+    def write(cls, noise: types.Vector3f | codec.Numbers) -> GyroNoise:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, noise=noise)
 
@@ -3262,7 +3913,7 @@ class GyroNoise(Command):
                 raise Truncated(1, 0)
             v = _GYRO_NOISE_1.read(raw, at)
             at += 12
-            noise = v[0:3]
+            noise = types.Vector3f._make(v[0:3])
             done, end = 1, at
         except Truncated:
             if done < required:
@@ -3275,7 +3926,7 @@ class GyroNoise(Command):
         required = self.REQUIRED.get(self.function, 0)
         there = codec.present(self, required, _GYRO_NOISE_GROUPS)
         if there >= 1:
-            out += _GYRO_NOISE_1.write(*codec.exactly("noise", self.noise, 3))
+            out += _GYRO_NOISE_1.write(*codec.elements("noise", self.noise, 3))
         return codec.finished(out)
 
 
@@ -3285,7 +3936,6 @@ _ACCEL_BIAS_MODEL_2 = codec.Block("fff", *["noise"] * 3)
 _ACCEL_BIAS_MODEL_GROUPS = ((1, ("beta",), False), (2, ("noise",), False))
 
 
-@dataclass(slots=True)
 class AccelBiasModel(Command):
     """Accelerometer bias model (0x0D,0x1C).
 
@@ -3297,26 +3947,42 @@ class AccelBiasModel(Command):
     - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
     """
 
+    __slots__ = ("function", "beta", "noise")
+    __match_args__ = ("function", "beta", "noise")
+
     SET = 0x0D
     DESCRIPTOR = 0x1C
     NAME = "filter.accel_bias_model"
     ROLE = "command"
     RESPONSES = (AccelBiasModelResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+    _VECTORS = {"beta": (types.Vector3f,), "noise": (types.Vector3f,)}
 
     function: FunctionSelector
     """What to do with the setting."""
-    beta: types.Vector3f | None = None
+    beta: types.Vector3f | None
     """Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. Required for
     `write`.
     """
-    noise: types.Vector3f | None = None
+    noise: types.Vector3f | None
     """Standard deviation of the noise per axis. Elements: x, y, z. Unit: m/s^2. Range: greater than
     0. Required for `write`.
     """
 
+    def __init__(
+        self,
+        function: FunctionSelector,
+        beta: types.Vector3f | None | codec.Numbers = None,
+        noise: types.Vector3f | None | codec.Numbers = None,
+    ) -> None:
+        self.function = function
+        self.beta = codec.vector(beta, types.Vector3f)
+        self.noise = codec.vector(noise, types.Vector3f)
+
     @classmethod
-    def write(cls, beta: types.Vector3f, noise: types.Vector3f) -> AccelBiasModel:
+    def write(
+        cls, beta: types.Vector3f | codec.Numbers, noise: types.Vector3f | codec.Numbers
+    ) -> AccelBiasModel:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, beta=beta, noise=noise)
 
@@ -3360,13 +4026,13 @@ class AccelBiasModel(Command):
                 raise Truncated(1, 0)
             v = _ACCEL_BIAS_MODEL_1.read(raw, at)
             at += 12
-            beta = v[0:3]
+            beta = types.Vector3f._make(v[0:3])
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
             v = _ACCEL_BIAS_MODEL_2.read(raw, at)
             at += 12
-            noise = v[0:3]
+            noise = types.Vector3f._make(v[0:3])
             done, end = 2, at
         except Truncated:
             if done < required:
@@ -3379,9 +4045,9 @@ class AccelBiasModel(Command):
         required = self.REQUIRED.get(self.function, 0)
         there = codec.present(self, required, _ACCEL_BIAS_MODEL_GROUPS)
         if there >= 1:
-            out += _ACCEL_BIAS_MODEL_1.write(*codec.exactly("beta", self.beta, 3))
+            out += _ACCEL_BIAS_MODEL_1.write(*codec.elements("beta", self.beta, 3))
         if there >= 2:
-            out += _ACCEL_BIAS_MODEL_2.write(*codec.exactly("noise", self.noise, 3))
+            out += _ACCEL_BIAS_MODEL_2.write(*codec.elements("noise", self.noise, 3))
         return codec.finished(out)
 
 
@@ -3391,7 +4057,6 @@ _GYRO_BIAS_MODEL_2 = codec.Block("fff", *["noise"] * 3)
 _GYRO_BIAS_MODEL_GROUPS = ((1, ("beta",), False), (2, ("noise",), False))
 
 
-@dataclass(slots=True)
 class GyroBiasModel(Command):
     """Gyroscope bias model (0x0D,0x1D).
 
@@ -3404,26 +4069,42 @@ class GyroBiasModel(Command):
     - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
     """
 
+    __slots__ = ("function", "beta", "noise")
+    __match_args__ = ("function", "beta", "noise")
+
     SET = 0x0D
     DESCRIPTOR = 0x1D
     NAME = "filter.gyro_bias_model"
     ROLE = "command"
     RESPONSES = (GyroBiasModelResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+    _VECTORS = {"beta": (types.Vector3f,), "noise": (types.Vector3f,)}
 
     function: FunctionSelector
     """What to do with the setting."""
-    beta: types.Vector3f | None = None
+    beta: types.Vector3f | None
     """Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. Required for
     `write`.
     """
-    noise: types.Vector3f | None = None
+    noise: types.Vector3f | None
     """Standard deviation of the noise per axis. Elements: x, y, z. Unit: rad/s. Range: greater than
     0. Required for `write`.
     """
 
+    def __init__(
+        self,
+        function: FunctionSelector,
+        beta: types.Vector3f | None | codec.Numbers = None,
+        noise: types.Vector3f | None | codec.Numbers = None,
+    ) -> None:
+        self.function = function
+        self.beta = codec.vector(beta, types.Vector3f)
+        self.noise = codec.vector(noise, types.Vector3f)
+
     @classmethod
-    def write(cls, beta: types.Vector3f, noise: types.Vector3f) -> GyroBiasModel:
+    def write(
+        cls, beta: types.Vector3f | codec.Numbers, noise: types.Vector3f | codec.Numbers
+    ) -> GyroBiasModel:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, beta=beta, noise=noise)
 
@@ -3467,13 +4148,13 @@ class GyroBiasModel(Command):
                 raise Truncated(1, 0)
             v = _GYRO_BIAS_MODEL_1.read(raw, at)
             at += 12
-            beta = v[0:3]
+            beta = types.Vector3f._make(v[0:3])
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
             v = _GYRO_BIAS_MODEL_2.read(raw, at)
             at += 12
-            noise = v[0:3]
+            noise = types.Vector3f._make(v[0:3])
             done, end = 2, at
         except Truncated:
             if done < required:
@@ -3486,9 +4167,9 @@ class GyroBiasModel(Command):
         required = self.REQUIRED.get(self.function, 0)
         there = codec.present(self, required, _GYRO_BIAS_MODEL_GROUPS)
         if there >= 1:
-            out += _GYRO_BIAS_MODEL_1.write(*codec.exactly("beta", self.beta, 3))
+            out += _GYRO_BIAS_MODEL_1.write(*codec.elements("beta", self.beta, 3))
         if there >= 2:
-            out += _GYRO_BIAS_MODEL_2.write(*codec.exactly("noise", self.noise, 3))
+            out += _GYRO_BIAS_MODEL_2.write(*codec.elements("noise", self.noise, 3))
         return codec.finished(out)
 
 
@@ -3498,7 +4179,6 @@ _AUTO_ZUPT_2 = codec.Block("f", "threshold")
 _AUTO_ZUPT_GROUPS = ((1, ("enable",), False), (2, ("threshold",), False))
 
 
-@dataclass(slots=True)
 class AutoZupt(Command):
     """Automatic zero velocity update (0x0D,0x1E).
 
@@ -3512,6 +4192,9 @@ class AutoZupt(Command):
     - mip-sdk-4: Auto Zupt (0x0D,0x1E)
     """
 
+    __slots__ = ("function", "enable", "threshold")
+    __match_args__ = ("function", "enable", "threshold")
+
     SET = 0x0D
     DESCRIPTOR = 0x1E
     NAME = "filter.auto_zupt"
@@ -3521,10 +4204,17 @@ class AutoZupt(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
-    enable: int | None = None
+    enable: int | None
     """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
-    threshold: float | None = None
+    threshold: float | None
     """Largest speed that is taken as zero. Unit: m/s. Range: at least 0. Required for `write`."""
+
+    def __init__(
+        self, function: FunctionSelector, enable: int | None = None, threshold: float | None = None
+    ) -> None:
+        self.function = function
+        self.enable = enable
+        self.threshold = threshold
 
     @classmethod
     def write(cls, enable: int, threshold: float) -> AutoZupt:
@@ -3601,7 +4291,6 @@ _EXTERNAL_HEADING_UPDATE_WITH_TIME_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class ExternalHeadingUpdateWithTime(Command):
     """External heading update with time (0x0D,0x1F).
 
@@ -3619,10 +4308,20 @@ class ExternalHeadingUpdateWithTime(Command):
     - 3dm-gx5-15: 4.3.8 External Heading Update with Timestamp (0x0D, 0x1F)
     """
 
+    __slots__ = ("tow", "week_number", "heading", "heading_uncertainty", "type")
+    __match_args__ = ("tow", "week_number", "heading", "heading_uncertainty", "type")
+
     SET = 0x0D
     DESCRIPTOR = 0x1F
     NAME = "filter.external_heading_update_with_time"
     ROLE = "command"
+    _LAYOUT = (
+        ("tow", "d", None),
+        ("week_number", "H", None),
+        ("heading", "f", None),
+        ("heading_uncertainty", "f", None),
+        ("type", "B", HeadingType),
+    )
 
     tow: float
     """GPS time of week of the measurement. Unit: s."""
@@ -3638,6 +4337,20 @@ class ExternalHeadingUpdateWithTime(Command):
     """
     type: HeadingType
     """North that the heading refers to."""
+
+    def __init__(
+        self,
+        tow: float,
+        week_number: int,
+        heading: float,
+        heading_uncertainty: float,
+        type: HeadingType,
+    ) -> None:
+        self.tow = tow
+        self.week_number = week_number
+        self.heading = heading
+        self.heading_uncertainty = heading_uncertainty
+        self.type = type
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ExternalHeadingUpdateWithTime, int]:
@@ -3663,7 +4376,6 @@ _AUTO_ANGULAR_ZUPT_2 = codec.Block("f", "threshold")
 _AUTO_ANGULAR_ZUPT_GROUPS = ((1, ("enable",), False), (2, ("threshold",), False))
 
 
-@dataclass(slots=True)
 class AutoAngularZupt(Command):
     """Zero angular rate update (0x0D,0x20).
 
@@ -3678,6 +4390,9 @@ class AutoAngularZupt(Command):
     - 3dm-gx5-15: 4.3.15 Zero Angular Rate Update Control (0x0D, 0x20)
     """
 
+    __slots__ = ("function", "enable", "threshold")
+    __match_args__ = ("function", "enable", "threshold")
+
     SET = 0x0D
     DESCRIPTOR = 0x20
     NAME = "filter.auto_angular_zupt"
@@ -3687,12 +4402,19 @@ class AutoAngularZupt(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
-    enable: int | None = None
+    enable: int | None
     """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
-    threshold: float | None = None
+    threshold: float | None
     """Largest angular rate that is taken as zero. Unit: rad/s. Range: at least 0. Required for
     `write`.
     """
+
+    def __init__(
+        self, function: FunctionSelector, enable: int | None = None, threshold: float | None = None
+    ) -> None:
+        self.function = function
+        self.enable = enable
+        self.threshold = threshold
 
     @classmethod
     def write(cls, enable: int, threshold: float) -> AutoAngularZupt:
@@ -3769,7 +4491,6 @@ _TARE_ORIENTATION_1 = codec.Block("B", "axes")
 _TARE_ORIENTATION_GROUPS = ((1, ("axes",), False),)
 
 
-@dataclass(slots=True)
 class TareOrientation(Command):
     """Tare orientation (0x0D,0x21).
 
@@ -3785,6 +4506,9 @@ class TareOrientation(Command):
     - mip-sdk-4: Tare Orientation (0x0D,0x21)
     """
 
+    __slots__ = ("function", "axes")
+    __match_args__ = ("function", "axes")
+
     SET = 0x0D
     DESCRIPTOR = 0x21
     NAME = "filter.tare_orientation"
@@ -3794,8 +4518,12 @@ class TareOrientation(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
-    axes: TareAxes | None = None
+    axes: TareAxes | None
     """Axes to tare; 0 resets all axes. Required for `write`."""
+
+    def __init__(self, function: FunctionSelector, axes: TareAxes | None = None) -> None:
+        self.function = function
+        self.axes = axes
 
     @classmethod
     def write(cls, axes: TareAxes) -> TareOrientation:
@@ -3858,7 +4586,6 @@ class TareOrientation(Command):
         return codec.finished(out)
 
 
-@dataclass(slots=True)
 class CommandedZupt(Command):
     """Commanded zero velocity update (0x0D,0x22).
 
@@ -3870,6 +4597,8 @@ class CommandedZupt(Command):
 
     - mip-sdk-4: Commanded Zupt (0x0D,0x22)
     """
+
+    __slots__ = ()
 
     SET = 0x0D
     DESCRIPTOR = 0x22
@@ -3884,7 +4613,6 @@ class CommandedZupt(Command):
         return b""
 
 
-@dataclass(slots=True)
 class CommandedAngularZupt(Command):
     """Commanded zero angular rate update (0x0D,0x23).
 
@@ -3896,6 +4624,8 @@ class CommandedAngularZupt(Command):
 
     - 3dm-gx5-15: 4.3.17 Commanded Zero-Angular Rate Update (0x0D, 0x23)
     """
+
+    __slots__ = ()
 
     SET = 0x0D
     DESCRIPTOR = 0x23
@@ -3923,7 +4653,6 @@ _REFERENCE_POSITION_GROUPS = (
 )
 
 
-@dataclass(slots=True)
 class ReferencePosition(Command):
     """Set reference position (0x0D,0x26).
 
@@ -3935,6 +4664,9 @@ class ReferencePosition(Command):
     - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
     """
 
+    __slots__ = ("function", "enable", "latitude", "longitude", "altitude")
+    __match_args__ = ("function", "enable", "latitude", "longitude", "altitude")
+
     SET = 0x0D
     DESCRIPTOR = 0x26
     NAME = "filter.reference_position"
@@ -3944,14 +4676,28 @@ class ReferencePosition(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
-    enable: int | None = None
+    enable: int | None
     """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
-    latitude: float | None = None
+    latitude: float | None
     """Latitude. Unit: deg. Frame: llh. Required for `write`."""
-    longitude: float | None = None
+    longitude: float | None
     """Longitude. Unit: deg. Frame: llh. Required for `write`."""
-    altitude: float | None = None
+    altitude: float | None
     """Altitude. Unit: m. Frame: llh. Required for `write`."""
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        enable: int | None = None,
+        latitude: float | None = None,
+        longitude: float | None = None,
+        altitude: float | None = None,
+    ) -> None:
+        self.function = function
+        self.enable = enable
+        self.latitude = latitude
+        self.longitude = longitude
+        self.altitude = altitude
 
     @classmethod
     def write(
@@ -4052,7 +4798,6 @@ class ReferencePosition(Command):
 _MAG_CAPTURE_AUTO_CALIBRATION_0 = codec.Block("B", "function")
 
 
-@dataclass(slots=True)
 class MagCaptureAutoCalibration(Command):
     """Capture automatic magnetometer calibration (0x0D,0x27).
 
@@ -4068,6 +4813,9 @@ class MagCaptureAutoCalibration(Command):
     - mip-sdk-4: Mag Capture Auto Cal (0x0D,0x27)
     """
 
+    __slots__ = ("function",)
+    __match_args__ = ("function",)
+
     SET = 0x0D
     DESCRIPTOR = 0x27
     NAME = "filter.mag_capture_auto_calibration"
@@ -4076,6 +4824,9 @@ class MagCaptureAutoCalibration(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
+
+    def __init__(self, function: FunctionSelector) -> None:
+        self.function = function
 
     @classmethod
     def write(cls) -> MagCaptureAutoCalibration:
@@ -4104,7 +4855,6 @@ _GRAVITY_NOISE_1 = codec.Block("fff", *["noise"] * 3)
 _GRAVITY_NOISE_GROUPS = ((1, ("noise",), False),)
 
 
-@dataclass(slots=True)
 class GravityNoise(Command):
     """Gravity noise (0x0D,0x28).
 
@@ -4119,22 +4869,32 @@ class GravityNoise(Command):
     - 3dm-gx5-15: 4.3.11 Gravity Noise Standard Deviation (0x0D, 0x28)
     """
 
+    __slots__ = ("function", "noise")
+    __match_args__ = ("function", "noise")
+
     SET = 0x0D
     DESCRIPTOR = 0x28
     NAME = "filter.gravity_noise"
     ROLE = "command"
     RESPONSES = (GravityNoiseResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _VECTORS = {"noise": (types.Vector3f,)}
 
     function: FunctionSelector
     """What to do with the setting."""
-    noise: types.Vector3f | None = None
+    noise: types.Vector3f | None
     """Standard deviation per axis. Elements: x, y, z. Unit: g. Range: greater than 0. Required for
     `write`.
     """
 
+    def __init__(
+        self, function: FunctionSelector, noise: types.Vector3f | None | codec.Numbers = None
+    ) -> None:
+        self.function = function
+        self.noise = codec.vector(noise, types.Vector3f)
+
     @classmethod
-    def write(cls, noise: types.Vector3f) -> GravityNoise:
+    def write(cls, noise: types.Vector3f | codec.Numbers) -> GravityNoise:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, noise=noise)
 
@@ -4177,7 +4937,7 @@ class GravityNoise(Command):
                 raise Truncated(1, 0)
             v = _GRAVITY_NOISE_1.read(raw, at)
             at += 12
-            noise = v[0:3]
+            noise = types.Vector3f._make(v[0:3])
             done, end = 1, at
         except Truncated:
             if done < required:
@@ -4190,7 +4950,7 @@ class GravityNoise(Command):
         required = self.REQUIRED.get(self.function, 0)
         there = codec.present(self, required, _GRAVITY_NOISE_GROUPS)
         if there >= 1:
-            out += _GRAVITY_NOISE_1.write(*codec.exactly("noise", self.noise, 3))
+            out += _GRAVITY_NOISE_1.write(*codec.elements("noise", self.noise, 3))
         return codec.finished(out)
 
 
@@ -4199,7 +4959,6 @@ _PRESSURE_ALTITUDE_NOISE_1 = codec.Block("f", "noise")
 _PRESSURE_ALTITUDE_NOISE_GROUPS = ((1, ("noise",), False),)
 
 
-@dataclass(slots=True)
 class PressureAltitudeNoise(Command):
     """Pressure altitude noise (0x0D,0x29).
 
@@ -4214,6 +4973,9 @@ class PressureAltitudeNoise(Command):
     - mip-sdk-4: Pressure Altitude Noise (0x0D,0x29)
     """
 
+    __slots__ = ("function", "noise")
+    __match_args__ = ("function", "noise")
+
     SET = 0x0D
     DESCRIPTOR = 0x29
     NAME = "filter.pressure_altitude_noise"
@@ -4223,8 +4985,12 @@ class PressureAltitudeNoise(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
-    noise: float | None = None
+    noise: float | None
     """Standard deviation. Unit: m. Range: greater than 0. Required for `write`."""
+
+    def __init__(self, function: FunctionSelector, noise: float | None = None) -> None:
+        self.function = function
+        self.noise = noise
 
     @classmethod
     def write(cls, noise: float) -> PressureAltitudeNoise:
@@ -4292,7 +5058,6 @@ _HARD_IRON_OFFSET_NOISE_1 = codec.Block("fff", *["noise"] * 3)
 _HARD_IRON_OFFSET_NOISE_GROUPS = ((1, ("noise",), False),)
 
 
-@dataclass(slots=True)
 class HardIronOffsetNoise(Command):
     """Hard iron offset noise (0x0D,0x2B).
 
@@ -4304,22 +5069,32 @@ class HardIronOffsetNoise(Command):
     - mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B)
     """
 
+    __slots__ = ("function", "noise")
+    __match_args__ = ("function", "noise")
+
     SET = 0x0D
     DESCRIPTOR = 0x2B
     NAME = "filter.hard_iron_offset_noise"
     ROLE = "command"
     RESPONSES = (HardIronOffsetNoiseResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _VECTORS = {"noise": (types.Vector3f,)}
 
     function: FunctionSelector
     """What to do with the setting."""
-    noise: types.Vector3f | None = None
+    noise: types.Vector3f | None
     """Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0. Required
     for `write`.
     """
 
+    def __init__(
+        self, function: FunctionSelector, noise: types.Vector3f | None | codec.Numbers = None
+    ) -> None:
+        self.function = function
+        self.noise = codec.vector(noise, types.Vector3f)
+
     @classmethod
-    def write(cls, noise: types.Vector3f) -> HardIronOffsetNoise:
+    def write(cls, noise: types.Vector3f | codec.Numbers) -> HardIronOffsetNoise:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, noise=noise)
 
@@ -4362,7 +5137,7 @@ class HardIronOffsetNoise(Command):
                 raise Truncated(1, 0)
             v = _HARD_IRON_OFFSET_NOISE_1.read(raw, at)
             at += 12
-            noise = v[0:3]
+            noise = types.Vector3f._make(v[0:3])
             done, end = 1, at
         except Truncated:
             if done < required:
@@ -4375,7 +5150,7 @@ class HardIronOffsetNoise(Command):
         required = self.REQUIRED.get(self.function, 0)
         there = codec.present(self, required, _HARD_IRON_OFFSET_NOISE_GROUPS)
         if there >= 1:
-            out += _HARD_IRON_OFFSET_NOISE_1.write(*codec.exactly("noise", self.noise, 3))
+            out += _HARD_IRON_OFFSET_NOISE_1.write(*codec.elements("noise", self.noise, 3))
         return codec.finished(out)
 
 
@@ -4384,7 +5159,6 @@ _SOFT_IRON_MATRIX_NOISE_1 = codec.Block("fffffffff", *["noise"] * 9)
 _SOFT_IRON_MATRIX_NOISE_GROUPS = ((1, ("noise",), False),)
 
 
-@dataclass(slots=True)
 class SoftIronMatrixNoise(Command):
     """Soft iron matrix noise (0x0D,0x2C).
 
@@ -4396,22 +5170,32 @@ class SoftIronMatrixNoise(Command):
     - mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C)
     """
 
+    __slots__ = ("function", "noise")
+    __match_args__ = ("function", "noise")
+
     SET = 0x0D
     DESCRIPTOR = 0x2C
     NAME = "filter.soft_iron_matrix_noise"
     ROLE = "command"
     RESPONSES = (SoftIronMatrixNoiseResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _VECTORS = {"noise": (types.Matrix3f,)}
 
     function: FunctionSelector
     """What to do with the setting."""
-    noise: types.Matrix3f | None = None
+    noise: types.Matrix3f | None
     """Standard deviation per element. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
     1. Range: greater than 0. Required for `write`.
     """
 
+    def __init__(
+        self, function: FunctionSelector, noise: types.Matrix3f | None | codec.Rows = None
+    ) -> None:
+        self.function = function
+        self.noise = codec.vector(noise, types.Matrix3f)
+
     @classmethod
-    def write(cls, noise: types.Matrix3f) -> SoftIronMatrixNoise:
+    def write(cls, noise: types.Matrix3f | codec.Rows) -> SoftIronMatrixNoise:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, noise=noise)
 
@@ -4454,7 +5238,7 @@ class SoftIronMatrixNoise(Command):
                 raise Truncated(1, 0)
             v = _SOFT_IRON_MATRIX_NOISE_1.read(raw, at)
             at += 36
-            noise = v[0:9]
+            noise = types.Matrix3f._make(v[0:9])
             done, end = 1, at
         except Truncated:
             if done < required:
@@ -4467,7 +5251,7 @@ class SoftIronMatrixNoise(Command):
         required = self.REQUIRED.get(self.function, 0)
         there = codec.present(self, required, _SOFT_IRON_MATRIX_NOISE_GROUPS)
         if there >= 1:
-            out += _SOFT_IRON_MATRIX_NOISE_1.write(*codec.exactly("noise", self.noise, 9))
+            out += _SOFT_IRON_MATRIX_NOISE_1.write(*codec.elements("noise", self.noise, 9))
         return codec.finished(out)
 
 
@@ -4476,7 +5260,6 @@ _ENABLE_MEASUREMENTS_1 = codec.Block("H", "control")
 _ENABLE_MEASUREMENTS_GROUPS = ((1, ("control",), False),)
 
 
-@dataclass(slots=True)
 class EnableMeasurements(Command):
     """Enable or disable measurements (0x0D,0x41).
 
@@ -4488,6 +5271,9 @@ class EnableMeasurements(Command):
     - 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
     """
 
+    __slots__ = ("function", "control")
+    __match_args__ = ("function", "control")
+
     SET = 0x0D
     DESCRIPTOR = 0x41
     NAME = "filter.enable_measurements"
@@ -4497,8 +5283,12 @@ class EnableMeasurements(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
-    control: MeasurementFlags | None = None
+    control: MeasurementFlags | None
     """Measurements to use. Required for `write`."""
+
+    def __init__(self, function: FunctionSelector, control: MeasurementFlags | None = None) -> None:
+        self.function = function
+        self.control = control
 
     @classmethod
     def write(cls, control: MeasurementFlags) -> EnableMeasurements:
@@ -4566,7 +5356,6 @@ _MAG_NOISE_1 = codec.Block("fff", *["noise"] * 3)
 _MAG_NOISE_GROUPS = ((1, ("noise",), False),)
 
 
-@dataclass(slots=True)
 class MagNoise(Command):
     """Magnetometer noise (0x0D,0x42).
 
@@ -4579,22 +5368,32 @@ class MagNoise(Command):
     - mip-sdk-4: Mag Noise (0x0D,0x42)
     """
 
+    __slots__ = ("function", "noise")
+    __match_args__ = ("function", "noise")
+
     SET = 0x0D
     DESCRIPTOR = 0x42
     NAME = "filter.mag_noise"
     ROLE = "command"
     RESPONSES = (MagNoiseResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _VECTORS = {"noise": (types.Vector3f,)}
 
     function: FunctionSelector
     """What to do with the setting."""
-    noise: types.Vector3f | None = None
+    noise: types.Vector3f | None
     """Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0. Required
     for `write`.
     """
 
+    def __init__(
+        self, function: FunctionSelector, noise: types.Vector3f | None | codec.Numbers = None
+    ) -> None:
+        self.function = function
+        self.noise = codec.vector(noise, types.Vector3f)
+
     @classmethod
-    def write(cls, noise: types.Vector3f) -> MagNoise:
+    def write(cls, noise: types.Vector3f | codec.Numbers) -> MagNoise:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, noise=noise)
 
@@ -4637,7 +5436,7 @@ class MagNoise(Command):
                 raise Truncated(1, 0)
             v = _MAG_NOISE_1.read(raw, at)
             at += 12
-            noise = v[0:3]
+            noise = types.Vector3f._make(v[0:3])
             done, end = 1, at
         except Truncated:
             if done < required:
@@ -4650,7 +5449,7 @@ class MagNoise(Command):
         required = self.REQUIRED.get(self.function, 0)
         there = codec.present(self, required, _MAG_NOISE_GROUPS)
         if there >= 1:
-            out += _MAG_NOISE_1.write(*codec.exactly("noise", self.noise, 3))
+            out += _MAG_NOISE_1.write(*codec.elements("noise", self.noise, 3))
         return codec.finished(out)
 
 
@@ -4660,7 +5459,6 @@ _MAGNETIC_DECLINATION_SOURCE_2 = codec.Block("f", "declination")
 _MAGNETIC_DECLINATION_SOURCE_GROUPS = ((1, ("source",), False), (2, ("declination",), False))
 
 
-@dataclass(slots=True)
 class MagneticDeclinationSource(Command):
     """Magnetic declination source (0x0D,0x43).
 
@@ -4675,6 +5473,9 @@ class MagneticDeclinationSource(Command):
     - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
     """
 
+    __slots__ = ("function", "source", "declination")
+    __match_args__ = ("function", "source", "declination")
+
     SET = 0x0D
     DESCRIPTOR = 0x43
     NAME = "filter.magnetic_declination_source"
@@ -4684,13 +5485,23 @@ class MagneticDeclinationSource(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
-    source: MagParameterSource | None = None
+    source: MagParameterSource | None
     """Source of the declination. Required for `write`.
 
     - On the 3DM-GQ7-GNSS/INS: only `MagParameterSource.WMM` and `MagParameterSource.MANUAL`.
     """
-    declination: float | None = None
+    declination: float | None
     """Declination; used only if `source` is manual. Unit: rad. Required for `write`."""
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        source: MagParameterSource | None = None,
+        declination: float | None = None,
+    ) -> None:
+        self.function = function
+        self.source = source
+        self.declination = declination
 
     @classmethod
     def write(cls, source: MagParameterSource, declination: float) -> MagneticDeclinationSource:
@@ -4781,7 +5592,6 @@ _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_GROUPS = (
 )
 
 
-@dataclass(slots=True)
 class AccelMagnitudeErrorAdaptiveMeasurement(Command):
     """Gravity magnitude error adaptive measurement (0x0D,0x44).
 
@@ -4800,6 +5610,27 @@ class AccelMagnitudeErrorAdaptiveMeasurement(Command):
     - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
     """
 
+    __slots__ = (
+        "function",
+        "adaptive_measurement",
+        "frequency",
+        "low_limit",
+        "high_limit",
+        "low_limit_uncertainty",
+        "high_limit_uncertainty",
+        "minimum_uncertainty",
+    )
+    __match_args__ = (
+        "function",
+        "adaptive_measurement",
+        "frequency",
+        "low_limit",
+        "high_limit",
+        "low_limit_uncertainty",
+        "high_limit_uncertainty",
+        "minimum_uncertainty",
+    )
+
     SET = 0x0D
     DESCRIPTOR = 0x44
     NAME = "filter.accel_magnitude_error_adaptive_measurement"
@@ -4809,25 +5640,45 @@ class AccelMagnitudeErrorAdaptiveMeasurement(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
-    adaptive_measurement: AdaptiveMeasurementSelector | None = None
+    adaptive_measurement: AdaptiveMeasurementSelector | None
     """Kind of adaptation. Required for `write`.
 
     - On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and
       3DM-RQ1-45-ST: only `AdaptiveMeasurementSelector.DISABLED` and
       `AdaptiveMeasurementSelector.FIXED`.
     """
-    frequency: float | None = None
+    frequency: float | None
     """Cut-off frequency of the low-pass filter. Unit: Hz. Optional."""
-    low_limit: float | None = None
+    low_limit: float | None
     """Lower limit of the error. Unit: m/s^2. Optional."""
-    high_limit: float | None = None
+    high_limit: float | None
     """Upper limit of the error. Unit: m/s^2. Optional."""
-    low_limit_uncertainty: float | None = None
+    low_limit_uncertainty: float | None
     """Standard deviation at the lower limit. Unit: m/s^2. Optional."""
-    high_limit_uncertainty: float | None = None
+    high_limit_uncertainty: float | None
     """Standard deviation at the upper limit. Unit: m/s^2. Optional."""
-    minimum_uncertainty: float | None = None
+    minimum_uncertainty: float | None
     """Smallest standard deviation. Unit: m/s^2. Optional."""
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        adaptive_measurement: AdaptiveMeasurementSelector | None = None,
+        frequency: float | None = None,
+        low_limit: float | None = None,
+        high_limit: float | None = None,
+        low_limit_uncertainty: float | None = None,
+        high_limit_uncertainty: float | None = None,
+        minimum_uncertainty: float | None = None,
+    ) -> None:
+        self.function = function
+        self.adaptive_measurement = adaptive_measurement
+        self.frequency = frequency
+        self.low_limit = low_limit
+        self.high_limit = high_limit
+        self.low_limit_uncertainty = low_limit_uncertainty
+        self.high_limit_uncertainty = high_limit_uncertainty
+        self.minimum_uncertainty = minimum_uncertainty
 
     @classmethod
     def write(
@@ -4990,7 +5841,6 @@ _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_GROUPS = (
 )
 
 
-@dataclass(slots=True)
 class MagMagnitudeErrorAdaptiveMeasurement(Command):
     """Magnetometer magnitude error adaptive measurement (0x0D,0x45).
 
@@ -5009,6 +5859,27 @@ class MagMagnitudeErrorAdaptiveMeasurement(Command):
     - mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
     """
 
+    __slots__ = (
+        "function",
+        "adaptive_measurement",
+        "frequency",
+        "low_limit",
+        "high_limit",
+        "low_limit_uncertainty",
+        "high_limit_uncertainty",
+        "minimum_uncertainty",
+    )
+    __match_args__ = (
+        "function",
+        "adaptive_measurement",
+        "frequency",
+        "low_limit",
+        "high_limit",
+        "low_limit_uncertainty",
+        "high_limit_uncertainty",
+        "minimum_uncertainty",
+    )
+
     SET = 0x0D
     DESCRIPTOR = 0x45
     NAME = "filter.mag_magnitude_error_adaptive_measurement"
@@ -5018,37 +5889,57 @@ class MagMagnitudeErrorAdaptiveMeasurement(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
-    adaptive_measurement: AdaptiveMeasurementSelector | None = None
+    adaptive_measurement: AdaptiveMeasurementSelector | None
     """Kind of adaptation. Required for `write`.
 
     - On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and
       3DM-RQ1-45-ST: only `AdaptiveMeasurementSelector.DISABLED` and
       `AdaptiveMeasurementSelector.FIXED`.
     """
-    frequency: float | None = None
+    frequency: float | None
     """Cut-off frequency of the low-pass filter. Unit: Hz. Required for `write`."""
-    low_limit: float | None = None
+    low_limit: float | None
     """Lower limit of the error. Unit: gauss. Required for `write`. Uncertain: The unit. The SDK
     prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
     """
-    high_limit: float | None = None
+    high_limit: float | None
     """Upper limit of the error. Unit: gauss. Required for `write`. Uncertain: The unit. The SDK
     prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
     """
-    low_limit_uncertainty: float | None = None
+    low_limit_uncertainty: float | None
     """Standard deviation at the lower limit. Unit: gauss. Required for `write`. Uncertain: The
     unit. The SDK prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in
     the response.
     """
-    high_limit_uncertainty: float | None = None
+    high_limit_uncertainty: float | None
     """Standard deviation at the upper limit. Unit: gauss. Required for `write`. Uncertain: The
     unit. The SDK prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in
     the response.
     """
-    minimum_uncertainty: float | None = None
+    minimum_uncertainty: float | None
     """Smallest standard deviation. Unit: gauss. Required for `write`. Uncertain: The unit. The SDK
     prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
     """
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        adaptive_measurement: AdaptiveMeasurementSelector | None = None,
+        frequency: float | None = None,
+        low_limit: float | None = None,
+        high_limit: float | None = None,
+        low_limit_uncertainty: float | None = None,
+        high_limit_uncertainty: float | None = None,
+        minimum_uncertainty: float | None = None,
+    ) -> None:
+        self.function = function
+        self.adaptive_measurement = adaptive_measurement
+        self.frequency = frequency
+        self.low_limit = low_limit
+        self.high_limit = high_limit
+        self.low_limit_uncertainty = low_limit_uncertainty
+        self.high_limit_uncertainty = high_limit_uncertainty
+        self.minimum_uncertainty = minimum_uncertainty
 
     @classmethod
     def write(
@@ -5207,7 +6098,6 @@ _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_GROUPS = (
 )
 
 
-@dataclass(slots=True)
 class MagDipAngleErrorAdaptiveMeasurement(Command):
     """Magnetometer dip angle error adaptive measurement (0x0D,0x46).
 
@@ -5224,6 +6114,23 @@ class MagDipAngleErrorAdaptiveMeasurement(Command):
     - mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
     """
 
+    __slots__ = (
+        "function",
+        "enable",
+        "frequency",
+        "high_limit",
+        "high_limit_uncertainty",
+        "minimum_uncertainty",
+    )
+    __match_args__ = (
+        "function",
+        "enable",
+        "frequency",
+        "high_limit",
+        "high_limit_uncertainty",
+        "minimum_uncertainty",
+    )
+
     SET = 0x0D
     DESCRIPTOR = 0x46
     NAME = "filter.mag_dip_angle_error_adaptive_measurement"
@@ -5233,22 +6140,38 @@ class MagDipAngleErrorAdaptiveMeasurement(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
-    enable: bool | None = None
+    enable: bool | None
     """Whether the adaptation is on. Required for `write`."""
-    frequency: float | None = None
+    frequency: float | None
     """Cut-off frequency of the low-pass filter. Unit: Hz. Required for `write`."""
-    high_limit: float | None = None
+    high_limit: float | None
     """Upper limit of the error. Unit: rad. Required for `write`. Uncertain: The unit. The SDK
     prints m/s^2; rad is inferred from the quantity.
     """
-    high_limit_uncertainty: float | None = None
+    high_limit_uncertainty: float | None
     """Standard deviation at the upper limit. Unit: rad. Required for `write`. Uncertain: The unit.
     The SDK prints m/s^2; rad is inferred from the quantity.
     """
-    minimum_uncertainty: float | None = None
+    minimum_uncertainty: float | None
     """Smallest standard deviation. Unit: rad. Required for `write`. Uncertain: The unit. The SDK
     prints m/s^2; rad is inferred from the quantity.
     """
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        enable: bool | None = None,
+        frequency: float | None = None,
+        high_limit: float | None = None,
+        high_limit_uncertainty: float | None = None,
+        minimum_uncertainty: float | None = None,
+    ) -> None:
+        self.function = function
+        self.enable = enable
+        self.frequency = frequency
+        self.high_limit = high_limit
+        self.high_limit_uncertainty = high_limit_uncertainty
+        self.minimum_uncertainty = minimum_uncertainty
 
     @classmethod
     def write(
@@ -5368,7 +6291,6 @@ _ALTITUDE_AIDING_1 = codec.Block("B", "selector")
 _ALTITUDE_AIDING_GROUPS = ((1, ("selector",), False),)
 
 
-@dataclass(slots=True)
 class AltitudeAiding(Command):
     """Altitude aiding (0x0D,0x47).
 
@@ -5383,6 +6305,9 @@ class AltitudeAiding(Command):
     - mip-sdk-4: Altitude Aiding (0x0D,0x47)
     """
 
+    __slots__ = ("function", "selector")
+    __match_args__ = ("function", "selector")
+
     SET = 0x0D
     DESCRIPTOR = 0x47
     NAME = "filter.altitude_aiding"
@@ -5392,8 +6317,14 @@ class AltitudeAiding(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
-    selector: AltitudeAidingSource | None = None
+    selector: AltitudeAidingSource | None
     """Source of the aiding. Required for `write`."""
+
+    def __init__(
+        self, function: FunctionSelector, selector: AltitudeAidingSource | None = None
+    ) -> None:
+        self.function = function
+        self.selector = selector
 
     @classmethod
     def write(cls, selector: AltitudeAidingSource) -> AltitudeAiding:
@@ -5461,7 +6392,6 @@ _PITCH_ROLL_AIDING_1 = codec.Block("B", "aiding")
 _PITCH_ROLL_AIDING_GROUPS = ((1, ("aiding",), False),)
 
 
-@dataclass(slots=True)
 class PitchRollAiding(Command):
     """Pitch and roll aiding (0x0D,0x4B).
 
@@ -5473,6 +6403,9 @@ class PitchRollAiding(Command):
     - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
     """
 
+    __slots__ = ("function", "aiding")
+    __match_args__ = ("function", "aiding")
+
     SET = 0x0D
     DESCRIPTOR = 0x4B
     NAME = "filter.pitch_roll_aiding"
@@ -5482,8 +6415,14 @@ class PitchRollAiding(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
-    aiding: PitchRollAidingSource | None = None
+    aiding: PitchRollAidingSource | None
     """Source of the aiding. Required for `write`."""
+
+    def __init__(
+        self, function: FunctionSelector, aiding: PitchRollAidingSource | None = None
+    ) -> None:
+        self.function = function
+        self.aiding = aiding
 
     @classmethod
     def write(cls, aiding: PitchRollAidingSource) -> PitchRollAiding:
@@ -5552,7 +6491,6 @@ _MAGNETIC_INCLINATION_SOURCE_2 = codec.Block("f", "inclination")
 _MAGNETIC_INCLINATION_SOURCE_GROUPS = ((1, ("source",), False), (2, ("inclination",), False))
 
 
-@dataclass(slots=True)
 class MagneticInclinationSource(Command):
     """Magnetic inclination source (0x0D,0x4C).
 
@@ -5567,6 +6505,9 @@ class MagneticInclinationSource(Command):
     - mip-sdk-4: Inclination Source (0x0D,0x4C)
     """
 
+    __slots__ = ("function", "source", "inclination")
+    __match_args__ = ("function", "source", "inclination")
+
     SET = 0x0D
     DESCRIPTOR = 0x4C
     NAME = "filter.magnetic_inclination_source"
@@ -5576,12 +6517,22 @@ class MagneticInclinationSource(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
-    source: MagParameterSource | None = None
+    source: MagParameterSource | None
     """Source of the inclination. Required for `write`."""
-    inclination: float | None = None
+    inclination: float | None
     """Inclination; used only if `source` is manual. Unit: rad. Required for `write`. Uncertain:
     Whether it may be left out if `source` is not manual. The SDK sends it always.
     """
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        source: MagParameterSource | None = None,
+        inclination: float | None = None,
+    ) -> None:
+        self.function = function
+        self.source = source
+        self.inclination = inclination
 
     @classmethod
     def write(cls, source: MagParameterSource, inclination: float) -> MagneticInclinationSource:
@@ -5659,7 +6610,6 @@ _MAGNETIC_MAGNITUDE_SOURCE_2 = codec.Block("f", "magnitude")
 _MAGNETIC_MAGNITUDE_SOURCE_GROUPS = ((1, ("source",), False), (2, ("magnitude",), False))
 
 
-@dataclass(slots=True)
 class MagneticMagnitudeSource(Command):
     """Magnetic field magnitude source (0x0D,0x4D).
 
@@ -5675,6 +6625,9 @@ class MagneticMagnitudeSource(Command):
     - mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D)
     """
 
+    __slots__ = ("function", "source", "magnitude")
+    __match_args__ = ("function", "source", "magnitude")
+
     SET = 0x0D
     DESCRIPTOR = 0x4D
     NAME = "filter.magnetic_magnitude_source"
@@ -5684,12 +6637,22 @@ class MagneticMagnitudeSource(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
-    source: MagParameterSource | None = None
+    source: MagParameterSource | None
     """Source of the magnitude. Required for `write`."""
-    magnitude: float | None = None
+    magnitude: float | None
     """Magnitude; used only if `source` is manual. Unit: gauss. Required for `write`. Uncertain:
     Whether it may be left out if `source` is not manual. The SDK sends it always.
     """
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        source: MagParameterSource | None = None,
+        magnitude: float | None = None,
+    ) -> None:
+        self.function = function
+        self.source = source
+        self.magnitude = magnitude
 
     @classmethod
     def write(cls, source: MagParameterSource, magnitude: float) -> MagneticMagnitudeSource:
@@ -5766,7 +6729,6 @@ _SENSOR_TO_VEHICLE_ROTATION_DCM_1 = codec.Block("fffffffff", *["dcm"] * 9)
 _SENSOR_TO_VEHICLE_ROTATION_DCM_GROUPS = ((1, ("dcm",), False),)
 
 
-@dataclass(slots=True)
 class SensorToVehicleRotationDcm(Command):
     """Sensor to vehicle rotation, matrix (0x0D,0x4E).
 
@@ -5785,22 +6747,32 @@ class SensorToVehicleRotationDcm(Command):
     - mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E)
     """
 
+    __slots__ = ("function", "dcm")
+    __match_args__ = ("function", "dcm")
+
     SET = 0x0D
     DESCRIPTOR = 0x4E
     NAME = "filter.sensor_to_vehicle_rotation_dcm"
     ROLE = "command"
     RESPONSES = (SensorToVehicleRotationDcmResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _VECTORS = {"dcm": (types.Matrix3f,)}
 
     function: FunctionSelector
     """What to do with the setting."""
-    dcm: types.Matrix3f | None = None
+    dcm: types.Matrix3f | None
     """Rotation matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
     Unit: 1. Required for `write`.
     """
 
+    def __init__(
+        self, function: FunctionSelector, dcm: types.Matrix3f | None | codec.Rows = None
+    ) -> None:
+        self.function = function
+        self.dcm = codec.vector(dcm, types.Matrix3f)
+
     @classmethod
-    def write(cls, dcm: types.Matrix3f) -> SensorToVehicleRotationDcm:
+    def write(cls, dcm: types.Matrix3f | codec.Rows) -> SensorToVehicleRotationDcm:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, dcm=dcm)
 
@@ -5843,7 +6815,7 @@ class SensorToVehicleRotationDcm(Command):
                 raise Truncated(1, 0)
             v = _SENSOR_TO_VEHICLE_ROTATION_DCM_1.read(raw, at)
             at += 36
-            dcm = v[0:9]
+            dcm = types.Matrix3f._make(v[0:9])
             done, end = 1, at
         except Truncated:
             if done < required:
@@ -5856,7 +6828,7 @@ class SensorToVehicleRotationDcm(Command):
         required = self.REQUIRED.get(self.function, 0)
         there = codec.present(self, required, _SENSOR_TO_VEHICLE_ROTATION_DCM_GROUPS)
         if there >= 1:
-            out += _SENSOR_TO_VEHICLE_ROTATION_DCM_1.write(*codec.exactly("dcm", self.dcm, 9))
+            out += _SENSOR_TO_VEHICLE_ROTATION_DCM_1.write(*codec.elements("dcm", self.dcm, 9))
         return codec.finished(out)
 
 
@@ -5865,7 +6837,6 @@ _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_1 = codec.Block("ffff", *["q"] * 4)
 _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_GROUPS = ((1, ("q",), False),)
 
 
-@dataclass(slots=True)
 class SensorToVehicleRotationQuaternion(Command):
     """Sensor to vehicle rotation, quaternion (0x0D,0x4F).
 
@@ -5883,22 +6854,32 @@ class SensorToVehicleRotationQuaternion(Command):
     - mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F)
     """
 
+    __slots__ = ("function", "q")
+    __match_args__ = ("function", "q")
+
     SET = 0x0D
     DESCRIPTOR = 0x4F
     NAME = "filter.sensor_to_vehicle_rotation_quaternion"
     ROLE = "command"
     RESPONSES = (SensorToVehicleRotationQuaternionResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _VECTORS = {"q": (types.Quatf,)}
 
     function: FunctionSelector
     """What to do with the setting."""
-    q: types.Quatf | None = None
+    q: types.Quatf | None
     """Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Range: magnitude 0.999 to
     1.001. Required for `write`.
     """
 
+    def __init__(
+        self, function: FunctionSelector, q: types.Quatf | None | codec.Numbers = None
+    ) -> None:
+        self.function = function
+        self.q = codec.vector(q, types.Quatf)
+
     @classmethod
-    def write(cls, q: types.Quatf) -> SensorToVehicleRotationQuaternion:
+    def write(cls, q: types.Quatf | codec.Numbers) -> SensorToVehicleRotationQuaternion:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, q=q)
 
@@ -5941,7 +6922,7 @@ class SensorToVehicleRotationQuaternion(Command):
                 raise Truncated(1, 0)
             v = _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_1.read(raw, at)
             at += 16
-            q = v[0:4]
+            q = types.Quatf._make(v[0:4])
             done, end = 1, at
         except Truncated:
             if done < required:
@@ -5954,7 +6935,7 @@ class SensorToVehicleRotationQuaternion(Command):
         required = self.REQUIRED.get(self.function, 0)
         there = codec.present(self, required, _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_GROUPS)
         if there >= 1:
-            out += _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_1.write(*codec.exactly("q", self.q, 4))
+            out += _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_1.write(*codec.elements("q", self.q, 4))
         return codec.finished(out)
 
 
@@ -5964,7 +6945,6 @@ _AIDING_MEASUREMENT_ENABLE_2 = codec.Block("B", "enable")
 _AIDING_MEASUREMENT_ENABLE_GROUPS = ((1, ("aiding_source",), False), (2, ("enable",), False))
 
 
-@dataclass(slots=True)
 class AidingMeasurementEnable(Command):
     """Aiding measurement control (0x0D,0x50).
 
@@ -5977,6 +6957,9 @@ class AidingMeasurementEnable(Command):
     - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
     """
 
+    __slots__ = ("function", "aiding_source", "enable")
+    __match_args__ = ("function", "aiding_source", "enable")
+
     SET = 0x0D
     DESCRIPTOR = 0x50
     NAME = "filter.aiding_measurement_enable"
@@ -5986,15 +6969,25 @@ class AidingMeasurementEnable(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
-    aiding_source: AidingSource | None = None
+    aiding_source: AidingSource | None
     """The source; `all` is for save, load and default.
 
     - On the 3DM-CV7-AHRS: only `AidingSource.MAG`, `AidingSource.EXTERNAL_HEADING` and
       `AidingSource.ALL`.
     - On the 3DM-CV7-AR: only `AidingSource.EXTERNAL_HEADING` and `AidingSource.ALL`.
     """
-    enable: bool | None = None
+    enable: bool | None
     """Whether the filter uses the source. Required for `write`."""
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        aiding_source: AidingSource | None = None,
+        enable: bool | None = None,
+    ) -> None:
+        self.function = function
+        self.aiding_source = aiding_source
+        self.enable = enable
 
     @classmethod
     def write(cls, aiding_source: AidingSource, enable: bool) -> AidingMeasurementEnable:
@@ -6077,7 +7070,6 @@ _KINEMATIC_CONSTRAINT_GROUPS = (
 )
 
 
-@dataclass(slots=True)
 class KinematicConstraint(Command):
     """Kinematic constraint (0x0D,0x51).
 
@@ -6091,6 +7083,9 @@ class KinematicConstraint(Command):
     - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
     """
 
+    __slots__ = ("function", "accel_constraint", "velocity_constraint", "angular_constraint")
+    __match_args__ = ("function", "accel_constraint", "velocity_constraint", "angular_constraint")
+
     SET = 0x0D
     DESCRIPTOR = 0x51
     NAME = "filter.kinematic_constraint"
@@ -6100,13 +7095,25 @@ class KinematicConstraint(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
-    accel_constraint: AccelConstraint | None = None
+    accel_constraint: AccelConstraint | None
     """Assumption about the acceleration. Default: `AccelConstraint.NONE`. Required for `write`."""
-    velocity_constraint: VelocityConstraint | None = None
+    velocity_constraint: VelocityConstraint | None
     """Assumption about the velocity. Default: `VelocityConstraint.NONE`. Required for `write`."""
-    angular_constraint: AngularConstraint | None = None
+    angular_constraint: AngularConstraint | None
     """Assumption about the angular rate. Default: `AngularConstraint.NONE`. Required for `write`.
     """
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        accel_constraint: AccelConstraint | None = None,
+        velocity_constraint: VelocityConstraint | None = None,
+        angular_constraint: AngularConstraint | None = None,
+    ) -> None:
+        self.function = function
+        self.accel_constraint = accel_constraint
+        self.velocity_constraint = velocity_constraint
+        self.angular_constraint = angular_constraint
 
     @classmethod
     def write(
@@ -6220,7 +7227,6 @@ _INITIALIZATION_CONFIG_GROUPS = (
 )
 
 
-@dataclass(slots=True)
 class InitializationConfig(Command):
     """Navigation filter initialization (0x0D,0x52).
 
@@ -6237,43 +7243,93 @@ class InitializationConfig(Command):
     - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
     """
 
+    __slots__ = (
+        "function",
+        "wait_for_run_command",
+        "initial_condition_source",
+        "auto_heading_alignment_selector",
+        "initial_heading",
+        "initial_pitch",
+        "initial_roll",
+        "initial_position",
+        "initial_velocity",
+        "reference_frame_selector",
+    )
+    __match_args__ = (
+        "function",
+        "wait_for_run_command",
+        "initial_condition_source",
+        "auto_heading_alignment_selector",
+        "initial_heading",
+        "initial_pitch",
+        "initial_roll",
+        "initial_position",
+        "initial_velocity",
+        "reference_frame_selector",
+    )
+
     SET = 0x0D
     DESCRIPTOR = 0x52
     NAME = "filter.initialization_config"
     ROLE = "command"
     RESPONSES = (InitializationConfigResponse,)
     REQUIRED = {1: 9, 2: 0, 3: 0, 4: 0, 5: 0}
+    _VECTORS = {"initial_position": (types.Vector3f,), "initial_velocity": (types.Vector3f,)}
 
     function: FunctionSelector
     """What to do with the setting."""
-    wait_for_run_command: int | None = None
+    wait_for_run_command: int | None
     """1: the filter starts only after `Run`; 0: as soon as it can. Range: 0 to 1. Required for
     `write`.
     """
-    initial_condition_source: InitialConditionSource | None = None
+    initial_condition_source: InitialConditionSource | None
     """Which initial conditions are found and which are given. Required for `write`."""
-    auto_heading_alignment_selector: HeadingAlignment | None = None
+    auto_heading_alignment_selector: HeadingAlignment | None
     """Ways in which the initial heading may be found. Required for `write`."""
-    initial_heading: float | None = None
+    initial_heading: float | None
     """Given heading. Unit: deg. Required for `write`."""
-    initial_pitch: float | None = None
+    initial_pitch: float | None
     """Given pitch. Unit: deg. Required for `write`."""
-    initial_roll: float | None = None
+    initial_roll: float | None
     """Given roll. Unit: deg. Required for `write`."""
-    initial_position: types.Vector3f | None = None
+    initial_position: types.Vector3f | None
     """Given position. Elements: x, y, z. Required for `write`.
 
     - If `reference_frame_selector` is `ReferenceFrame.ECEF`: unit m; frame ecef.
     - If `reference_frame_selector` is `ReferenceFrame.LLH`: unit deg, deg, m; frame llh.
     """
-    initial_velocity: types.Vector3f | None = None
+    initial_velocity: types.Vector3f | None
     """Given velocity. Elements: x, y, z. Unit: m/s. Required for `write`.
 
     - If `reference_frame_selector` is `ReferenceFrame.ECEF`: frame ecef.
     - If `reference_frame_selector` is `ReferenceFrame.LLH`: frame ned.
     """
-    reference_frame_selector: ReferenceFrame | None = None
+    reference_frame_selector: ReferenceFrame | None
     """Frame of the given position and velocity. Required for `write`."""
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        wait_for_run_command: int | None = None,
+        initial_condition_source: InitialConditionSource | None = None,
+        auto_heading_alignment_selector: HeadingAlignment | None = None,
+        initial_heading: float | None = None,
+        initial_pitch: float | None = None,
+        initial_roll: float | None = None,
+        initial_position: types.Vector3f | None | codec.Numbers = None,
+        initial_velocity: types.Vector3f | None | codec.Numbers = None,
+        reference_frame_selector: ReferenceFrame | None = None,
+    ) -> None:
+        self.function = function
+        self.wait_for_run_command = wait_for_run_command
+        self.initial_condition_source = initial_condition_source
+        self.auto_heading_alignment_selector = auto_heading_alignment_selector
+        self.initial_heading = initial_heading
+        self.initial_pitch = initial_pitch
+        self.initial_roll = initial_roll
+        self.initial_position = codec.vector(initial_position, types.Vector3f)
+        self.initial_velocity = codec.vector(initial_velocity, types.Vector3f)
+        self.reference_frame_selector = reference_frame_selector
 
     @classmethod
     def write(
@@ -6284,8 +7340,8 @@ class InitializationConfig(Command):
         initial_heading: float,
         initial_pitch: float,
         initial_roll: float,
-        initial_position: types.Vector3f,
-        initial_velocity: types.Vector3f,
+        initial_position: types.Vector3f | codec.Numbers,
+        initial_velocity: types.Vector3f | codec.Numbers,
         reference_frame_selector: ReferenceFrame,
     ) -> InitializationConfig:
         """Apply the new setting."""
@@ -6385,13 +7441,13 @@ class InitializationConfig(Command):
                 raise Truncated(1, 0)
             v = _INITIALIZATION_CONFIG_7.read(raw, at)
             at += 12
-            initial_position = v[0:3]
+            initial_position = types.Vector3f._make(v[0:3])
             done, end = 7, at
             if at == len(raw) and required < 8:
                 raise Truncated(1, 0)
             v = _INITIALIZATION_CONFIG_8.read(raw, at)
             at += 12
-            initial_velocity = v[0:3]
+            initial_velocity = types.Vector3f._make(v[0:3])
             done, end = 8, at
             if at == len(raw) and required < 9:
                 raise Truncated(1, 0)
@@ -6434,11 +7490,11 @@ class InitializationConfig(Command):
             out += _INITIALIZATION_CONFIG_6.write(self.initial_roll)
         if there >= 7:
             out += _INITIALIZATION_CONFIG_7.write(
-                *codec.exactly("initial_position", self.initial_position, 3)
+                *codec.elements("initial_position", self.initial_position, 3)
             )
         if there >= 8:
             out += _INITIALIZATION_CONFIG_8.write(
-                *codec.exactly("initial_velocity", self.initial_velocity, 3)
+                *codec.elements("initial_velocity", self.initial_velocity, 3)
             )
         if there >= 9:
             out += _INITIALIZATION_CONFIG_9.write(self.reference_frame_selector)
@@ -6451,7 +7507,6 @@ _ADAPTIVE_FILTER_OPTIONS_2 = codec.Block("H", "time_limit")
 _ADAPTIVE_FILTER_OPTIONS_GROUPS = ((1, ("level",), False), (2, ("time_limit",), False))
 
 
-@dataclass(slots=True)
 class AdaptiveFilterOptions(Command):
     """Adaptive filter control (0x0D,0x53).
 
@@ -6463,6 +7518,9 @@ class AdaptiveFilterOptions(Command):
     - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
     """
 
+    __slots__ = ("function", "level", "time_limit")
+    __match_args__ = ("function", "level", "time_limit")
+
     SET = 0x0D
     DESCRIPTOR = 0x53
     NAME = "filter.adaptive_filter_options"
@@ -6472,15 +7530,25 @@ class AdaptiveFilterOptions(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
-    level: AdaptiveLevel | None = None
+    level: AdaptiveLevel | None
     """Strength of the adaptation. Default: 2. Required for `write`.
 
     - On the 3DM-GX5-45: only `AdaptiveLevel.OFF` and `AdaptiveLevel.MODERATE`.
     """
-    time_limit: int | None = None
+    time_limit: int | None
     """Longest time for which measurements are rejected before the filter recovers. Unit: ms.
     Required for `write`.
     """
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        level: AdaptiveLevel | None = None,
+        time_limit: int | None = None,
+    ) -> None:
+        self.function = function
+        self.level = level
+        self.time_limit = time_limit
 
     @classmethod
     def write(cls, level: AdaptiveLevel, time_limit: int) -> AdaptiveFilterOptions:
@@ -6558,7 +7626,6 @@ _MULTI_ANTENNA_OFFSET_2 = codec.Block("fff", *["antenna_offset"] * 3)
 _MULTI_ANTENNA_OFFSET_GROUPS = ((1, ("receiver_id",), False), (2, ("antenna_offset",), False))
 
 
-@dataclass(slots=True)
 class MultiAntennaOffset(Command):
     """GNSS multi-antenna offset (0x0D,0x54).
 
@@ -6570,24 +7637,40 @@ class MultiAntennaOffset(Command):
     - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
     """
 
+    __slots__ = ("function", "receiver_id", "antenna_offset")
+    __match_args__ = ("function", "receiver_id", "antenna_offset")
+
     SET = 0x0D
     DESCRIPTOR = 0x54
     NAME = "filter.multi_antenna_offset"
     ROLE = "command"
     RESPONSES = (MultiAntennaOffsetResponse,)
     REQUIRED = {1: 2, 2: 1, 3: 1, 4: 1, 5: 1}
+    _VECTORS = {"antenna_offset": (types.Vector3f,)}
 
     function: FunctionSelector
     """What to do with the setting."""
-    receiver_id: int | None = None
+    receiver_id: int | None
     """Number of the receiver, from 1. Range: at least 1."""
-    antenna_offset: types.Vector3f | None = None
+    antenna_offset: types.Vector3f | None
     """From the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude
     at most 10. Required for `write`.
     """
 
+    def __init__(
+        self,
+        function: FunctionSelector,
+        receiver_id: int | None = None,
+        antenna_offset: types.Vector3f | None | codec.Numbers = None,
+    ) -> None:
+        self.function = function
+        self.receiver_id = receiver_id
+        self.antenna_offset = codec.vector(antenna_offset, types.Vector3f)
+
     @classmethod
-    def write(cls, receiver_id: int, antenna_offset: types.Vector3f) -> MultiAntennaOffset:
+    def write(
+        cls, receiver_id: int, antenna_offset: types.Vector3f | codec.Numbers
+    ) -> MultiAntennaOffset:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, receiver_id=receiver_id, antenna_offset=antenna_offset)
 
@@ -6637,7 +7720,7 @@ class MultiAntennaOffset(Command):
                 raise Truncated(1, 0)
             v = _MULTI_ANTENNA_OFFSET_2.read(raw, at)
             at += 12
-            antenna_offset = v[0:3]
+            antenna_offset = types.Vector3f._make(v[0:3])
             done, end = 2, at
         except Truncated:
             if done < required:
@@ -6653,7 +7736,7 @@ class MultiAntennaOffset(Command):
             out += _MULTI_ANTENNA_OFFSET_1.write(self.receiver_id)
         if there >= 2:
             out += _MULTI_ANTENNA_OFFSET_2.write(
-                *codec.exactly("antenna_offset", self.antenna_offset, 3)
+                *codec.elements("antenna_offset", self.antenna_offset, 3)
             )
         return codec.finished(out)
 
@@ -6669,7 +7752,6 @@ _RELATIVE_POSITION_CONFIG_GROUPS = (
 )
 
 
-@dataclass(slots=True)
 class RelativePositionConfig(Command):
     """Relative position configuration (0x0D,0x55).
 
@@ -6681,32 +7763,48 @@ class RelativePositionConfig(Command):
     - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
     """
 
+    __slots__ = ("function", "source", "reference_frame_selector", "reference_coordinates")
+    __match_args__ = ("function", "source", "reference_frame_selector", "reference_coordinates")
+
     SET = 0x0D
     DESCRIPTOR = 0x55
     NAME = "filter.relative_position_config"
     ROLE = "command"
     RESPONSES = (RelativePositionConfigResponse,)
     REQUIRED = {1: 3, 2: 0, 3: 0, 4: 0, 5: 0}
+    _VECTORS = {"reference_coordinates": (types.Vector3d,)}
 
     function: FunctionSelector
     """What to do with the setting."""
-    source: RelativePositionSource | None = None
+    source: RelativePositionSource | None
     """Source of the reference point. Required for `write`."""
-    reference_frame_selector: ReferenceFrame | None = None
+    reference_frame_selector: ReferenceFrame | None
     """Frame of the coordinates. Required for `write`."""
-    reference_coordinates: types.Vector3d | None = None
+    reference_coordinates: types.Vector3d | None
     """Reference point. Elements: x, y, z. Required for `write`.
 
     - If `reference_frame_selector` is `ReferenceFrame.ECEF`: unit m; frame ecef.
     - If `reference_frame_selector` is `ReferenceFrame.LLH`: unit deg, deg, m; frame llh.
     """
 
+    def __init__(
+        self,
+        function: FunctionSelector,
+        source: RelativePositionSource | None = None,
+        reference_frame_selector: ReferenceFrame | None = None,
+        reference_coordinates: types.Vector3d | None | codec.Numbers = None,
+    ) -> None:
+        self.function = function
+        self.source = source
+        self.reference_frame_selector = reference_frame_selector
+        self.reference_coordinates = codec.vector(reference_coordinates, types.Vector3d)
+
     @classmethod
     def write(
         cls,
         source: RelativePositionSource,
         reference_frame_selector: ReferenceFrame,
-        reference_coordinates: types.Vector3d,
+        reference_coordinates: types.Vector3d | codec.Numbers,
     ) -> RelativePositionConfig:
         """Apply the new setting."""
         return cls(
@@ -6769,7 +7867,7 @@ class RelativePositionConfig(Command):
                 raise Truncated(1, 0)
             v = _RELATIVE_POSITION_CONFIG_3.read(raw, at)
             at += 24
-            reference_coordinates = v[0:3]
+            reference_coordinates = types.Vector3d._make(v[0:3])
             done, end = 3, at
         except Truncated:
             if done < required:
@@ -6787,7 +7885,7 @@ class RelativePositionConfig(Command):
             out += _RELATIVE_POSITION_CONFIG_2.write(self.reference_frame_selector)
         if there >= 3:
             out += _RELATIVE_POSITION_CONFIG_3.write(
-                *codec.exactly("reference_coordinates", self.reference_coordinates, 3)
+                *codec.elements("reference_coordinates", self.reference_coordinates, 3)
             )
         return codec.finished(out)
 
@@ -6801,7 +7899,6 @@ _REFERENCE_POINT_LEVER_ARM_GROUPS = (
 )
 
 
-@dataclass(slots=True)
 class ReferencePointLeverArm(Command):
     """Reference point lever arm (0x0D,0x56).
 
@@ -6817,25 +7914,39 @@ class ReferencePointLeverArm(Command):
     - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
     """
 
+    __slots__ = ("function", "reference_point", "lever_arm_offset")
+    __match_args__ = ("function", "reference_point", "lever_arm_offset")
+
     SET = 0x0D
     DESCRIPTOR = 0x56
     NAME = "filter.reference_point_lever_arm"
     ROLE = "command"
     RESPONSES = (ReferencePointLeverArmResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+    _VECTORS = {"lever_arm_offset": (types.Vector3f,)}
 
     function: FunctionSelector
     """What to do with the setting."""
-    reference_point: ReferencePoint | None = None
+    reference_point: ReferencePoint | None
     """Point to move; it must be 1. Required for `write`."""
-    lever_arm_offset: types.Vector3f | None = None
+    lever_arm_offset: types.Vector3f | None
     """From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at
     most 10. Required for `write`.
     """
 
+    def __init__(
+        self,
+        function: FunctionSelector,
+        reference_point: ReferencePoint | None = None,
+        lever_arm_offset: types.Vector3f | None | codec.Numbers = None,
+    ) -> None:
+        self.function = function
+        self.reference_point = reference_point
+        self.lever_arm_offset = codec.vector(lever_arm_offset, types.Vector3f)
+
     @classmethod
     def write(
-        cls, reference_point: ReferencePoint, lever_arm_offset: types.Vector3f
+        cls, reference_point: ReferencePoint, lever_arm_offset: types.Vector3f | codec.Numbers
     ) -> ReferencePointLeverArm:
         """Apply the new setting."""
         return cls(
@@ -6890,7 +8001,7 @@ class ReferencePointLeverArm(Command):
                 raise Truncated(1, 0)
             v = _REFERENCE_POINT_LEVER_ARM_2.read(raw, at)
             at += 12
-            lever_arm_offset = v[0:3]
+            lever_arm_offset = types.Vector3f._make(v[0:3])
             done, end = 2, at
         except Truncated:
             if done < required:
@@ -6906,7 +8017,7 @@ class ReferencePointLeverArm(Command):
             out += _REFERENCE_POINT_LEVER_ARM_1.write(self.reference_point)
         if there >= 2:
             out += _REFERENCE_POINT_LEVER_ARM_2.write(
-                *codec.exactly("lever_arm_offset", self.lever_arm_offset, 3)
+                *codec.elements("lever_arm_offset", self.lever_arm_offset, 3)
             )
         return codec.finished(out)
 
@@ -6914,7 +8025,6 @@ class ReferencePointLeverArm(Command):
 _SPEED_MEASUREMENT_0 = codec.Block("Bfff", "source", "tow", "speed", "speed_uncertainty")
 
 
-@dataclass(slots=True)
 class SpeedMeasurement(Command):
     """Speed measurement (0x0D,0x60).
 
@@ -6929,12 +8039,21 @@ class SpeedMeasurement(Command):
     - mip-sdk-4: Speed Measurement (0x0D,0x60)
     """
 
+    __slots__ = ("source", "tow", "speed", "speed_uncertainty")
+    __match_args__ = ("tow", "speed", "speed_uncertainty")
+
     SET = 0x0D
     DESCRIPTOR = 0x60
     NAME = "filter.speed_measurement"
     ROLE = "command"
+    _LAYOUT = (
+        ("source", "B", None),
+        ("tow", "f", None),
+        ("speed", "f", None),
+        ("speed_uncertainty", "f", None),
+    )
 
-    source: int = field(default=1, kw_only=True)
+    source: int
     """Send 1. Reserved: send 1."""
     tow: float
     """GPS time of week of the measurement. Unit: s. Uncertain: The unit; the SDK prints none."""
@@ -6942,6 +8061,14 @@ class SpeedMeasurement(Command):
     """Speed, negative in reverse. Unit: m/s. Frame: vehicle."""
     speed_uncertainty: float
     """Standard deviation of the speed. Unit: m/s."""
+
+    def __init__(
+        self, tow: float, speed: float, speed_uncertainty: float, *, source: int = 1
+    ) -> None:
+        self.source = source
+        self.tow = tow
+        self.speed = speed
+        self.speed_uncertainty = speed_uncertainty
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SpeedMeasurement, int]:
@@ -6964,7 +8091,6 @@ _SPEED_LEVER_ARM_2 = codec.Block("fff", *["lever_arm_offset"] * 3)
 _SPEED_LEVER_ARM_GROUPS = ((1, ("source",), False), (2, ("lever_arm_offset",), False))
 
 
-@dataclass(slots=True)
 class SpeedLeverArm(Command):
     """Speed measurement lever arm (0x0D,0x61).
 
@@ -6978,24 +8104,38 @@ class SpeedLeverArm(Command):
     - 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61)
     """
 
+    __slots__ = ("function", "source", "lever_arm_offset")
+    __match_args__ = ("function", "source", "lever_arm_offset")
+
     SET = 0x0D
     DESCRIPTOR = 0x61
     NAME = "filter.speed_lever_arm"
     ROLE = "command"
     RESPONSES = (SpeedLeverArmResponse,)
     REQUIRED = {1: 2, 2: 1, 3: 1, 4: 1, 5: 1}
+    _VECTORS = {"lever_arm_offset": (types.Vector3f,)}
 
     function: FunctionSelector
     """What to do with the setting."""
-    source: int | None = None
+    source: int | None
     """Reserved: send 1."""
-    lever_arm_offset: types.Vector3f | None = None
+    lever_arm_offset: types.Vector3f | None
     """From the sensor to the point of measurement. Elements: x, y, z. Unit: m. Frame: vehicle.
     Required for `write`.
     """
 
+    def __init__(
+        self,
+        function: FunctionSelector,
+        source: int | None = None,
+        lever_arm_offset: types.Vector3f | None | codec.Numbers = None,
+    ) -> None:
+        self.function = function
+        self.source = source
+        self.lever_arm_offset = codec.vector(lever_arm_offset, types.Vector3f)
+
     @classmethod
-    def write(cls, lever_arm_offset: types.Vector3f) -> SpeedLeverArm:
+    def write(cls, lever_arm_offset: types.Vector3f | codec.Numbers) -> SpeedLeverArm:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, source=1, lever_arm_offset=lever_arm_offset)
 
@@ -7045,7 +8185,7 @@ class SpeedLeverArm(Command):
                 raise Truncated(1, 0)
             v = _SPEED_LEVER_ARM_2.read(raw, at)
             at += 12
-            lever_arm_offset = v[0:3]
+            lever_arm_offset = types.Vector3f._make(v[0:3])
             done, end = 2, at
         except Truncated:
             if done < required:
@@ -7061,7 +8201,7 @@ class SpeedLeverArm(Command):
             out += _SPEED_LEVER_ARM_1.write(self.source)
         if there >= 2:
             out += _SPEED_LEVER_ARM_2.write(
-                *codec.exactly("lever_arm_offset", self.lever_arm_offset, 3)
+                *codec.elements("lever_arm_offset", self.lever_arm_offset, 3)
             )
         return codec.finished(out)
 
@@ -7071,7 +8211,6 @@ _VERTICAL_GYRO_CONSTRAINT_CONTROL_1 = codec.Block("B", "enable")
 _VERTICAL_GYRO_CONSTRAINT_CONTROL_GROUPS = ((1, ("enable",), False),)
 
 
-@dataclass(slots=True)
 class VerticalGyroConstraintControl(Command):
     """Vertical gyro constraint (0x0D,0x62).
 
@@ -7086,6 +8225,9 @@ class VerticalGyroConstraintControl(Command):
     - mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62)
     """
 
+    __slots__ = ("function", "enable")
+    __match_args__ = ("function", "enable")
+
     SET = 0x0D
     DESCRIPTOR = 0x62
     NAME = "filter.vertical_gyro_constraint_control"
@@ -7095,8 +8237,12 @@ class VerticalGyroConstraintControl(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
-    enable: int | None = None
+    enable: int | None
     """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
+
+    def __init__(self, function: FunctionSelector, enable: int | None = None) -> None:
+        self.function = function
+        self.enable = enable
 
     @classmethod
     def write(cls, enable: int) -> VerticalGyroConstraintControl:
@@ -7164,7 +8310,6 @@ _WHEELED_VEHICLE_CONSTRAINT_CONTROL_1 = codec.Block("B", "enable")
 _WHEELED_VEHICLE_CONSTRAINT_CONTROL_GROUPS = ((1, ("enable",), False),)
 
 
-@dataclass(slots=True)
 class WheeledVehicleConstraintControl(Command):
     """Wheeled vehicle constraint (0x0D,0x63).
 
@@ -7179,6 +8324,9 @@ class WheeledVehicleConstraintControl(Command):
     - 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63)
     """
 
+    __slots__ = ("function", "enable")
+    __match_args__ = ("function", "enable")
+
     SET = 0x0D
     DESCRIPTOR = 0x63
     NAME = "filter.wheeled_vehicle_constraint_control"
@@ -7188,8 +8336,12 @@ class WheeledVehicleConstraintControl(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
-    enable: int | None = None
+    enable: int | None
     """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
+
+    def __init__(self, function: FunctionSelector, enable: int | None = None) -> None:
+        self.function = function
+        self.enable = enable
 
     @classmethod
     def write(cls, enable: int) -> WheeledVehicleConstraintControl:
@@ -7258,7 +8410,6 @@ _GNSS_ANTENNA_CALIBRATION_CONTROL_2 = codec.Block("f", "max_offset")
 _GNSS_ANTENNA_CALIBRATION_CONTROL_GROUPS = ((1, ("enable",), False), (2, ("max_offset",), False))
 
 
-@dataclass(slots=True)
 class GnssAntennaCalibrationControl(Command):
     """GNSS antenna offset calibration (0x0D,0x64).
 
@@ -7272,6 +8423,9 @@ class GnssAntennaCalibrationControl(Command):
     - 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration
     """
 
+    __slots__ = ("function", "enable", "max_offset")
+    __match_args__ = ("function", "enable", "max_offset")
+
     SET = 0x0D
     DESCRIPTOR = 0x64
     NAME = "filter.gnss_antenna_calibration_control"
@@ -7281,12 +8435,19 @@ class GnssAntennaCalibrationControl(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
-    enable: int | None = None
+    enable: int | None
     """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
-    max_offset: float | None = None
+    max_offset: float | None
     """Largest absolute error that is tracked; the limits are those of the 3DM-CV7. Unit: m. Frame:
     vehicle. Range: 0 to 0.5. Default: 0.1. Required for `write`.
     """
+
+    def __init__(
+        self, function: FunctionSelector, enable: int | None = None, max_offset: float | None = None
+    ) -> None:
+        self.function = function
+        self.enable = enable
+        self.max_offset = max_offset
 
     @classmethod
     def write(cls, enable: int, max_offset: float) -> GnssAntennaCalibrationControl:

@@ -10,7 +10,6 @@ Uncertain: How the strings are padded or ended.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import IntFlag
 
 from . import codec, types
@@ -73,7 +72,6 @@ class LedAction(codec.OpenEnum):
 _GET_STATUS_FLAGS_RESPONSE_0 = codec.Block("I", "flags")
 
 
-@dataclass(slots=True)
 class GetStatusFlagsResponse(Response):
     """Get status flags response (0x0F,0x81).
 
@@ -82,13 +80,20 @@ class GetStatusFlagsResponse(Response):
     - mip-sdk-4: Get Status Flags (0x0F,0x01)
     """
 
+    __slots__ = ("flags",)
+    __match_args__ = ("flags",)
+
     SET = 0x0F
     DESCRIPTOR = 0x81
     NAME = "rtk.get_status_flags_response"
     ROLE = "response"
+    _LAYOUT = (("flags", "I", types.RtkStatusFlags),)
 
     flags: types.RtkStatusFlags
     """State of the modem and of the corrections."""
+
+    def __init__(self, flags: types.RtkStatusFlags) -> None:
+        self.flags = flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetStatusFlagsResponse, int]:
@@ -102,7 +107,6 @@ class GetStatusFlagsResponse(Response):
         return codec.finished(out)
 
 
-@dataclass(slots=True)
 class GetImeiResponse(Response):
     """Get IMEI response (0x0F,0x82).
 
@@ -111,6 +115,9 @@ class GetImeiResponse(Response):
     - mip-sdk-4: Get Imei (0x0F,0x02)
     """
 
+    __slots__ = ("imei",)
+    __match_args__ = ("imei",)
+
     SET = 0x0F
     DESCRIPTOR = 0x82
     NAME = "rtk.get_imei_response"
@@ -118,6 +125,9 @@ class GetImeiResponse(Response):
 
     imei: str
     """International mobile equipment identity."""
+
+    def __init__(self, imei: str) -> None:
+        self.imei = imei
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetImeiResponse, int]:
@@ -131,7 +141,6 @@ class GetImeiResponse(Response):
         return codec.finished(out)
 
 
-@dataclass(slots=True)
 class GetImsiResponse(Response):
     """Get IMSI response (0x0F,0x83).
 
@@ -140,6 +149,9 @@ class GetImsiResponse(Response):
     - mip-sdk-4: Get Imsi (0x0F,0x03)
     """
 
+    __slots__ = ("imsi",)
+    __match_args__ = ("imsi",)
+
     SET = 0x0F
     DESCRIPTOR = 0x83
     NAME = "rtk.get_imsi_response"
@@ -147,6 +159,9 @@ class GetImsiResponse(Response):
 
     imsi: str
     """International mobile subscriber identity."""
+
+    def __init__(self, imsi: str) -> None:
+        self.imsi = imsi
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetImsiResponse, int]:
@@ -160,7 +175,6 @@ class GetImsiResponse(Response):
         return codec.finished(out)
 
 
-@dataclass(slots=True)
 class GetIccidResponse(Response):
     """Get ICCID response (0x0F,0x84).
 
@@ -169,6 +183,9 @@ class GetIccidResponse(Response):
     - mip-sdk-4: Get Iccid (0x0F,0x04)
     """
 
+    __slots__ = ("iccid",)
+    __match_args__ = ("iccid",)
+
     SET = 0x0F
     DESCRIPTOR = 0x84
     NAME = "rtk.get_iccid_response"
@@ -176,6 +193,9 @@ class GetIccidResponse(Response):
 
     iccid: str
     """Number of the SIM card."""
+
+    def __init__(self, iccid: str) -> None:
+        self.iccid = iccid
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetIccidResponse, int]:
@@ -192,7 +212,6 @@ class GetIccidResponse(Response):
 _GET_RSSI_RESPONSE_0 = codec.Block("Bii", "valid", "rssi", "signal_quality")
 
 
-@dataclass(slots=True)
 class GetRssiResponse(Response):
     """Get RSSI response (0x0F,0x85).
 
@@ -202,10 +221,14 @@ class GetRssiResponse(Response):
     - mip-sdk-4: Get Rssi (0x0F,0x05)
     """
 
+    __slots__ = ("valid", "rssi", "signal_quality")
+    __match_args__ = ("valid", "rssi", "signal_quality")
+
     SET = 0x0F
     DESCRIPTOR = 0x85
     NAME = "rtk.get_rssi_response"
     ROLE = "response"
+    _LAYOUT = (("valid", "B", codec.truth), ("rssi", "i", None), ("signal_quality", "i", None))
 
     valid: bool
     """Whether the modem is connected."""
@@ -213,6 +236,11 @@ class GetRssiResponse(Response):
     """Received signal strength. Valid if `valid` is true. Uncertain: The unit; dBm is likely."""
     signal_quality: int
     """Signal quality. Valid if `valid` is true. Uncertain: The unit."""
+
+    def __init__(self, valid: bool, rssi: int, signal_quality: int) -> None:
+        self.valid = valid
+        self.rssi = rssi
+        self.signal_quality = signal_quality
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetRssiResponse, int]:
@@ -231,7 +259,6 @@ class GetRssiResponse(Response):
 _CONNECTED_DEVICE_TYPE_RESPONSE_0 = codec.Block("B", "device_type")
 
 
-@dataclass(slots=True)
 class ConnectedDeviceTypeResponse(Response):
     """Connected device type response (0x0F,0x86).
 
@@ -240,13 +267,20 @@ class ConnectedDeviceTypeResponse(Response):
     - mip-sdk-4: Connected Device Type (0x0F,0x06)
     """
 
+    __slots__ = ("device_type",)
+    __match_args__ = ("device_type",)
+
     SET = 0x0F
     DESCRIPTOR = 0x86
     NAME = "rtk.connected_device_type_response"
     ROLE = "response"
+    _LAYOUT = (("device_type", "B", ConnectedDevice),)
 
     device_type: ConnectedDevice
     """Type of the device."""
+
+    def __init__(self, device_type: ConnectedDevice) -> None:
+        self.device_type = device_type
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ConnectedDeviceTypeResponse, int]:
@@ -260,7 +294,6 @@ class ConnectedDeviceTypeResponse(Response):
         return codec.finished(out)
 
 
-@dataclass(slots=True)
 class GetActivationCodeResponse(Response):
     """Get activation code response (0x0F,0x87).
 
@@ -270,6 +303,9 @@ class GetActivationCodeResponse(Response):
     - mip-sdk-4: Get Act Code (0x0F,0x07)
     """
 
+    __slots__ = ("activation_code",)
+    __match_args__ = ("activation_code",)
+
     SET = 0x0F
     DESCRIPTOR = 0x87
     NAME = "rtk.get_activation_code_response"
@@ -277,6 +313,9 @@ class GetActivationCodeResponse(Response):
 
     activation_code: str
     """Activation code."""
+
+    def __init__(self, activation_code: str) -> None:
+        self.activation_code = activation_code
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetActivationCodeResponse, int]:
@@ -290,7 +329,6 @@ class GetActivationCodeResponse(Response):
         return codec.finished(out)
 
 
-@dataclass(slots=True)
 class GetModemFirmwareVersionResponse(Response):
     """Get modem firmware version response (0x0F,0x88).
 
@@ -299,6 +337,9 @@ class GetModemFirmwareVersionResponse(Response):
     - mip-sdk-4: Get Modem Firmware Version (0x0F,0x08)
     """
 
+    __slots__ = ("modem_firmware_version",)
+    __match_args__ = ("modem_firmware_version",)
+
     SET = 0x0F
     DESCRIPTOR = 0x88
     NAME = "rtk.get_modem_firmware_version_response"
@@ -306,6 +347,9 @@ class GetModemFirmwareVersionResponse(Response):
 
     modem_firmware_version: str
     """Firmware version."""
+
+    def __init__(self, modem_firmware_version: str) -> None:
+        self.modem_firmware_version = modem_firmware_version
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetModemFirmwareVersionResponse, int]:
@@ -324,7 +368,6 @@ _SERVICE_STATUS_RESPONSE_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class ServiceStatusResponse(Response):
     """Service status response (0x0F,0x8A).
 
@@ -336,10 +379,19 @@ class ServiceStatusResponse(Response):
     - mip-sdk-4: Service Status (0x0F,0x0A)
     """
 
+    __slots__ = ("flags", "received_bytes", "last_bytes", "last_bytes_time")
+    __match_args__ = ("flags", "received_bytes", "last_bytes", "last_bytes_time")
+
     SET = 0x0F
     DESCRIPTOR = 0x8A
     NAME = "rtk.service_status_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("flags", "B", ServiceFlags),
+        ("received_bytes", "I", None),
+        ("last_bytes", "I", None),
+        ("last_bytes_time", "Q", None),
+    )
 
     flags: ServiceFlags
     """State of the service."""
@@ -349,6 +401,14 @@ class ServiceStatusResponse(Response):
     """Bytes of the last transfer. Unit: byte."""
     last_bytes_time: int
     """Time of the last transfer. Uncertain: The unit and the epoch."""
+
+    def __init__(
+        self, flags: ServiceFlags, received_bytes: int, last_bytes: int, last_bytes_time: int
+    ) -> None:
+        self.flags = flags
+        self.received_bytes = received_bytes
+        self.last_bytes = last_bytes
+        self.last_bytes_time = last_bytes_time
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ServiceStatusResponse, int]:
@@ -367,7 +427,6 @@ class ServiceStatusResponse(Response):
         return codec.finished(out)
 
 
-@dataclass(slots=True)
 class GetStatusFlags(Command):
     """Get status flags (0x0F,0x01).
 
@@ -380,6 +439,8 @@ class GetStatusFlags(Command):
 
     - mip-sdk-4: Get Status Flags (0x0F,0x01)
     """
+
+    __slots__ = ()
 
     SET = 0x0F
     DESCRIPTOR = 0x01
@@ -395,7 +456,6 @@ class GetStatusFlags(Command):
         return b""
 
 
-@dataclass(slots=True)
 class GetImei(Command):
     """Get IMEI (0x0F,0x02).
 
@@ -406,6 +466,8 @@ class GetImei(Command):
 
     - mip-sdk-4: Get Imei (0x0F,0x02)
     """
+
+    __slots__ = ()
 
     SET = 0x0F
     DESCRIPTOR = 0x02
@@ -421,7 +483,6 @@ class GetImei(Command):
         return b""
 
 
-@dataclass(slots=True)
 class GetImsi(Command):
     """Get IMSI (0x0F,0x03).
 
@@ -432,6 +493,8 @@ class GetImsi(Command):
 
     - mip-sdk-4: Get Imsi (0x0F,0x03)
     """
+
+    __slots__ = ()
 
     SET = 0x0F
     DESCRIPTOR = 0x03
@@ -447,7 +510,6 @@ class GetImsi(Command):
         return b""
 
 
-@dataclass(slots=True)
 class GetIccid(Command):
     """Get ICCID (0x0F,0x04).
 
@@ -458,6 +520,8 @@ class GetIccid(Command):
 
     - mip-sdk-4: Get Iccid (0x0F,0x04)
     """
+
+    __slots__ = ()
 
     SET = 0x0F
     DESCRIPTOR = 0x04
@@ -473,7 +537,6 @@ class GetIccid(Command):
         return b""
 
 
-@dataclass(slots=True)
 class GetRssi(Command):
     """Get RSSI (0x0F,0x05).
 
@@ -484,6 +547,8 @@ class GetRssi(Command):
 
     - mip-sdk-4: Get Rssi (0x0F,0x05)
     """
+
+    __slots__ = ()
 
     SET = 0x0F
     DESCRIPTOR = 0x05
@@ -504,7 +569,6 @@ _CONNECTED_DEVICE_TYPE_1 = codec.Block("B", "device_type")
 _CONNECTED_DEVICE_TYPE_GROUPS = ((1, ("device_type",), False),)
 
 
-@dataclass(slots=True)
 class ConnectedDeviceType(Command):
     """Connected device type (0x0F,0x06).
 
@@ -517,6 +581,9 @@ class ConnectedDeviceType(Command):
     - mip-sdk-4: Connected Device Type (0x0F,0x06)
     """
 
+    __slots__ = ("function", "device_type")
+    __match_args__ = ("function", "device_type")
+
     SET = 0x0F
     DESCRIPTOR = 0x06
     NAME = "rtk.connected_device_type"
@@ -526,8 +593,14 @@ class ConnectedDeviceType(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
-    device_type: ConnectedDevice | None = None
+    device_type: ConnectedDevice | None
     """Type of the device. Required for `write`."""
+
+    def __init__(
+        self, function: FunctionSelector, device_type: ConnectedDevice | None = None
+    ) -> None:
+        self.function = function
+        self.device_type = device_type
 
     @classmethod
     def write(cls, device_type: ConnectedDevice) -> ConnectedDeviceType:
@@ -590,7 +663,6 @@ class ConnectedDeviceType(Command):
         return codec.finished(out)
 
 
-@dataclass(slots=True)
 class GetActivationCode(Command):
     """Get activation code (0x0F,0x07).
 
@@ -601,6 +673,8 @@ class GetActivationCode(Command):
 
     - mip-sdk-4: Get Act Code (0x0F,0x07)
     """
+
+    __slots__ = ()
 
     SET = 0x0F
     DESCRIPTOR = 0x07
@@ -616,7 +690,6 @@ class GetActivationCode(Command):
         return b""
 
 
-@dataclass(slots=True)
 class GetModemFirmwareVersion(Command):
     """Get modem firmware version (0x0F,0x08).
 
@@ -627,6 +700,8 @@ class GetModemFirmwareVersion(Command):
 
     - mip-sdk-4: Get Modem Firmware Version (0x0F,0x08)
     """
+
+    __slots__ = ()
 
     SET = 0x0F
     DESCRIPTOR = 0x08
@@ -645,7 +720,6 @@ class GetModemFirmwareVersion(Command):
 _SERVICE_STATUS_0 = codec.Block("II", "reserved1", "reserved2")
 
 
-@dataclass(slots=True)
 class ServiceStatus(Command):
     """Service status (0x0F,0x0A).
 
@@ -659,16 +733,24 @@ class ServiceStatus(Command):
     - mip-sdk-4: Service Status (0x0F,0x0A)
     """
 
+    __slots__ = ("reserved1", "reserved2")
+    __match_args__ = ("reserved1", "reserved2")
+
     SET = 0x0F
     DESCRIPTOR = 0x0A
     NAME = "rtk.service_status"
     ROLE = "command"
     RESPONSES = (ServiceStatusResponse,)
+    _LAYOUT = (("reserved1", "I", None), ("reserved2", "I", None))
 
-    reserved1: int = 0
+    reserved1: int
     """Reserved: send 0. Uncertain: What the modem sends; 0 is assumed."""
-    reserved2: int = 0
+    reserved2: int
     """Reserved: send 0. Uncertain: What the modem sends; 0 is assumed."""
+
+    def __init__(self, reserved1: int = 0, reserved2: int = 0) -> None:
+        self.reserved1 = reserved1
+        self.reserved2 = reserved2
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ServiceStatus, int]:
@@ -686,7 +768,6 @@ class ServiceStatus(Command):
 _ERASE_STORAGE_0 = codec.Block("B", "media")
 
 
-@dataclass(slots=True)
 class EraseStorage(Command):
     """Erase storage (0x0F,0x20).
 
@@ -700,13 +781,20 @@ class EraseStorage(Command):
     - mip-sdk-4: Prod Erase Storage (0x0F,0x20)
     """
 
+    __slots__ = ("media",)
+    __match_args__ = ("media",)
+
     SET = 0x0F
     DESCRIPTOR = 0x20
     NAME = "rtk.erase_storage"
     ROLE = "command"
+    _LAYOUT = (("media", "B", StorageMedium),)
 
     media: StorageMedium
     """The medium."""
+
+    def __init__(self, media: StorageMedium) -> None:
+        self.media = media
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EraseStorage, int]:
@@ -725,7 +813,6 @@ _LED_CONTROL_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class LedControl(Command):
     """LED control (0x0F,0x21).
 
@@ -738,10 +825,19 @@ class LedControl(Command):
     - mip-sdk-4: Led Control (0x0F,0x21)
     """
 
+    __slots__ = ("primary_color", "alternate_color", "action", "period")
+    __match_args__ = ("primary_color", "alternate_color", "action", "period")
+
     SET = 0x0F
     DESCRIPTOR = 0x21
     NAME = "rtk.led_control"
     ROLE = "command"
+    _LAYOUT = (
+        ("primary_color", "BBB", tuple),
+        ("alternate_color", "BBB", tuple),
+        ("action", "B", LedAction),
+        ("period", "I", None),
+    )
 
     primary_color: tuple[int, int, int]
     """First colour. Uncertain: The order of its parts; red, green, blue is likely."""
@@ -751,6 +847,18 @@ class LedControl(Command):
     """Pattern."""
     period: int
     """Period of the pattern. Uncertain: The unit; ms is likely."""
+
+    def __init__(
+        self,
+        primary_color: tuple[int, int, int],
+        alternate_color: tuple[int, int, int],
+        action: LedAction,
+        period: int,
+    ) -> None:
+        self.primary_color = primary_color
+        self.alternate_color = alternate_color
+        self.action = action
+        self.period = period
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[LedControl, int]:
@@ -772,7 +880,6 @@ class LedControl(Command):
         return codec.finished(out)
 
 
-@dataclass(slots=True)
 class ModemHardReset(Command):
     """Modem hard reset (0x0F,0x22).
 
@@ -784,6 +891,8 @@ class ModemHardReset(Command):
 
     - mip-sdk-4: Modem Hard Reset (0x0F,0x22)
     """
+
+    __slots__ = ()
 
     SET = 0x0F
     DESCRIPTOR = 0x22

@@ -6,14 +6,24 @@ from functools import cache
 from importlib import import_module
 
 from ._sets import MODULES
-from .errors import PacketError
 from .field import Field, chosen
+from .layouts import Layouts
 from .packet import Packet, RawField
 from .protocol import Acknowledge
 
 SHARED_SET = 0xFF
 
-__all__ = ["MODULES", "SHARED_SET", "all_types", "decode", "decode_packet", "types"]
+__all__ = [
+    "MODULES",
+    "SHARED_SET",
+    "all_types",
+    "by_name",
+    "decode",
+    "decode_packet",
+    "names",
+    "set_by_name",
+    "types",
+]
 
 
 @cache
@@ -39,6 +49,32 @@ def _fields(set: int) -> dict[int, tuple[type[Field], ...]]:
     return fields
 
 
+def by_name(name: str) -> type[Field]:
+    """The type of a field: by its full name ("sensor.scaled_accel"), as its class is called
+    ("sensor.ScaledAccel"), by its title or descriptors ("0x80,0x04"), or as the vendor calls it.
+
+    The name of the set may be left out where that leads to one field. Raises UnknownName, which
+    says the nearest names.
+    """
+    from .lookup import field
+
+    return field(name)
+
+
+def set_by_name(name: str) -> int:
+    """The number of a descriptor set: by its name ("sensor", "3dm"), its title, or "0x80". Raises UnknownName."""
+    from .lookup import set_number
+
+    return set_number(name)
+
+
+def names() -> tuple[str, ...]:
+    """The full names of all fields, by set. Imports none of them."""
+    from ._index import FIELDS
+
+    return tuple(FIELDS)
+
+
 def all_types() -> list[tuple[int, type[Field]]]:
     """Every (set, type) of the specification, in order."""
     found: list[tuple[int, type[Field]]] = [(0, Acknowledge)]
@@ -51,21 +87,17 @@ def all_types() -> list[tuple[int, type[Field]]]:
 def decode(raw: RawField) -> Field | None:
     """A field with its values; None if its descriptor is unknown. Raises DecodeError."""
     kind = chosen(types(raw.set, raw.descriptor), raw)
-    return None if kind is None else kind.decode(raw.data)
+    return None if kind is None else kind._received(raw)
 
 
 def decode_packet(packet: Packet) -> list[Field | RawField]:
     """All fields of a packet; those that are unknown or cannot be decoded stay raw.
 
-    Stops at a malformed field, because no field can be found after it.
+    `error` of a raw field says why it cannot be decoded. Stops at a malformed field, because no field can be found
+    after it: see `Packet.malformed`.
     """
-    found: list[Field | RawField] = []
-    try:
-        for raw in packet:
-            try:
-                found.append(decode(raw) or raw)
-            except ValueError:
-                found.append(raw)
-    except PacketError:
-        pass
-    return found
+    return list(LAYOUTS.decode(packet))
+
+
+#: The decoders of whole packets that were made so far.
+LAYOUTS = Layouts(types)
