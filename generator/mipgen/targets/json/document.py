@@ -93,6 +93,8 @@ def types(model: m.Model) -> list[m.Type]:
 
 def plain(value: Any) -> Any:
     """A value inside another: what has a place of its own is named."""
+    if type(value) in (str, int, float, bool):
+        return value
     match value:
         case m.Field():
             return value.full_name
