@@ -44,7 +44,7 @@ function decode({ packet }) {
 }
 
 function encode({ set, fields }) {
-    check(Number.isInteger(set) && set > 0 && set < 256 && Array.isArray(fields));
+    check(Number.isInteger(set) && set > 0 && set < 255 && Array.isArray(fields));
     for (const { descriptor, raw, values } of fields) {
         check(Number.isInteger(descriptor) && descriptor >= 0 && descriptor < 256);
         check(typeof raw === "string" || (typeof values === "object" && values !== null));

@@ -319,7 +319,7 @@ def answer(line: str, known: Interpreter) -> dict[str, Any]:
         request = json.loads(line)
         if request["op"] == "decode":
             return known.decode(bytes.fromhex(request["packet"]))
-        if request["op"] == "encode" and 0 < request["set"] < 256:
+        if request["op"] == "encode" and 0 < request["set"] < 255:
             return {"packet": known.encode(request["set"], request["fields"]).hex()}
     except Wrong as error:
         return {"error": str(error)}
