@@ -9,10 +9,11 @@ Measurements of external sensors for the navigation filter, and the frames of th
 from __future__ import annotations
 
 from enum import IntFlag
+from typing import Any
 
 from . import codec, types
 from .errors import Truncated
-from .field import Command, Field, Response, ResponseClasses, Structure
+from .field import ClassOf, Command, Field, R, Response, ResponseClasses, Structure
 from .protocol import FunctionSelector
 
 
@@ -262,7 +263,7 @@ _FRAME_CONFIG_GROUPS = (
 )
 
 
-class FrameConfig(Command):
+class FrameConfig(Command[R]):
     """Frame configuration (0x13,0x01).
 
     Where and how an external sensor is mounted on the vehicle.
@@ -335,13 +336,13 @@ class FrameConfig(Command):
 
     @classmethod
     def write(
-        cls,
+        cls: ClassOf[FrameConfig[Any]],
         frame_id: int,
         format: AidingFrameFormat,
         tracking_enabled: bool,
         translation: types.Vector3f | codec.Numbers,
         rotation: types.Vector3f | types.Quatf | None | codec.Numbers,
-    ) -> FrameConfig:
+    ) -> FrameConfig[None]:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE,
@@ -353,22 +354,24 @@ class FrameConfig(Command):
         )
 
     @classmethod
-    def read(cls, frame_id: int, format: AidingFrameFormat) -> FrameConfig:
+    def read(
+        cls: ClassOf[FrameConfig[Any]], frame_id: int, format: AidingFrameFormat
+    ) -> FrameConfig[FrameConfigResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, frame_id=frame_id, format=format)
 
     @classmethod
-    def save(cls, frame_id: int) -> FrameConfig:
+    def save(cls: ClassOf[FrameConfig[Any]], frame_id: int) -> FrameConfig[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, frame_id=frame_id)
 
     @classmethod
-    def load(cls, frame_id: int) -> FrameConfig:
+    def load(cls: ClassOf[FrameConfig[Any]], frame_id: int) -> FrameConfig[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, frame_id=frame_id)
 
     @classmethod
-    def default(cls, frame_id: int) -> FrameConfig:
+    def default(cls: ClassOf[FrameConfig[Any]], frame_id: int) -> FrameConfig[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, frame_id=frame_id)
 
@@ -379,7 +382,7 @@ class FrameConfig(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[FrameConfig, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[FrameConfig[R], int]:
         frame_id: int | None = None
         format: AidingFrameFormat | None = None
         tracking_enabled: bool | None = None
@@ -463,7 +466,7 @@ _ECHO_CONTROL_1 = codec.Block("B", "mode")
 _ECHO_CONTROL_GROUPS = ((1, ("mode",), False),)
 
 
-class EchoControl(Command):
+class EchoControl(Command[R]):
     """Echo control (0x13,0x1F).
 
     How the device answers aiding measurements.
@@ -497,27 +500,27 @@ class EchoControl(Command):
         self.mode = mode
 
     @classmethod
-    def write(cls, mode: AidingEchoMode) -> EchoControl:
+    def write(cls: ClassOf[EchoControl[Any]], mode: AidingEchoMode) -> EchoControl[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, mode=mode)
 
     @classmethod
-    def read(cls) -> EchoControl:
+    def read(cls: ClassOf[EchoControl[Any]]) -> EchoControl[EchoControlResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> EchoControl:
+    def save(cls: ClassOf[EchoControl[Any]]) -> EchoControl[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> EchoControl:
+    def load(cls: ClassOf[EchoControl[Any]]) -> EchoControl[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> EchoControl:
+    def default(cls: ClassOf[EchoControl[Any]]) -> EchoControl[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -528,7 +531,7 @@ class EchoControl(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EchoControl, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[EchoControl[R], int]:
         mode: AidingEchoMode | None = None
         v = _ECHO_CONTROL_0.read(raw, at)
         at += 1
@@ -562,7 +565,7 @@ _ECEF_POSITION_0 = codec.Block(
 )
 
 
-class EcefPosition(Command):
+class EcefPosition(Command[None]):
     """ECEF position (0x13,0x21).
 
     A measured position in Earth-fixed coordinates.
@@ -584,6 +587,7 @@ class EcefPosition(Command):
     DESCRIPTOR = 0x21
     NAME = "aiding.ecef_position"
     ROLE = "command"
+    SILENCED_BY = ((0x13, 0x1F, "mode", 0),)
     _VECTORS = {"position": (types.Vector3d,), "uncertainty": (types.Vector3f,)}
 
     time: MeasurementTime
@@ -644,7 +648,7 @@ _LLH_POSITION_0 = codec.Block(
 )
 
 
-class LlhPosition(Command):
+class LlhPosition(Command[None]):
     """LLH position (0x13,0x22).
 
     A measured position as latitude, longitude and height.
@@ -682,6 +686,7 @@ class LlhPosition(Command):
     DESCRIPTOR = 0x22
     NAME = "aiding.llh_position"
     ROLE = "command"
+    SILENCED_BY = ((0x13, 0x1F, "mode", 0),)
     _VECTORS = {"uncertainty": (types.Vector3f,)}
 
     time: MeasurementTime
@@ -752,7 +757,7 @@ class LlhPosition(Command):
 _HEIGHT_ABOVE_ELLIPSOID_0 = codec.Block("BffH", "frame_id", "height", "uncertainty", "valid_flags")
 
 
-class HeightAboveEllipsoid(Command):
+class HeightAboveEllipsoid(Command[None]):
     """Height above ellipsoid (0x13,0x23).
 
     A measured height.
@@ -773,6 +778,7 @@ class HeightAboveEllipsoid(Command):
     DESCRIPTOR = 0x23
     NAME = "aiding.height_above_ellipsoid"
     ROLE = "command"
+    SILENCED_BY = ((0x13, 0x1F, "mode", 0),)
 
     time: MeasurementTime
     """When the measurement was taken."""
@@ -823,7 +829,7 @@ _ECEF_VELOCITY_0 = codec.Block(
 )
 
 
-class EcefVelocity(Command):
+class EcefVelocity(Command[None]):
     """ECEF velocity (0x13,0x28).
 
     A measured velocity in Earth-fixed coordinates.
@@ -846,6 +852,7 @@ class EcefVelocity(Command):
     DESCRIPTOR = 0x28
     NAME = "aiding.ecef_velocity"
     ROLE = "command"
+    SILENCED_BY = ((0x13, 0x1F, "mode", 0),)
     _VECTORS = {"velocity": (types.Vector3f,), "uncertainty": (types.Vector3f,)}
 
     time: MeasurementTime
@@ -906,7 +913,7 @@ _NED_VELOCITY_0 = codec.Block(
 )
 
 
-class NedVelocity(Command):
+class NedVelocity(Command[None]):
     """NED velocity (0x13,0x29).
 
     A measured velocity in the local level frame.
@@ -929,6 +936,7 @@ class NedVelocity(Command):
     DESCRIPTOR = 0x29
     NAME = "aiding.ned_velocity"
     ROLE = "command"
+    SILENCED_BY = ((0x13, 0x1F, "mode", 0),)
     _VECTORS = {"velocity": (types.Vector3f,), "uncertainty": (types.Vector3f,)}
 
     time: MeasurementTime
@@ -989,7 +997,7 @@ _BODY_FRAME_VELOCITY_0 = codec.Block(
 )
 
 
-class BodyFrameVelocity(Command):
+class BodyFrameVelocity(Command[None]):
     """Body frame velocity (0x13,0x2A).
 
     A measured velocity of the vehicle in the frame of the sensor.
@@ -1015,6 +1023,7 @@ class BodyFrameVelocity(Command):
     DESCRIPTOR = 0x2A
     NAME = "aiding.body_frame_velocity"
     ROLE = "command"
+    SILENCED_BY = ((0x13, 0x1F, "mode", 0),)
     _VECTORS = {"velocity": (types.Vector3f,), "uncertainty": (types.Vector3f,)}
 
     time: MeasurementTime
@@ -1073,7 +1082,7 @@ class BodyFrameVelocity(Command):
 _TRUE_HEADING_0 = codec.Block("BffH", "frame_id", "heading", "uncertainty", "valid_flags")
 
 
-class TrueHeading(Command):
+class TrueHeading(Command[None]):
     """True heading (0x13,0x31).
 
     A measured heading relative to true north.
@@ -1095,6 +1104,7 @@ class TrueHeading(Command):
     DESCRIPTOR = 0x31
     NAME = "aiding.true_heading"
     ROLE = "command"
+    SILENCED_BY = ((0x13, 0x1F, "mode", 0),)
 
     time: MeasurementTime
     """When the measurement was taken."""
@@ -1145,7 +1155,7 @@ _MAGNETIC_FIELD_0 = codec.Block(
 )
 
 
-class MagneticField(Command):
+class MagneticField(Command[None]):
     """Magnetic field (0x13,0x32).
 
     A magnetic field measured by an external magnetometer.
@@ -1167,6 +1177,7 @@ class MagneticField(Command):
     DESCRIPTOR = 0x32
     NAME = "aiding.magnetic_field"
     ROLE = "command"
+    SILENCED_BY = ((0x13, 0x1F, "mode", 0),)
     _VECTORS = {"magnetic_field": (types.Vector3f,), "uncertainty": (types.Vector3f,)}
 
     time: MeasurementTime
@@ -1225,7 +1236,7 @@ class MagneticField(Command):
 _PRESSURE_0 = codec.Block("BffH", "frame_id", "pressure", "uncertainty", "valid_flags")
 
 
-class Pressure(Command):
+class Pressure(Command[None]):
     """Pressure (0x13,0x33).
 
     A static air pressure measured by an external sensor.
@@ -1247,6 +1258,7 @@ class Pressure(Command):
     DESCRIPTOR = 0x33
     NAME = "aiding.pressure"
     ROLE = "command"
+    SILENCED_BY = ((0x13, 0x1F, "mode", 0),)
 
     time: MeasurementTime
     """When the measurement was taken."""

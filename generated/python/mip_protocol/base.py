@@ -8,9 +8,11 @@ Commands common to all devices: identity, supported descriptors, idle and resume
 
 from __future__ import annotations
 
+from typing import Any
+
 from . import codec
 from .errors import Truncated
-from .field import Command, Field, Response, ResponseClasses, Structure
+from .field import ClassOf, Command, Field, R, Response, ResponseClasses, Structure
 from .protocol import FunctionSelector
 
 _BASE_DEVICE_INFO_0 = codec.Block("H", "firmware_version")
@@ -450,7 +452,7 @@ class CommSpeedResponse(Response):
         return codec.finished(out)
 
 
-class Ping(Command):
+class Ping(Command[None]):
     """Ping (0x01,0x01).
 
     Asks whether a device is there and answers commands.
@@ -483,7 +485,7 @@ class Ping(Command):
         return b""
 
 
-class SetIdle(Command):
+class SetIdle(Command[None]):
     """Set to idle (0x01,0x02).
 
     Stops all data streams, and wakes a sleeping device, so that it can be set up.
@@ -517,7 +519,7 @@ class SetIdle(Command):
         return b""
 
 
-class GetDeviceInfo(Command):
+class GetDeviceInfo(Command[GetDeviceInfoResponse]):
     """Get device information (0x01,0x03).
 
     Gets the firmware version and the identity strings of the device.
@@ -549,7 +551,7 @@ class GetDeviceInfo(Command):
         return b""
 
 
-class GetDeviceDescriptors(Command):
+class GetDeviceDescriptors(Command[GetDeviceDescriptorsResponse]):
     """Get device descriptors (0x01,0x04).
 
     Gets the command and data descriptors that the device supports.
@@ -584,7 +586,7 @@ class GetDeviceDescriptors(Command):
         return b""
 
 
-class BuiltInTest(Command):
+class BuiltInTest(Command[BuiltInTestResponse]):
     """Built-in test (0x01,0x05).
 
     Runs the self test of the device and gets its result.
@@ -620,7 +622,7 @@ class BuiltInTest(Command):
         return b""
 
 
-class Resume(Command):
+class Resume(Command[None]):
     """Resume (0x01,0x06).
 
     Ends idle mode and returns the device to the mode that it was in before.
@@ -653,7 +655,7 @@ class Resume(Command):
         return b""
 
 
-class GetExtendedDescriptors(Command):
+class GetExtendedDescriptors(Command[GetExtendedDescriptorsResponse]):
     """Get device descriptors (extended) (0x01,0x07).
 
     Gets the supported descriptors that did not fit into the reply of get device descriptors.
@@ -683,7 +685,7 @@ class GetExtendedDescriptors(Command):
         return b""
 
 
-class ContinuousBuiltInTest(Command):
+class ContinuousBuiltInTest(Command[ContinuousBuiltInTestResponse]):
     """Continuous built-in test (0x01,0x08).
 
     Gets the flags of the tests that run all the time. It does not interrupt operation.
@@ -720,7 +722,7 @@ _COMM_SPEED_2 = codec.Block("I", "baud")
 _COMM_SPEED_GROUPS = ((1, ("port",), False), (2, ("baud",), False))
 
 
-class CommSpeed(Command):
+class CommSpeed(Command[R]):
     """Comm port speed (0x01,0x09).
 
     Baud rate of one communication port.
@@ -760,27 +762,27 @@ class CommSpeed(Command):
         self.baud = baud
 
     @classmethod
-    def write(cls, port: int, baud: int) -> CommSpeed:
+    def write(cls: ClassOf[CommSpeed[Any]], port: int, baud: int) -> CommSpeed[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, port=port, baud=baud)
 
     @classmethod
-    def read(cls, port: int) -> CommSpeed:
+    def read(cls: ClassOf[CommSpeed[Any]], port: int) -> CommSpeed[CommSpeedResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, port=port)
 
     @classmethod
-    def save(cls, port: int) -> CommSpeed:
+    def save(cls: ClassOf[CommSpeed[Any]], port: int) -> CommSpeed[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, port=port)
 
     @classmethod
-    def load(cls, port: int) -> CommSpeed:
+    def load(cls: ClassOf[CommSpeed[Any]], port: int) -> CommSpeed[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, port=port)
 
     @classmethod
-    def default(cls, port: int) -> CommSpeed:
+    def default(cls: ClassOf[CommSpeed[Any]], port: int) -> CommSpeed[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, port=port)
 
@@ -791,7 +793,7 @@ class CommSpeed(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[CommSpeed, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[CommSpeed[R], int]:
         port: int | None = None
         baud: int | None = None
         v = _COMM_SPEED_0.read(raw, at)
@@ -835,7 +837,7 @@ _GPS_TIME_UPDATE_2 = codec.Block("I", "value")
 _GPS_TIME_UPDATE_GROUPS = ((1, ("field_id",), False), (2, ("value",), False))
 
 
-class GpsTimeUpdate(Command):
+class GpsTimeUpdate(Command[R]):
     """GPS time update (0x01,0x72).
 
     Sets the week number or the time of week of the external (GPS) time.
@@ -886,17 +888,23 @@ class GpsTimeUpdate(Command):
         self.value = value
 
     @classmethod
-    def write(cls, field_id: GpsTimeField, value: int) -> GpsTimeUpdate:
+    def write(
+        cls: ClassOf[GpsTimeUpdate[Any]], field_id: GpsTimeField, value: int
+    ) -> GpsTimeUpdate[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, field_id=field_id, value=value)
 
     @classmethod
-    def read(cls, field_id: GpsTimeField) -> GpsTimeUpdate:
+    def read(
+        cls: ClassOf[GpsTimeUpdate[Any]], field_id: GpsTimeField
+    ) -> GpsTimeUpdate[GpsTimeUpdateWeekNumberResponse | GpsTimeUpdateTowResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, field_id=field_id)
 
     @classmethod
-    def apply(cls, field_id: GpsTimeField, value: int) -> GpsTimeUpdate:
+    def apply(
+        cls: ClassOf[GpsTimeUpdate[Any]], field_id: GpsTimeField, value: int
+    ) -> GpsTimeUpdate[None]:
         """Apply the new setting and send no acknowledge (5-series devices)."""
         return cls(FunctionSelector.APPLY, field_id=field_id, value=value)
 
@@ -913,7 +921,7 @@ class GpsTimeUpdate(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GpsTimeUpdate, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GpsTimeUpdate[R], int]:
         field_id: GpsTimeField | None = None
         value: int | None = None
         v = _GPS_TIME_UPDATE_0.read(raw, at)
@@ -951,7 +959,7 @@ class GpsTimeUpdate(Command):
         return codec.finished(out)
 
 
-class SoftReset(Command):
+class SoftReset(Command[None]):
     """Reset device (0x01,0x7E).
 
     Acknowledges the command, then resets the device at once.

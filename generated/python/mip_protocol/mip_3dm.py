@@ -9,10 +9,11 @@ Commands that set up the sensors, the outputs, the pins and the events of a devi
 from __future__ import annotations
 
 from enum import IntFlag
+from typing import Any
 
 from . import codec, types
 from .errors import Truncated
-from .field import Command, Field, Response, ResponseClasses, Structure
+from .field import ClassOf, Command, Field, R, Response, ResponseClasses, Structure
 from .protocol import FunctionSelector
 
 _POLL_ENTRY_0 = codec.Block("BH", "descriptor", "reserved")
@@ -4155,7 +4156,7 @@ class LowPassFilterResponse(Response):
 _POLL_IMU_DATA_0 = codec.Block("BB", "suppress_ack", "num_descriptors")
 
 
-class PollImuData(Command):
+class PollImuData(Command[None]):
     """Poll IMU Data (0x0C,0x01).
 
     Asks for one sensor data packet (0x80) with the fields listed, in their order.
@@ -4215,7 +4216,7 @@ class PollImuData(Command):
 _POLL_GNSS_DATA_0 = codec.Block("BB", "suppress_ack", "num_descriptors")
 
 
-class PollGnssData(Command):
+class PollGnssData(Command[None]):
     """Poll GNSS Data (0x0C,0x02).
 
     Asks for one GNSS data packet with the fields listed, in their order.
@@ -4279,7 +4280,7 @@ class PollGnssData(Command):
 _POLL_FILTER_DATA_0 = codec.Block("BB", "suppress_ack", "num_descriptors")
 
 
-class PollFilterData(Command):
+class PollFilterData(Command[None]):
     """Poll Estimation Filter Data (0x0C,0x03).
 
     Asks for one filter data packet (0x82) with the fields listed, in their order.
@@ -4338,7 +4339,7 @@ class PollFilterData(Command):
 _POLL_NMEA_DATA_0 = codec.Block("BB", "suppress_ack", "count")
 
 
-class PollNmeaData(Command):
+class PollNmeaData(Command[None]):
     """Poll NMEA Data (0x0C,0x04).
 
     Asks for the NMEA sentences listed, once.
@@ -4397,7 +4398,7 @@ class PollNmeaData(Command):
         return codec.finished(out)
 
 
-class GetImuBaseRate(Command):
+class GetImuBaseRate(Command[GetImuBaseRateResponse]):
     """Get IMU Data Base Rate (0x0C,0x06).
 
     Asks for the rate that the decimations of the IMU message format divide.
@@ -4424,7 +4425,7 @@ class GetImuBaseRate(Command):
         return b""
 
 
-class GetGnssBaseRate(Command):
+class GetGnssBaseRate(Command[GetGnssBaseRateResponse]):
     """Get GNSS Data Base Rate (0x0C,0x07).
 
     Asks for the rate that the decimations of the GNSS message format divide.
@@ -4457,7 +4458,7 @@ _IMU_MESSAGE_FORMAT_1 = codec.Block("B", "num_descriptors")
 _IMU_MESSAGE_FORMAT_GROUPS = ((2, ("descriptors",), False),)
 
 
-class ImuMessageFormat(Command):
+class ImuMessageFormat(Command[R]):
     """IMU Message Format (0x0C,0x08).
 
     Fields of the sensor data packets (0x80), in order, with their decimations.
@@ -4499,27 +4500,29 @@ class ImuMessageFormat(Command):
         self.descriptors = descriptors
 
     @classmethod
-    def write(cls, descriptors: tuple[types.DescriptorRate, ...]) -> ImuMessageFormat:
+    def write(
+        cls: ClassOf[ImuMessageFormat[Any]], descriptors: tuple[types.DescriptorRate, ...]
+    ) -> ImuMessageFormat[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, descriptors=descriptors)
 
     @classmethod
-    def read(cls) -> ImuMessageFormat:
+    def read(cls: ClassOf[ImuMessageFormat[Any]]) -> ImuMessageFormat[ImuMessageFormatResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> ImuMessageFormat:
+    def save(cls: ClassOf[ImuMessageFormat[Any]]) -> ImuMessageFormat[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> ImuMessageFormat:
+    def load(cls: ClassOf[ImuMessageFormat[Any]]) -> ImuMessageFormat[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> ImuMessageFormat:
+    def default(cls: ClassOf[ImuMessageFormat[Any]]) -> ImuMessageFormat[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -4530,7 +4533,7 @@ class ImuMessageFormat(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ImuMessageFormat, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[ImuMessageFormat[R], int]:
         descriptors: tuple[types.DescriptorRate, ...] | None = None
         v = _IMU_MESSAGE_FORMAT_0.read(raw, at)
         at += 1
@@ -4571,7 +4574,7 @@ _GNSS_MESSAGE_FORMAT_1 = codec.Block("B", "num_descriptors")
 _GNSS_MESSAGE_FORMAT_GROUPS = ((2, ("descriptors",), False),)
 
 
-class GnssMessageFormat(Command):
+class GnssMessageFormat(Command[R]):
     """GNSS Message Format (0x0C,0x09).
 
     Fields of the GNSS data packets, in order, with their decimations.
@@ -4613,27 +4616,29 @@ class GnssMessageFormat(Command):
         self.descriptors = descriptors
 
     @classmethod
-    def write(cls, descriptors: tuple[types.DescriptorRate, ...]) -> GnssMessageFormat:
+    def write(
+        cls: ClassOf[GnssMessageFormat[Any]], descriptors: tuple[types.DescriptorRate, ...]
+    ) -> GnssMessageFormat[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, descriptors=descriptors)
 
     @classmethod
-    def read(cls) -> GnssMessageFormat:
+    def read(cls: ClassOf[GnssMessageFormat[Any]]) -> GnssMessageFormat[GnssMessageFormatResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> GnssMessageFormat:
+    def save(cls: ClassOf[GnssMessageFormat[Any]]) -> GnssMessageFormat[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> GnssMessageFormat:
+    def load(cls: ClassOf[GnssMessageFormat[Any]]) -> GnssMessageFormat[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> GnssMessageFormat:
+    def default(cls: ClassOf[GnssMessageFormat[Any]]) -> GnssMessageFormat[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -4644,7 +4649,7 @@ class GnssMessageFormat(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssMessageFormat, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GnssMessageFormat[R], int]:
         descriptors: tuple[types.DescriptorRate, ...] | None = None
         v = _GNSS_MESSAGE_FORMAT_0.read(raw, at)
         at += 1
@@ -4685,7 +4690,7 @@ _FILTER_MESSAGE_FORMAT_1 = codec.Block("B", "num_descriptors")
 _FILTER_MESSAGE_FORMAT_GROUPS = ((2, ("descriptors",), False),)
 
 
-class FilterMessageFormat(Command):
+class FilterMessageFormat(Command[R]):
     """Estimation Filter Message Format (0x0C,0x0A).
 
     Fields of the filter data packets (0x82), in order, with their decimations.
@@ -4727,27 +4732,31 @@ class FilterMessageFormat(Command):
         self.descriptors = descriptors
 
     @classmethod
-    def write(cls, descriptors: tuple[types.DescriptorRate, ...]) -> FilterMessageFormat:
+    def write(
+        cls: ClassOf[FilterMessageFormat[Any]], descriptors: tuple[types.DescriptorRate, ...]
+    ) -> FilterMessageFormat[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, descriptors=descriptors)
 
     @classmethod
-    def read(cls) -> FilterMessageFormat:
+    def read(
+        cls: ClassOf[FilterMessageFormat[Any]],
+    ) -> FilterMessageFormat[FilterMessageFormatResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> FilterMessageFormat:
+    def save(cls: ClassOf[FilterMessageFormat[Any]]) -> FilterMessageFormat[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> FilterMessageFormat:
+    def load(cls: ClassOf[FilterMessageFormat[Any]]) -> FilterMessageFormat[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> FilterMessageFormat:
+    def default(cls: ClassOf[FilterMessageFormat[Any]]) -> FilterMessageFormat[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -4758,7 +4767,7 @@ class FilterMessageFormat(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[FilterMessageFormat, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[FilterMessageFormat[R], int]:
         descriptors: tuple[types.DescriptorRate, ...] | None = None
         v = _FILTER_MESSAGE_FORMAT_0.read(raw, at)
         at += 1
@@ -4794,7 +4803,7 @@ class FilterMessageFormat(Command):
         return codec.finished(out)
 
 
-class GetFilterBaseRate(Command):
+class GetFilterBaseRate(Command[GetFilterBaseRateResponse]):
     """Get Estimation Filter Data Base Rate (0x0C,0x0B).
 
     Asks for the rate that the decimations of the estimation filter message format divide.
@@ -4826,7 +4835,7 @@ _NMEA_MESSAGE_FORMAT_1 = codec.Block("B", "count")
 _NMEA_MESSAGE_FORMAT_GROUPS = ((2, ("format_entries",), False),)
 
 
-class NmeaMessageFormat(Command):
+class NmeaMessageFormat(Command[R]):
     """NMEA Message Format (0x0C,0x0C).
 
     NMEA sentences that the device streams.
@@ -4866,27 +4875,29 @@ class NmeaMessageFormat(Command):
         self.format_entries = format_entries
 
     @classmethod
-    def write(cls, format_entries: tuple[types.NmeaMessage, ...]) -> NmeaMessageFormat:
+    def write(
+        cls: ClassOf[NmeaMessageFormat[Any]], format_entries: tuple[types.NmeaMessage, ...]
+    ) -> NmeaMessageFormat[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, format_entries=format_entries)
 
     @classmethod
-    def read(cls) -> NmeaMessageFormat:
+    def read(cls: ClassOf[NmeaMessageFormat[Any]]) -> NmeaMessageFormat[NmeaMessageFormatResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> NmeaMessageFormat:
+    def save(cls: ClassOf[NmeaMessageFormat[Any]]) -> NmeaMessageFormat[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> NmeaMessageFormat:
+    def load(cls: ClassOf[NmeaMessageFormat[Any]]) -> NmeaMessageFormat[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> NmeaMessageFormat:
+    def default(cls: ClassOf[NmeaMessageFormat[Any]]) -> NmeaMessageFormat[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -4897,7 +4908,7 @@ class NmeaMessageFormat(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[NmeaMessageFormat, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[NmeaMessageFormat[R], int]:
         format_entries: tuple[types.NmeaMessage, ...] | None = None
         v = _NMEA_MESSAGE_FORMAT_0.read(raw, at)
         at += 1
@@ -4938,7 +4949,7 @@ class NmeaMessageFormat(Command):
 _POLL_DATA_0 = codec.Block("BBB", "descriptor_set", "suppress_ack", "num_descriptors")
 
 
-class PollData(Command):
+class PollData(Command[None]):
     """Poll Data (0x0C,0x0D).
 
     Asks for one data packet of the descriptor set with the fields listed, in their order.
@@ -5006,7 +5017,7 @@ class PollData(Command):
 _GET_BASE_RATE_0 = codec.Block("B", "descriptor_set")
 
 
-class GetBaseRate(Command):
+class GetBaseRate(Command[GetBaseRateResponse]):
     """Get Data Base Rate (0x0C,0x0E).
 
     Asks for the rate that the decimations of a descriptor set divide.
@@ -5050,7 +5061,7 @@ _MESSAGE_FORMAT_2 = codec.Block("B", "num_descriptors")
 _MESSAGE_FORMAT_GROUPS = ((1, ("descriptor_set",), False), (3, ("descriptors",), False))
 
 
-class MessageFormat(Command):
+class MessageFormat(Command[R]):
     """Message Format (0x0C,0x0F).
 
     Fields of the data packets of a descriptor set, in order, with their decimations.
@@ -5096,28 +5107,32 @@ class MessageFormat(Command):
 
     @classmethod
     def write(
-        cls, descriptor_set: int, descriptors: tuple[types.DescriptorRate, ...]
-    ) -> MessageFormat:
+        cls: ClassOf[MessageFormat[Any]],
+        descriptor_set: int,
+        descriptors: tuple[types.DescriptorRate, ...],
+    ) -> MessageFormat[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, descriptor_set=descriptor_set, descriptors=descriptors)
 
     @classmethod
-    def read(cls, descriptor_set: int) -> MessageFormat:
+    def read(
+        cls: ClassOf[MessageFormat[Any]], descriptor_set: int
+    ) -> MessageFormat[MessageFormatResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, descriptor_set=descriptor_set)
 
     @classmethod
-    def save(cls, descriptor_set: int) -> MessageFormat:
+    def save(cls: ClassOf[MessageFormat[Any]], descriptor_set: int) -> MessageFormat[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, descriptor_set=descriptor_set)
 
     @classmethod
-    def load(cls, descriptor_set: int) -> MessageFormat:
+    def load(cls: ClassOf[MessageFormat[Any]], descriptor_set: int) -> MessageFormat[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, descriptor_set=descriptor_set)
 
     @classmethod
-    def default(cls, descriptor_set: int) -> MessageFormat:
+    def default(cls: ClassOf[MessageFormat[Any]], descriptor_set: int) -> MessageFormat[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, descriptor_set=descriptor_set)
 
@@ -5128,7 +5143,7 @@ class MessageFormat(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MessageFormat, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[MessageFormat[R], int]:
         descriptor_set: int | None = None
         descriptors: tuple[types.DescriptorRate, ...] | None = None
         v = _MESSAGE_FORMAT_0.read(raw, at)
@@ -5176,7 +5191,7 @@ class MessageFormat(Command):
 _FACTORY_STREAMING_0 = codec.Block("BB", "action", "reserved")
 
 
-class FactoryStreaming(Command):
+class FactoryStreaming(Command[None]):
     """Factory Streaming (0x0C,0x10).
 
     Sets all message formats to those that technical support wants to have recorded.
@@ -5223,7 +5238,7 @@ _DATA_STREAM_CONTROL_2 = codec.Block("B", "enable")
 _DATA_STREAM_CONTROL_GROUPS = ((1, ("descriptor_set",), False), (2, ("enable",), False))
 
 
-class DataStreamControl(Command):
+class DataStreamControl(Command[R]):
     """Data Stream Control (0x0C,0x11).
 
     Switches a data stream on or off.
@@ -5277,27 +5292,33 @@ class DataStreamControl(Command):
         self.enable = enable
 
     @classmethod
-    def write(cls, descriptor_set: int, enable: bool) -> DataStreamControl:
+    def write(
+        cls: ClassOf[DataStreamControl[Any]], descriptor_set: int, enable: bool
+    ) -> DataStreamControl[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, descriptor_set=descriptor_set, enable=enable)
 
     @classmethod
-    def read(cls, descriptor_set: int) -> DataStreamControl:
+    def read(
+        cls: ClassOf[DataStreamControl[Any]], descriptor_set: int
+    ) -> DataStreamControl[DataStreamControlResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, descriptor_set=descriptor_set)
 
     @classmethod
-    def save(cls, descriptor_set: int) -> DataStreamControl:
+    def save(cls: ClassOf[DataStreamControl[Any]], descriptor_set: int) -> DataStreamControl[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, descriptor_set=descriptor_set)
 
     @classmethod
-    def load(cls, descriptor_set: int) -> DataStreamControl:
+    def load(cls: ClassOf[DataStreamControl[Any]], descriptor_set: int) -> DataStreamControl[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, descriptor_set=descriptor_set)
 
     @classmethod
-    def default(cls, descriptor_set: int) -> DataStreamControl:
+    def default(
+        cls: ClassOf[DataStreamControl[Any]], descriptor_set: int
+    ) -> DataStreamControl[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, descriptor_set=descriptor_set)
 
@@ -5308,7 +5329,7 @@ class DataStreamControl(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[DataStreamControl, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[DataStreamControl[R], int]:
         descriptor_set: int | None = None
         enable: bool | None = None
         v = _DATA_STREAM_CONTROL_0.read(raw, at)
@@ -5352,7 +5373,7 @@ _CONSTELLATION_SETTINGS_2 = codec.Block("B", "config_count")
 _CONSTELLATION_SETTINGS_GROUPS = ((1, ("max_channels",), False), (3, ("settings",), False))
 
 
-class ConstellationSettings(Command):
+class ConstellationSettings(Command[R]):
     """Constellation Settings (0x0C,0x21).
 
     Constellations that the GNSS receiver tracks, and how its tracking channels are shared.
@@ -5406,28 +5427,32 @@ class ConstellationSettings(Command):
 
     @classmethod
     def write(
-        cls, max_channels: int, settings: tuple[ConstellationSettingsEntry, ...]
-    ) -> ConstellationSettings:
+        cls: ClassOf[ConstellationSettings[Any]],
+        max_channels: int,
+        settings: tuple[ConstellationSettingsEntry, ...],
+    ) -> ConstellationSettings[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, max_channels=max_channels, settings=settings)
 
     @classmethod
-    def read(cls) -> ConstellationSettings:
+    def read(
+        cls: ClassOf[ConstellationSettings[Any]],
+    ) -> ConstellationSettings[ConstellationSettingsResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> ConstellationSettings:
+    def save(cls: ClassOf[ConstellationSettings[Any]]) -> ConstellationSettings[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> ConstellationSettings:
+    def load(cls: ClassOf[ConstellationSettings[Any]]) -> ConstellationSettings[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> ConstellationSettings:
+    def default(cls: ClassOf[ConstellationSettings[Any]]) -> ConstellationSettings[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -5438,7 +5463,7 @@ class ConstellationSettings(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ConstellationSettings, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[ConstellationSettings[R], int]:
         max_channels: int | None = None
         settings: tuple[ConstellationSettingsEntry, ...] | None = None
         v = _CONSTELLATION_SETTINGS_0.read(raw, at)
@@ -5492,7 +5517,7 @@ _GNSS_SBAS_SETTINGS_GROUPS = (
 )
 
 
-class GnssSbasSettings(Command):
+class GnssSbasSettings(Command[R]):
     """GNSS SBAS Settings (0x0C,0x22).
 
     How the GNSS receivers use satellite based augmentation.
@@ -5545,8 +5570,11 @@ class GnssSbasSettings(Command):
 
     @classmethod
     def write(
-        cls, enable_sbas: int, sbas_options: SbasOptions, included_prns: tuple[int, ...]
-    ) -> GnssSbasSettings:
+        cls: ClassOf[GnssSbasSettings[Any]],
+        enable_sbas: int,
+        sbas_options: SbasOptions,
+        included_prns: tuple[int, ...],
+    ) -> GnssSbasSettings[None]:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE,
@@ -5556,22 +5584,22 @@ class GnssSbasSettings(Command):
         )
 
     @classmethod
-    def read(cls) -> GnssSbasSettings:
+    def read(cls: ClassOf[GnssSbasSettings[Any]]) -> GnssSbasSettings[GnssSbasSettingsResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> GnssSbasSettings:
+    def save(cls: ClassOf[GnssSbasSettings[Any]]) -> GnssSbasSettings[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> GnssSbasSettings:
+    def load(cls: ClassOf[GnssSbasSettings[Any]]) -> GnssSbasSettings[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> GnssSbasSettings:
+    def default(cls: ClassOf[GnssSbasSettings[Any]]) -> GnssSbasSettings[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -5582,7 +5610,7 @@ class GnssSbasSettings(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssSbasSettings, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GnssSbasSettings[R], int]:
         enable_sbas: int | None = None
         sbas_options: SbasOptions | None = None
         included_prns: tuple[int, ...] | None = None
@@ -5643,7 +5671,7 @@ _GNSS_ASSISTED_FIX_2 = codec.Block("B", "flags")
 _GNSS_ASSISTED_FIX_GROUPS = ((1, ("option",), False), (2, ("flags",), False))
 
 
-class GnssAssistedFix(Command):
+class GnssAssistedFix(Command[R]):
     """GNSS Assisted Fix (0x0C,0x23).
 
     Whether the GNSS receiver keeps the data of its last fix to start from at the next power-up.
@@ -5694,27 +5722,29 @@ class GnssAssistedFix(Command):
         self.flags = flags
 
     @classmethod
-    def write(cls, option: AssistedFixOption) -> GnssAssistedFix:
+    def write(
+        cls: ClassOf[GnssAssistedFix[Any]], option: AssistedFixOption
+    ) -> GnssAssistedFix[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, option=option, flags=255)
 
     @classmethod
-    def read(cls) -> GnssAssistedFix:
+    def read(cls: ClassOf[GnssAssistedFix[Any]]) -> GnssAssistedFix[GnssAssistedFixResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> GnssAssistedFix:
+    def save(cls: ClassOf[GnssAssistedFix[Any]]) -> GnssAssistedFix[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> GnssAssistedFix:
+    def load(cls: ClassOf[GnssAssistedFix[Any]]) -> GnssAssistedFix[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> GnssAssistedFix:
+    def default(cls: ClassOf[GnssAssistedFix[Any]]) -> GnssAssistedFix[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -5725,7 +5755,7 @@ class GnssAssistedFix(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssAssistedFix, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GnssAssistedFix[R], int]:
         option: AssistedFixOption | None = None
         flags: int | None = None
         v = _GNSS_ASSISTED_FIX_0.read(raw, at)
@@ -5774,7 +5804,7 @@ _GNSS_TIME_ASSISTANCE_GROUPS = (
 )
 
 
-class GnssTimeAssistance(Command):
+class GnssTimeAssistance(Command[R]):
     """GNSS Time Assistance (0x0C,0x24).
 
     Tells the GNSS receiver the present GPS time.
@@ -5819,12 +5849,16 @@ class GnssTimeAssistance(Command):
         self.accuracy = accuracy
 
     @classmethod
-    def write(cls, tow: float, week_number: int, accuracy: float) -> GnssTimeAssistance:
+    def write(
+        cls: ClassOf[GnssTimeAssistance[Any]], tow: float, week_number: int, accuracy: float
+    ) -> GnssTimeAssistance[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, tow=tow, week_number=week_number, accuracy=accuracy)
 
     @classmethod
-    def read(cls) -> GnssTimeAssistance:
+    def read(
+        cls: ClassOf[GnssTimeAssistance[Any]],
+    ) -> GnssTimeAssistance[GnssTimeAssistanceResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
@@ -5835,7 +5869,7 @@ class GnssTimeAssistance(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssTimeAssistance, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GnssTimeAssistance[R], int]:
         tow: float | None = None
         week_number: int | None = None
         accuracy: float | None = None
@@ -5887,7 +5921,7 @@ _PPS_SOURCE_CONTROL_1 = codec.Block("B", "source")
 _PPS_SOURCE_CONTROL_GROUPS = ((1, ("source",), False),)
 
 
-class PpsSourceControl(Command):
+class PpsSourceControl(Command[R]):
     """PPS Source Control (0x0C,0x28).
 
     Where the device takes its pulse per second from.
@@ -5926,27 +5960,27 @@ class PpsSourceControl(Command):
         self.source = source
 
     @classmethod
-    def write(cls, source: PpsSource) -> PpsSourceControl:
+    def write(cls: ClassOf[PpsSourceControl[Any]], source: PpsSource) -> PpsSourceControl[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, source=source)
 
     @classmethod
-    def read(cls) -> PpsSourceControl:
+    def read(cls: ClassOf[PpsSourceControl[Any]]) -> PpsSourceControl[PpsSourceControlResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> PpsSourceControl:
+    def save(cls: ClassOf[PpsSourceControl[Any]]) -> PpsSourceControl[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> PpsSourceControl:
+    def load(cls: ClassOf[PpsSourceControl[Any]]) -> PpsSourceControl[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> PpsSourceControl:
+    def default(cls: ClassOf[PpsSourceControl[Any]]) -> PpsSourceControl[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -5957,7 +5991,7 @@ class PpsSourceControl(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[PpsSourceControl, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[PpsSourceControl[R], int]:
         source: PpsSource | None = None
         v = _PPS_SOURCE_CONTROL_0.read(raw, at)
         at += 1
@@ -5989,7 +6023,7 @@ class PpsSourceControl(Command):
 _GET_EVENT_SUPPORT_0 = codec.Block("B", "query")
 
 
-class GetEventSupport(Command):
+class GetEventSupport(Command[GetEventSupportResponse]):
     """Get Supported Events (0x0C,0x2A).
 
     Asks which types of event triggers or actions there are and how many of each.
@@ -6033,7 +6067,7 @@ _EVENT_CONTROL_2 = codec.Block("B", "mode")
 _EVENT_CONTROL_GROUPS = ((1, ("instance",), False), (2, ("mode",), False))
 
 
-class EventControl(Command):
+class EventControl(Command[R]):
     """Event Control (0x0C,0x2B).
 
     Enables, disables or tests an event trigger.
@@ -6075,27 +6109,29 @@ class EventControl(Command):
         self.mode = mode
 
     @classmethod
-    def write(cls, instance: int, mode: types.EventTriggerMode) -> EventControl:
+    def write(
+        cls: ClassOf[EventControl[Any]], instance: int, mode: types.EventTriggerMode
+    ) -> EventControl[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, instance=instance, mode=mode)
 
     @classmethod
-    def read(cls, instance: int) -> EventControl:
+    def read(cls: ClassOf[EventControl[Any]], instance: int) -> EventControl[EventControlResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, instance=instance)
 
     @classmethod
-    def save(cls, instance: int) -> EventControl:
+    def save(cls: ClassOf[EventControl[Any]], instance: int) -> EventControl[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, instance=instance)
 
     @classmethod
-    def load(cls, instance: int) -> EventControl:
+    def load(cls: ClassOf[EventControl[Any]], instance: int) -> EventControl[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, instance=instance)
 
     @classmethod
-    def default(cls, instance: int) -> EventControl:
+    def default(cls: ClassOf[EventControl[Any]], instance: int) -> EventControl[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, instance=instance)
 
@@ -6106,7 +6142,7 @@ class EventControl(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EventControl, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[EventControl[R], int]:
         instance: int | None = None
         mode: types.EventTriggerMode | None = None
         v = _EVENT_CONTROL_0.read(raw, at)
@@ -6147,7 +6183,7 @@ class EventControl(Command):
 _GET_EVENT_TRIGGER_STATUS_0 = codec.Block("B", "requested_count")
 
 
-class GetEventTriggerStatus(Command):
+class GetEventTriggerStatus(Command[GetEventTriggerStatusResponse]):
     """Get Event Trigger Status (0x0C,0x2C).
 
     Asks for the type and the state of event triggers.
@@ -6199,7 +6235,7 @@ class GetEventTriggerStatus(Command):
 _GET_EVENT_ACTION_STATUS_0 = codec.Block("B", "requested_count")
 
 
-class GetEventActionStatus(Command):
+class GetEventActionStatus(Command[GetEventActionStatusResponse]):
     """Get Event Action Status (0x0C,0x2D).
 
     Asks for the type and the trigger of event actions.
@@ -6258,7 +6294,7 @@ _EVENT_TRIGGER_CONFIG_GROUPS = (
 )
 
 
-class EventTriggerConfig(Command):
+class EventTriggerConfig(Command[R]):
     """Event Trigger Configuration (0x0C,0x2E).
 
     Kind and condition of an event trigger.
@@ -6316,34 +6352,36 @@ class EventTriggerConfig(Command):
 
     @classmethod
     def write(
-        cls,
+        cls: ClassOf[EventTriggerConfig[Any]],
         instance: int,
         type: types.EventTriggerType,
         parameters: types.EventTriggerGpio
         | types.EventTriggerThreshold
         | types.EventTriggerCombination
         | None,
-    ) -> EventTriggerConfig:
+    ) -> EventTriggerConfig[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, instance=instance, type=type, parameters=parameters)
 
     @classmethod
-    def read(cls, instance: int) -> EventTriggerConfig:
+    def read(
+        cls: ClassOf[EventTriggerConfig[Any]], instance: int
+    ) -> EventTriggerConfig[EventTriggerConfigResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, instance=instance)
 
     @classmethod
-    def save(cls, instance: int) -> EventTriggerConfig:
+    def save(cls: ClassOf[EventTriggerConfig[Any]], instance: int) -> EventTriggerConfig[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, instance=instance)
 
     @classmethod
-    def load(cls, instance: int) -> EventTriggerConfig:
+    def load(cls: ClassOf[EventTriggerConfig[Any]], instance: int) -> EventTriggerConfig[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, instance=instance)
 
     @classmethod
-    def default(cls, instance: int) -> EventTriggerConfig:
+    def default(cls: ClassOf[EventTriggerConfig[Any]], instance: int) -> EventTriggerConfig[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, instance=instance)
 
@@ -6354,7 +6392,7 @@ class EventTriggerConfig(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EventTriggerConfig, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[EventTriggerConfig[R], int]:
         instance: int | None = None
         type: types.EventTriggerType | None = None
         parameters: (
@@ -6434,7 +6472,7 @@ _EVENT_ACTION_CONFIG_GROUPS = (
 )
 
 
-class EventActionConfig(Command):
+class EventActionConfig(Command[R]):
     """Event Action Configuration (0x0C,0x2F).
 
     Trigger and effect of an event action.
@@ -6490,12 +6528,12 @@ class EventActionConfig(Command):
 
     @classmethod
     def write(
-        cls,
+        cls: ClassOf[EventActionConfig[Any]],
         instance: int,
         trigger: int,
         type: types.EventActionType,
         parameters: types.EventActionGpio | types.EventActionMessage | None,
-    ) -> EventActionConfig:
+    ) -> EventActionConfig[None]:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE,
@@ -6506,22 +6544,24 @@ class EventActionConfig(Command):
         )
 
     @classmethod
-    def read(cls, instance: int) -> EventActionConfig:
+    def read(
+        cls: ClassOf[EventActionConfig[Any]], instance: int
+    ) -> EventActionConfig[EventActionConfigResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, instance=instance)
 
     @classmethod
-    def save(cls, instance: int) -> EventActionConfig:
+    def save(cls: ClassOf[EventActionConfig[Any]], instance: int) -> EventActionConfig[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, instance=instance)
 
     @classmethod
-    def load(cls, instance: int) -> EventActionConfig:
+    def load(cls: ClassOf[EventActionConfig[Any]], instance: int) -> EventActionConfig[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, instance=instance)
 
     @classmethod
-    def default(cls, instance: int) -> EventActionConfig:
+    def default(cls: ClassOf[EventActionConfig[Any]], instance: int) -> EventActionConfig[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, instance=instance)
 
@@ -6532,7 +6572,7 @@ class EventActionConfig(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EventActionConfig, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[EventActionConfig[R], int]:
         instance: int | None = None
         trigger: int | None = None
         type: types.EventActionType | None = None
@@ -6601,7 +6641,7 @@ class EventActionConfig(Command):
 _DEVICE_SETTINGS_0 = codec.Block("B", "function")
 
 
-class DeviceSettings(Command):
+class DeviceSettings(Command[None]):
     """Device Start Up Settings (0x0C,0x30).
 
     Saves, loads or resets all settings of the device at once.
@@ -6670,7 +6710,7 @@ _SENSOR_TO_VEHICLE_TRANSFORM_EULER_GROUPS = (
 )
 
 
-class SensorToVehicleTransformEuler(Command):
+class SensorToVehicleTransformEuler(Command[R]):
     """Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31).
 
     Mounting of the sensor in the vehicle as Euler angles.
@@ -6722,27 +6762,37 @@ class SensorToVehicleTransformEuler(Command):
         self.yaw = yaw
 
     @classmethod
-    def write(cls, roll: float, pitch: float, yaw: float) -> SensorToVehicleTransformEuler:
+    def write(
+        cls: ClassOf[SensorToVehicleTransformEuler[Any]], roll: float, pitch: float, yaw: float
+    ) -> SensorToVehicleTransformEuler[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, roll=roll, pitch=pitch, yaw=yaw)
 
     @classmethod
-    def read(cls) -> SensorToVehicleTransformEuler:
+    def read(
+        cls: ClassOf[SensorToVehicleTransformEuler[Any]],
+    ) -> SensorToVehicleTransformEuler[SensorToVehicleTransformEulerResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> SensorToVehicleTransformEuler:
+    def save(
+        cls: ClassOf[SensorToVehicleTransformEuler[Any]],
+    ) -> SensorToVehicleTransformEuler[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> SensorToVehicleTransformEuler:
+    def load(
+        cls: ClassOf[SensorToVehicleTransformEuler[Any]],
+    ) -> SensorToVehicleTransformEuler[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> SensorToVehicleTransformEuler:
+    def default(
+        cls: ClassOf[SensorToVehicleTransformEuler[Any]],
+    ) -> SensorToVehicleTransformEuler[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -6753,7 +6803,7 @@ class SensorToVehicleTransformEuler(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleTransformEuler, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleTransformEuler[R], int]:
         roll: float | None = None
         pitch: float | None = None
         yaw: float | None = None
@@ -6805,7 +6855,7 @@ _SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_1 = codec.Block("ffff", *["q"] * 4)
 _SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_GROUPS = ((1, ("q",), False),)
 
 
-class SensorToVehicleTransformQuaternion(Command):
+class SensorToVehicleTransformQuaternion(Command[R]):
     """Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32).
 
     Mounting of the sensor in the vehicle as a quaternion.
@@ -6848,27 +6898,37 @@ class SensorToVehicleTransformQuaternion(Command):
         self.q = codec.vector(q, types.Quatf)
 
     @classmethod
-    def write(cls, q: types.Quatf | codec.Numbers) -> SensorToVehicleTransformQuaternion:
+    def write(
+        cls: ClassOf[SensorToVehicleTransformQuaternion[Any]], q: types.Quatf | codec.Numbers
+    ) -> SensorToVehicleTransformQuaternion[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, q=q)
 
     @classmethod
-    def read(cls) -> SensorToVehicleTransformQuaternion:
+    def read(
+        cls: ClassOf[SensorToVehicleTransformQuaternion[Any]],
+    ) -> SensorToVehicleTransformQuaternion[SensorToVehicleTransformQuaternionResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> SensorToVehicleTransformQuaternion:
+    def save(
+        cls: ClassOf[SensorToVehicleTransformQuaternion[Any]],
+    ) -> SensorToVehicleTransformQuaternion[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> SensorToVehicleTransformQuaternion:
+    def load(
+        cls: ClassOf[SensorToVehicleTransformQuaternion[Any]],
+    ) -> SensorToVehicleTransformQuaternion[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> SensorToVehicleTransformQuaternion:
+    def default(
+        cls: ClassOf[SensorToVehicleTransformQuaternion[Any]],
+    ) -> SensorToVehicleTransformQuaternion[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -6879,7 +6939,7 @@ class SensorToVehicleTransformQuaternion(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleTransformQuaternion, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleTransformQuaternion[R], int]:
         q: types.Quatf | None = None
         v = _SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_0.read(raw, at)
         at += 1
@@ -6913,7 +6973,7 @@ _SENSOR_TO_VEHICLE_TRANSFORM_DCM_1 = codec.Block("fffffffff", *["dcm"] * 9)
 _SENSOR_TO_VEHICLE_TRANSFORM_DCM_GROUPS = ((1, ("dcm",), False),)
 
 
-class SensorToVehicleTransformDcm(Command):
+class SensorToVehicleTransformDcm(Command[R]):
     """Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33).
 
     Mounting of the sensor in the vehicle as a direction cosine matrix.
@@ -6954,27 +7014,33 @@ class SensorToVehicleTransformDcm(Command):
         self.dcm = codec.vector(dcm, types.Matrix3f)
 
     @classmethod
-    def write(cls, dcm: types.Matrix3f | codec.Rows) -> SensorToVehicleTransformDcm:
+    def write(
+        cls: ClassOf[SensorToVehicleTransformDcm[Any]], dcm: types.Matrix3f | codec.Rows
+    ) -> SensorToVehicleTransformDcm[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, dcm=dcm)
 
     @classmethod
-    def read(cls) -> SensorToVehicleTransformDcm:
+    def read(
+        cls: ClassOf[SensorToVehicleTransformDcm[Any]],
+    ) -> SensorToVehicleTransformDcm[SensorToVehicleTransformDcmResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> SensorToVehicleTransformDcm:
+    def save(cls: ClassOf[SensorToVehicleTransformDcm[Any]]) -> SensorToVehicleTransformDcm[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> SensorToVehicleTransformDcm:
+    def load(cls: ClassOf[SensorToVehicleTransformDcm[Any]]) -> SensorToVehicleTransformDcm[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> SensorToVehicleTransformDcm:
+    def default(
+        cls: ClassOf[SensorToVehicleTransformDcm[Any]],
+    ) -> SensorToVehicleTransformDcm[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -6985,7 +7051,7 @@ class SensorToVehicleTransformDcm(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleTransformDcm, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleTransformDcm[R], int]:
         dcm: types.Matrix3f | None = None
         v = _SENSOR_TO_VEHICLE_TRANSFORM_DCM_0.read(raw, at)
         at += 1
@@ -7019,7 +7085,7 @@ _ACCEL_BIAS_1 = codec.Block("fff", *["bias"] * 3)
 _ACCEL_BIAS_GROUPS = ((1, ("bias",), False),)
 
 
-class AccelBias(Command):
+class AccelBias(Command[R]):
     """Accelerometer Bias Configuration (0x0C,0x37).
 
     Bias that is subtracted from the scaled acceleration.
@@ -7058,32 +7124,36 @@ class AccelBias(Command):
         self.bias = codec.vector(bias, types.Vector3f)
 
     @classmethod
-    def write(cls, bias: types.Vector3f | codec.Numbers) -> AccelBias:
+    def write(
+        cls: ClassOf[AccelBias[Any]], bias: types.Vector3f | codec.Numbers
+    ) -> AccelBias[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, bias=bias)
 
     @classmethod
-    def read(cls) -> AccelBias:
+    def read(cls: ClassOf[AccelBias[Any]]) -> AccelBias[AccelBiasResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> AccelBias:
+    def save(cls: ClassOf[AccelBias[Any]]) -> AccelBias[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> AccelBias:
+    def load(cls: ClassOf[AccelBias[Any]]) -> AccelBias[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> AccelBias:
+    def default(cls: ClassOf[AccelBias[Any]]) -> AccelBias[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @classmethod
-    def apply(cls, bias: types.Vector3f | codec.Numbers) -> AccelBias:
+    def apply(
+        cls: ClassOf[AccelBias[Any]], bias: types.Vector3f | codec.Numbers
+    ) -> AccelBias[None]:
         """Apply the new setting and send no acknowledge (5-series devices)."""
         return cls(FunctionSelector.APPLY, bias=bias)
 
@@ -7098,7 +7168,7 @@ class AccelBias(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AccelBias, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[AccelBias[R], int]:
         bias: types.Vector3f | None = None
         v = _ACCEL_BIAS_0.read(raw, at)
         at += 1
@@ -7132,7 +7202,7 @@ _GYRO_BIAS_1 = codec.Block("fff", *["bias"] * 3)
 _GYRO_BIAS_GROUPS = ((1, ("bias",), False),)
 
 
-class GyroBias(Command):
+class GyroBias(Command[R]):
     """Gyroscope Bias Configuration (0x0C,0x38).
 
     Bias that is subtracted from the scaled angular rate.
@@ -7173,32 +7243,32 @@ class GyroBias(Command):
         self.bias = codec.vector(bias, types.Vector3f)
 
     @classmethod
-    def write(cls, bias: types.Vector3f | codec.Numbers) -> GyroBias:
+    def write(cls: ClassOf[GyroBias[Any]], bias: types.Vector3f | codec.Numbers) -> GyroBias[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, bias=bias)
 
     @classmethod
-    def read(cls) -> GyroBias:
+    def read(cls: ClassOf[GyroBias[Any]]) -> GyroBias[GyroBiasResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> GyroBias:
+    def save(cls: ClassOf[GyroBias[Any]]) -> GyroBias[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> GyroBias:
+    def load(cls: ClassOf[GyroBias[Any]]) -> GyroBias[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> GyroBias:
+    def default(cls: ClassOf[GyroBias[Any]]) -> GyroBias[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @classmethod
-    def apply(cls, bias: types.Vector3f | codec.Numbers) -> GyroBias:
+    def apply(cls: ClassOf[GyroBias[Any]], bias: types.Vector3f | codec.Numbers) -> GyroBias[None]:
         """Apply the new setting and send no acknowledge (5-series devices)."""
         return cls(FunctionSelector.APPLY, bias=bias)
 
@@ -7213,7 +7283,7 @@ class GyroBias(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GyroBias, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GyroBias[R], int]:
         bias: types.Vector3f | None = None
         v = _GYRO_BIAS_0.read(raw, at)
         at += 1
@@ -7245,7 +7315,7 @@ class GyroBias(Command):
 _CAPTURE_GYRO_BIAS_0 = codec.Block("H", "averaging_time_ms")
 
 
-class CaptureGyroBias(Command):
+class CaptureGyroBias(Command[GyroBiasResponse]):
     """Capture Gyroscope Bias (0x0C,0x39).
 
     Averages the angular rate of the device at rest and takes the result as the gyroscope bias.
@@ -7296,7 +7366,7 @@ _MAG_HARD_IRON_OFFSET_1 = codec.Block("fff", *["offset"] * 3)
 _MAG_HARD_IRON_OFFSET_GROUPS = ((1, ("offset",), False),)
 
 
-class MagHardIronOffset(Command):
+class MagHardIronOffset(Command[R]):
     """Magnetometer Hard Iron Offset (0x0C,0x3A).
 
     Offset that corrects the scaled magnetic field for hard iron.
@@ -7341,32 +7411,36 @@ class MagHardIronOffset(Command):
         self.offset = codec.vector(offset, types.Vector3f)
 
     @classmethod
-    def write(cls, offset: types.Vector3f | codec.Numbers) -> MagHardIronOffset:
+    def write(
+        cls: ClassOf[MagHardIronOffset[Any]], offset: types.Vector3f | codec.Numbers
+    ) -> MagHardIronOffset[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, offset=offset)
 
     @classmethod
-    def read(cls) -> MagHardIronOffset:
+    def read(cls: ClassOf[MagHardIronOffset[Any]]) -> MagHardIronOffset[MagHardIronOffsetResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> MagHardIronOffset:
+    def save(cls: ClassOf[MagHardIronOffset[Any]]) -> MagHardIronOffset[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> MagHardIronOffset:
+    def load(cls: ClassOf[MagHardIronOffset[Any]]) -> MagHardIronOffset[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> MagHardIronOffset:
+    def default(cls: ClassOf[MagHardIronOffset[Any]]) -> MagHardIronOffset[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @classmethod
-    def apply(cls, offset: types.Vector3f | codec.Numbers) -> MagHardIronOffset:
+    def apply(
+        cls: ClassOf[MagHardIronOffset[Any]], offset: types.Vector3f | codec.Numbers
+    ) -> MagHardIronOffset[None]:
         """Apply the new setting and send no acknowledge (5-series devices)."""
         return cls(FunctionSelector.APPLY, offset=offset)
 
@@ -7381,7 +7455,7 @@ class MagHardIronOffset(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagHardIronOffset, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[MagHardIronOffset[R], int]:
         offset: types.Vector3f | None = None
         v = _MAG_HARD_IRON_OFFSET_0.read(raw, at)
         at += 1
@@ -7415,7 +7489,7 @@ _MAG_SOFT_IRON_MATRIX_1 = codec.Block("fffffffff", *["matrix"] * 9)
 _MAG_SOFT_IRON_MATRIX_GROUPS = ((1, ("matrix",), False),)
 
 
-class MagSoftIronMatrix(Command):
+class MagSoftIronMatrix(Command[R]):
     """Magnetometer Soft Iron Matrix (0x0C,0x3B).
 
     Matrix that corrects the scaled magnetic field for soft iron.
@@ -7458,32 +7532,36 @@ class MagSoftIronMatrix(Command):
         self.matrix = codec.vector(matrix, types.Matrix3f)
 
     @classmethod
-    def write(cls, matrix: types.Matrix3f | codec.Rows) -> MagSoftIronMatrix:
+    def write(
+        cls: ClassOf[MagSoftIronMatrix[Any]], matrix: types.Matrix3f | codec.Rows
+    ) -> MagSoftIronMatrix[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, matrix=matrix)
 
     @classmethod
-    def read(cls) -> MagSoftIronMatrix:
+    def read(cls: ClassOf[MagSoftIronMatrix[Any]]) -> MagSoftIronMatrix[MagSoftIronMatrixResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> MagSoftIronMatrix:
+    def save(cls: ClassOf[MagSoftIronMatrix[Any]]) -> MagSoftIronMatrix[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> MagSoftIronMatrix:
+    def load(cls: ClassOf[MagSoftIronMatrix[Any]]) -> MagSoftIronMatrix[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> MagSoftIronMatrix:
+    def default(cls: ClassOf[MagSoftIronMatrix[Any]]) -> MagSoftIronMatrix[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @classmethod
-    def apply(cls, matrix: types.Matrix3f | codec.Rows) -> MagSoftIronMatrix:
+    def apply(
+        cls: ClassOf[MagSoftIronMatrix[Any]], matrix: types.Matrix3f | codec.Rows
+    ) -> MagSoftIronMatrix[None]:
         """Apply the new setting and send no acknowledge (5-series devices)."""
         return cls(FunctionSelector.APPLY, matrix=matrix)
 
@@ -7498,7 +7576,7 @@ class MagSoftIronMatrix(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagSoftIronMatrix, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[MagSoftIronMatrix[R], int]:
         matrix: types.Matrix3f | None = None
         v = _MAG_SOFT_IRON_MATRIX_0.read(raw, at)
         at += 1
@@ -7532,7 +7610,7 @@ _CONING_SCULLING_ENABLE_1 = codec.Block("B", "enable")
 _CONING_SCULLING_ENABLE_GROUPS = ((1, ("enable",), False),)
 
 
-class ConingScullingEnable(Command):
+class ConingScullingEnable(Command[R]):
     """Coning and Sculling Enable (0x0C,0x3E).
 
     Switches the compensation of coning and sculling on or off.
@@ -7564,27 +7642,29 @@ class ConingScullingEnable(Command):
         self.enable = enable
 
     @classmethod
-    def write(cls, enable: bool) -> ConingScullingEnable:
+    def write(cls: ClassOf[ConingScullingEnable[Any]], enable: bool) -> ConingScullingEnable[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, enable=enable)
 
     @classmethod
-    def read(cls) -> ConingScullingEnable:
+    def read(
+        cls: ClassOf[ConingScullingEnable[Any]],
+    ) -> ConingScullingEnable[ConingScullingEnableResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> ConingScullingEnable:
+    def save(cls: ClassOf[ConingScullingEnable[Any]]) -> ConingScullingEnable[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> ConingScullingEnable:
+    def load(cls: ClassOf[ConingScullingEnable[Any]]) -> ConingScullingEnable[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> ConingScullingEnable:
+    def default(cls: ClassOf[ConingScullingEnable[Any]]) -> ConingScullingEnable[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -7595,7 +7675,7 @@ class ConingScullingEnable(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ConingScullingEnable, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[ConingScullingEnable[R], int]:
         enable: bool | None = None
         v = _CONING_SCULLING_ENABLE_0.read(raw, at)
         at += 1
@@ -7629,7 +7709,7 @@ _UART_BAUD_RATE_1 = codec.Block("I", "baud")
 _UART_BAUD_RATE_GROUPS = ((1, ("baud",), False),)
 
 
-class UartBaudRate(Command):
+class UartBaudRate(Command[R]):
     """UART Baud Rate (0x0C,0x40).
 
     Baud rate of the main port.
@@ -7670,27 +7750,27 @@ class UartBaudRate(Command):
         self.baud = baud
 
     @classmethod
-    def write(cls, baud: int) -> UartBaudRate:
+    def write(cls: ClassOf[UartBaudRate[Any]], baud: int) -> UartBaudRate[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, baud=baud)
 
     @classmethod
-    def read(cls) -> UartBaudRate:
+    def read(cls: ClassOf[UartBaudRate[Any]]) -> UartBaudRate[UartBaudRateResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> UartBaudRate:
+    def save(cls: ClassOf[UartBaudRate[Any]]) -> UartBaudRate[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> UartBaudRate:
+    def load(cls: ClassOf[UartBaudRate[Any]]) -> UartBaudRate[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> UartBaudRate:
+    def default(cls: ClassOf[UartBaudRate[Any]]) -> UartBaudRate[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -7701,7 +7781,7 @@ class UartBaudRate(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[UartBaudRate, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[UartBaudRate[R], int]:
         baud: int | None = None
         v = _UART_BAUD_RATE_0.read(raw, at)
         at += 1
@@ -7743,7 +7823,7 @@ _GPIO_CONFIG_GROUPS = (
 )
 
 
-class GpioConfig(Command):
+class GpioConfig(Command[R]):
     """GPIO Configuration (0x0C,0x41).
 
     What a GPIO pin is used for.
@@ -7805,30 +7885,34 @@ class GpioConfig(Command):
 
     @classmethod
     def write(
-        cls, pin: int, feature: types.GpioFeature, behavior: int, pin_mode: types.GpioPinMode
-    ) -> GpioConfig:
+        cls: ClassOf[GpioConfig[Any]],
+        pin: int,
+        feature: types.GpioFeature,
+        behavior: int,
+        pin_mode: types.GpioPinMode,
+    ) -> GpioConfig[None]:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE, pin=pin, feature=feature, behavior=behavior, pin_mode=pin_mode
         )
 
     @classmethod
-    def read(cls, pin: int) -> GpioConfig:
+    def read(cls: ClassOf[GpioConfig[Any]], pin: int) -> GpioConfig[GpioConfigResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, pin=pin)
 
     @classmethod
-    def save(cls, pin: int) -> GpioConfig:
+    def save(cls: ClassOf[GpioConfig[Any]], pin: int) -> GpioConfig[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, pin=pin)
 
     @classmethod
-    def load(cls, pin: int) -> GpioConfig:
+    def load(cls: ClassOf[GpioConfig[Any]], pin: int) -> GpioConfig[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, pin=pin)
 
     @classmethod
-    def default(cls, pin: int) -> GpioConfig:
+    def default(cls: ClassOf[GpioConfig[Any]], pin: int) -> GpioConfig[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, pin=pin)
 
@@ -7839,7 +7923,7 @@ class GpioConfig(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GpioConfig, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GpioConfig[R], int]:
         pin: int | None = None
         feature: types.GpioFeature | None = None
         behavior: int | None = None
@@ -7901,7 +7985,7 @@ _GPIO_STATE_2 = codec.Block("B", "state")
 _GPIO_STATE_GROUPS = ((1, ("pin",), False), (2, ("state",), False))
 
 
-class GpioState(Command):
+class GpioState(Command[R]):
     """GPIO State (0x0C,0x42).
 
     Sets or reads the state of a GPIO pin.
@@ -7941,12 +8025,12 @@ class GpioState(Command):
         self.state = state
 
     @classmethod
-    def write(cls, pin: int, state: bool) -> GpioState:
+    def write(cls: ClassOf[GpioState[Any]], pin: int, state: bool) -> GpioState[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, pin=pin, state=state)
 
     @classmethod
-    def read(cls, pin: int) -> GpioState:
+    def read(cls: ClassOf[GpioState[Any]], pin: int) -> GpioState[GpioStateResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, pin=pin)
 
@@ -7957,7 +8041,7 @@ class GpioState(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GpioState, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GpioState[R], int]:
         pin: int | None = None
         state: bool | None = None
         v = _GPIO_STATE_0.read(raw, at)
@@ -8006,7 +8090,7 @@ _ODOMETER_CONFIG_GROUPS = (
 )
 
 
-class OdometerConfig(Command):
+class OdometerConfig(Command[R]):
     """Odometer Configuration (0x0C,0x43).
 
     Input from a wheel encoder.
@@ -8052,27 +8136,29 @@ class OdometerConfig(Command):
         self.uncertainty = uncertainty
 
     @classmethod
-    def write(cls, mode: OdometerMode, scaling: float, uncertainty: float) -> OdometerConfig:
+    def write(
+        cls: ClassOf[OdometerConfig[Any]], mode: OdometerMode, scaling: float, uncertainty: float
+    ) -> OdometerConfig[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, mode=mode, scaling=scaling, uncertainty=uncertainty)
 
     @classmethod
-    def read(cls) -> OdometerConfig:
+    def read(cls: ClassOf[OdometerConfig[Any]]) -> OdometerConfig[OdometerConfigResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> OdometerConfig:
+    def save(cls: ClassOf[OdometerConfig[Any]]) -> OdometerConfig[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> OdometerConfig:
+    def load(cls: ClassOf[OdometerConfig[Any]]) -> OdometerConfig[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> OdometerConfig:
+    def default(cls: ClassOf[OdometerConfig[Any]]) -> OdometerConfig[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -8083,7 +8169,7 @@ class OdometerConfig(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[OdometerConfig, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[OdometerConfig[R], int]:
         mode: OdometerMode | None = None
         scaling: float | None = None
         uncertainty: float | None = None
@@ -8145,7 +8231,7 @@ _IMU_LOW_PASS_FILTER_GROUPS = (
 )
 
 
-class ImuLowPassFilter(Command):
+class ImuLowPassFilter(Command[R]):
     """Advanced Low-Pass Filter Settings (0x0C,0x50).
 
     Low-pass filter of one quantity of the sensor data.
@@ -8216,8 +8302,12 @@ class ImuLowPassFilter(Command):
 
     @classmethod
     def write(
-        cls, target_descriptor: int, enable: bool, manual: bool, frequency: int
-    ) -> ImuLowPassFilter:
+        cls: ClassOf[ImuLowPassFilter[Any]],
+        target_descriptor: int,
+        enable: bool,
+        manual: bool,
+        frequency: int,
+    ) -> ImuLowPassFilter[None]:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE,
@@ -8229,22 +8319,26 @@ class ImuLowPassFilter(Command):
         )
 
     @classmethod
-    def read(cls, target_descriptor: int) -> ImuLowPassFilter:
+    def read(
+        cls: ClassOf[ImuLowPassFilter[Any]], target_descriptor: int
+    ) -> ImuLowPassFilter[ImuLowPassFilterResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, target_descriptor=target_descriptor)
 
     @classmethod
-    def save(cls, target_descriptor: int) -> ImuLowPassFilter:
+    def save(cls: ClassOf[ImuLowPassFilter[Any]], target_descriptor: int) -> ImuLowPassFilter[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, target_descriptor=target_descriptor)
 
     @classmethod
-    def load(cls, target_descriptor: int) -> ImuLowPassFilter:
+    def load(cls: ClassOf[ImuLowPassFilter[Any]], target_descriptor: int) -> ImuLowPassFilter[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, target_descriptor=target_descriptor)
 
     @classmethod
-    def default(cls, target_descriptor: int) -> ImuLowPassFilter:
+    def default(
+        cls: ClassOf[ImuLowPassFilter[Any]], target_descriptor: int
+    ) -> ImuLowPassFilter[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, target_descriptor=target_descriptor)
 
@@ -8255,7 +8349,7 @@ class ImuLowPassFilter(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ImuLowPassFilter, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[ImuLowPassFilter[R], int]:
         target_descriptor: int | None = None
         enable: bool | None = None
         manual: bool | None = None
@@ -8333,7 +8427,7 @@ _COMPLEMENTARY_FILTER_GROUPS = (
 )
 
 
-class ComplementaryFilter(Command):
+class ComplementaryFilter(Command[R]):
     """Complementary Filter Configuration (0x0C,0x51).
 
     Corrections of the complementary filter, which makes attitudes apart from the estimation filter.
@@ -8413,12 +8507,12 @@ class ComplementaryFilter(Command):
 
     @classmethod
     def write(
-        cls,
+        cls: ClassOf[ComplementaryFilter[Any]],
         pitch_roll_enable: bool,
         heading_enable: bool,
         pitch_roll_time_constant: float,
         heading_time_constant: float,
-    ) -> ComplementaryFilter:
+    ) -> ComplementaryFilter[None]:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE,
@@ -8429,22 +8523,24 @@ class ComplementaryFilter(Command):
         )
 
     @classmethod
-    def read(cls) -> ComplementaryFilter:
+    def read(
+        cls: ClassOf[ComplementaryFilter[Any]],
+    ) -> ComplementaryFilter[ComplementaryFilterResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> ComplementaryFilter:
+    def save(cls: ClassOf[ComplementaryFilter[Any]]) -> ComplementaryFilter[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> ComplementaryFilter:
+    def load(cls: ClassOf[ComplementaryFilter[Any]]) -> ComplementaryFilter[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> ComplementaryFilter:
+    def default(cls: ClassOf[ComplementaryFilter[Any]]) -> ComplementaryFilter[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -8455,7 +8551,7 @@ class ComplementaryFilter(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ComplementaryFilter, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[ComplementaryFilter[R], int]:
         pitch_roll_enable: bool | None = None
         heading_enable: bool | None = None
         pitch_roll_time_constant: float | None = None
@@ -8523,7 +8619,7 @@ _SENSOR_RANGE_2 = codec.Block("B", "setting")
 _SENSOR_RANGE_GROUPS = ((1, ("sensor",), False), (2, ("setting",), False))
 
 
-class SensorRange(Command):
+class SensorRange(Command[R]):
     """Sensor Range (0x0C,0x52).
 
     Measuring range of a sensor.
@@ -8565,27 +8661,31 @@ class SensorRange(Command):
         self.setting = setting
 
     @classmethod
-    def write(cls, sensor: SensorRangeType, setting: int) -> SensorRange:
+    def write(
+        cls: ClassOf[SensorRange[Any]], sensor: SensorRangeType, setting: int
+    ) -> SensorRange[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, sensor=sensor, setting=setting)
 
     @classmethod
-    def read(cls, sensor: SensorRangeType) -> SensorRange:
+    def read(
+        cls: ClassOf[SensorRange[Any]], sensor: SensorRangeType
+    ) -> SensorRange[SensorRangeResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, sensor=sensor)
 
     @classmethod
-    def save(cls, sensor: SensorRangeType) -> SensorRange:
+    def save(cls: ClassOf[SensorRange[Any]], sensor: SensorRangeType) -> SensorRange[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, sensor=sensor)
 
     @classmethod
-    def load(cls, sensor: SensorRangeType) -> SensorRange:
+    def load(cls: ClassOf[SensorRange[Any]], sensor: SensorRangeType) -> SensorRange[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, sensor=sensor)
 
     @classmethod
-    def default(cls, sensor: SensorRangeType) -> SensorRange:
+    def default(cls: ClassOf[SensorRange[Any]], sensor: SensorRangeType) -> SensorRange[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, sensor=sensor)
 
@@ -8596,7 +8696,7 @@ class SensorRange(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SensorRange, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorRange[R], int]:
         sensor: SensorRangeType | None = None
         setting: int | None = None
         v = _SENSOR_RANGE_0.read(raw, at)
@@ -8637,7 +8737,7 @@ class SensorRange(Command):
 _GET_CALIBRATED_SENSOR_RANGES_0 = codec.Block("B", "sensor")
 
 
-class GetCalibratedSensorRanges(Command):
+class GetCalibratedSensorRanges(Command[GetCalibratedSensorRangesResponse]):
     """Get Calibrated Sensor Ranges (0x0C,0x53).
 
     Asks for the ranges that a sensor supports.
@@ -8691,7 +8791,7 @@ _LOW_PASS_FILTER_GROUPS = (
 )
 
 
-class LowPassFilter(Command):
+class LowPassFilter(Command[R]):
     """Low-Pass Anti-Aliasing Filter (0x0C,0x54).
 
     Low-pass filter of a data field.
@@ -8757,13 +8857,13 @@ class LowPassFilter(Command):
 
     @classmethod
     def write(
-        cls,
+        cls: ClassOf[LowPassFilter[Any]],
         descriptor_set: int,
         field_descriptor: int,
         enable: bool,
         manual: bool,
         frequency: float,
-    ) -> LowPassFilter:
+    ) -> LowPassFilter[None]:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE,
@@ -8775,28 +8875,36 @@ class LowPassFilter(Command):
         )
 
     @classmethod
-    def read(cls, descriptor_set: int, field_descriptor: int) -> LowPassFilter:
+    def read(
+        cls: ClassOf[LowPassFilter[Any]], descriptor_set: int, field_descriptor: int
+    ) -> LowPassFilter[LowPassFilterResponse]:
         """Send the current setting back in a response."""
         return cls(
             FunctionSelector.READ, descriptor_set=descriptor_set, field_descriptor=field_descriptor
         )
 
     @classmethod
-    def save(cls, descriptor_set: int, field_descriptor: int) -> LowPassFilter:
+    def save(
+        cls: ClassOf[LowPassFilter[Any]], descriptor_set: int, field_descriptor: int
+    ) -> LowPassFilter[None]:
         """Save the current setting to non-volatile memory."""
         return cls(
             FunctionSelector.SAVE, descriptor_set=descriptor_set, field_descriptor=field_descriptor
         )
 
     @classmethod
-    def load(cls, descriptor_set: int, field_descriptor: int) -> LowPassFilter:
+    def load(
+        cls: ClassOf[LowPassFilter[Any]], descriptor_set: int, field_descriptor: int
+    ) -> LowPassFilter[None]:
         """Load the saved setting."""
         return cls(
             FunctionSelector.LOAD, descriptor_set=descriptor_set, field_descriptor=field_descriptor
         )
 
     @classmethod
-    def default(cls, descriptor_set: int, field_descriptor: int) -> LowPassFilter:
+    def default(
+        cls: ClassOf[LowPassFilter[Any]], descriptor_set: int, field_descriptor: int
+    ) -> LowPassFilter[None]:
         """Load the factory default setting."""
         return cls(
             FunctionSelector.DEFAULT,
@@ -8811,7 +8919,7 @@ class LowPassFilter(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[LowPassFilter, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[LowPassFilter[R], int]:
         descriptor_set: int | None = None
         field_descriptor: int | None = None
         enable: bool | None = None
@@ -8879,7 +8987,18 @@ class LowPassFilter(Command):
 _DEVICE_STATUS_0 = codec.Block("HB", "model_number", "status_selector")
 
 
-class DeviceStatus(Command):
+class DeviceStatus(
+    Command[
+        DeviceStatusBasicResponse
+        | DeviceStatusBasicWithoutStateResponse
+        | DeviceStatusDiagnosticResponse
+        | DeviceStatusDiagnosticGnssResponse
+        | DeviceStatusDiagnosticGq4_45Response
+        | DeviceStatusDiagnosticRq1_45Response
+        | DeviceStatusDiagnosticGx4Response
+        | DeviceStatusDiagnosticImuResponse
+    ]
+):
     """Device Status (0x0C,0x64).
 
     Asks for the state of the device, in short or with counters.

@@ -11,10 +11,11 @@ Uncertain: How the strings are padded or ended.
 from __future__ import annotations
 
 from enum import IntFlag
+from typing import Any
 
 from . import codec, types
 from .errors import Truncated
-from .field import Command, Field, Response, ResponseClasses
+from .field import ClassOf, Command, Field, R, Response, ResponseClasses
 from .protocol import FunctionSelector
 
 
@@ -427,7 +428,7 @@ class ServiceStatusResponse(Response):
         return codec.finished(out)
 
 
-class GetStatusFlags(Command):
+class GetStatusFlags(Command[GetStatusFlagsResponse]):
     """Get status flags (0x0F,0x01).
 
     Asks for the state of the modem and of the corrections.
@@ -456,7 +457,7 @@ class GetStatusFlags(Command):
         return b""
 
 
-class GetImei(Command):
+class GetImei(Command[GetImeiResponse]):
     """Get IMEI (0x0F,0x02).
 
     Asks for the identity of the modem.
@@ -483,7 +484,7 @@ class GetImei(Command):
         return b""
 
 
-class GetImsi(Command):
+class GetImsi(Command[GetImsiResponse]):
     """Get IMSI (0x0F,0x03).
 
     Asks for the identity of the subscriber.
@@ -510,7 +511,7 @@ class GetImsi(Command):
         return b""
 
 
-class GetIccid(Command):
+class GetIccid(Command[GetIccidResponse]):
     """Get ICCID (0x0F,0x04).
 
     Asks for the number of the SIM card.
@@ -537,7 +538,7 @@ class GetIccid(Command):
         return b""
 
 
-class GetRssi(Command):
+class GetRssi(Command[GetRssiResponse]):
     """Get RSSI (0x0F,0x05).
 
     Asks for the strength of the cellular signal.
@@ -569,7 +570,7 @@ _CONNECTED_DEVICE_TYPE_1 = codec.Block("B", "device_type")
 _CONNECTED_DEVICE_TYPE_GROUPS = ((1, ("device_type",), False),)
 
 
-class ConnectedDeviceType(Command):
+class ConnectedDeviceType(Command[R]):
     """Connected device type (0x0F,0x06).
 
     The device that the modem serves.
@@ -603,27 +604,31 @@ class ConnectedDeviceType(Command):
         self.device_type = device_type
 
     @classmethod
-    def write(cls, device_type: ConnectedDevice) -> ConnectedDeviceType:
+    def write(
+        cls: ClassOf[ConnectedDeviceType[Any]], device_type: ConnectedDevice
+    ) -> ConnectedDeviceType[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, device_type=device_type)
 
     @classmethod
-    def read(cls) -> ConnectedDeviceType:
+    def read(
+        cls: ClassOf[ConnectedDeviceType[Any]],
+    ) -> ConnectedDeviceType[ConnectedDeviceTypeResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> ConnectedDeviceType:
+    def save(cls: ClassOf[ConnectedDeviceType[Any]]) -> ConnectedDeviceType[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> ConnectedDeviceType:
+    def load(cls: ClassOf[ConnectedDeviceType[Any]]) -> ConnectedDeviceType[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> ConnectedDeviceType:
+    def default(cls: ClassOf[ConnectedDeviceType[Any]]) -> ConnectedDeviceType[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -634,7 +639,7 @@ class ConnectedDeviceType(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ConnectedDeviceType, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[ConnectedDeviceType[R], int]:
         device_type: ConnectedDevice | None = None
         v = _CONNECTED_DEVICE_TYPE_0.read(raw, at)
         at += 1
@@ -663,7 +668,7 @@ class ConnectedDeviceType(Command):
         return codec.finished(out)
 
 
-class GetActivationCode(Command):
+class GetActivationCode(Command[GetActivationCodeResponse]):
     """Get activation code (0x0F,0x07).
 
     Asks for the activation code.
@@ -690,7 +695,7 @@ class GetActivationCode(Command):
         return b""
 
 
-class GetModemFirmwareVersion(Command):
+class GetModemFirmwareVersion(Command[GetModemFirmwareVersionResponse]):
     """Get modem firmware version (0x0F,0x08).
 
     Asks for the firmware version of the cellular modem.
@@ -720,7 +725,7 @@ class GetModemFirmwareVersion(Command):
 _SERVICE_STATUS_0 = codec.Block("II", "reserved1", "reserved2")
 
 
-class ServiceStatus(Command):
+class ServiceStatus(Command[ServiceStatusResponse]):
     """Service status (0x0F,0x0A).
 
     Asks a correction server about the connection, and so keeps it open.
@@ -768,7 +773,7 @@ class ServiceStatus(Command):
 _ERASE_STORAGE_0 = codec.Block("B", "media")
 
 
-class EraseStorage(Command):
+class EraseStorage(Command[None]):
     """Erase storage (0x0F,0x20).
 
     Erases a storage medium down to its raw state.
@@ -813,7 +818,7 @@ _LED_CONTROL_0 = codec.Block(
 )
 
 
-class LedControl(Command):
+class LedControl(Command[None]):
     """LED control (0x0F,0x21).
 
     Colours and pattern of the LED.
@@ -880,7 +885,7 @@ class LedControl(Command):
         return codec.finished(out)
 
 
-class ModemHardReset(Command):
+class ModemHardReset(Command[None]):
     """Modem hard reset (0x0F,0x22).
 
     Clears the flash memory of the modem.

@@ -8,10 +8,11 @@ Advanced commands of devices that are built from several intelligent parts.
 from __future__ import annotations
 
 from enum import IntFlag
+from typing import Any
 
 from . import codec
 from .errors import Truncated
-from .field import Command, Field, Response, ResponseClasses
+from .field import ClassOf, Command, Field, R, Response, ResponseClasses
 from .protocol import FunctionSelector
 
 
@@ -174,7 +175,7 @@ _INTERFACE_CONTROL_GROUPS = (
 )
 
 
-class InterfaceControl(Command):
+class InterfaceControl(Command[R]):
     """Interface control (0x7F,0x02).
 
     Protocols that a port takes in and gives out.
@@ -225,11 +226,11 @@ class InterfaceControl(Command):
 
     @classmethod
     def write(
-        cls,
+        cls: ClassOf[InterfaceControl[Any]],
         port: CommInterface,
         protocols_incoming: CommProtocols,
         protocols_outgoing: CommProtocols,
-    ) -> InterfaceControl:
+    ) -> InterfaceControl[None]:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE,
@@ -239,22 +240,24 @@ class InterfaceControl(Command):
         )
 
     @classmethod
-    def read(cls, port: CommInterface) -> InterfaceControl:
+    def read(
+        cls: ClassOf[InterfaceControl[Any]], port: CommInterface
+    ) -> InterfaceControl[InterfaceControlResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, port=port)
 
     @classmethod
-    def save(cls, port: CommInterface) -> InterfaceControl:
+    def save(cls: ClassOf[InterfaceControl[Any]], port: CommInterface) -> InterfaceControl[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, port=port)
 
     @classmethod
-    def load(cls, port: CommInterface) -> InterfaceControl:
+    def load(cls: ClassOf[InterfaceControl[Any]], port: CommInterface) -> InterfaceControl[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, port=port)
 
     @classmethod
-    def default(cls, port: CommInterface) -> InterfaceControl:
+    def default(cls: ClassOf[InterfaceControl[Any]], port: CommInterface) -> InterfaceControl[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, port=port)
 
@@ -265,7 +268,7 @@ class InterfaceControl(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[InterfaceControl, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[InterfaceControl[R], int]:
         port: CommInterface | None = None
         protocols_incoming: CommProtocols | None = None
         protocols_outgoing: CommProtocols | None = None
@@ -317,7 +320,7 @@ _COMM_MODE_1 = codec.Block("B", "mode")
 _COMM_MODE_GROUPS = ((1, ("mode",), False),)
 
 
-class CommMode(Command):
+class CommMode(Command[R]):
     """Communication mode (0x7F,0x10).
 
     Switches the port between the device and one of the sensors inside it.
@@ -354,27 +357,27 @@ class CommMode(Command):
         self.mode = mode
 
     @classmethod
-    def write(cls, mode: ProtocolMode) -> CommMode:
+    def write(cls: ClassOf[CommMode[Any]], mode: ProtocolMode) -> CommMode[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, mode=mode)
 
     @classmethod
-    def read(cls) -> CommMode:
+    def read(cls: ClassOf[CommMode[Any]]) -> CommMode[CommModeResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> CommMode:
+    def save(cls: ClassOf[CommMode[Any]]) -> CommMode[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> CommMode:
+    def load(cls: ClassOf[CommMode[Any]]) -> CommMode[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> CommMode:
+    def default(cls: ClassOf[CommMode[Any]]) -> CommMode[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -385,7 +388,7 @@ class CommMode(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[CommMode, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[CommMode[R], int]:
         mode: ProtocolMode | None = None
         v = _COMM_MODE_0.read(raw, at)
         at += 1

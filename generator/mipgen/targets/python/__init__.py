@@ -26,6 +26,9 @@ def files(model: m.Model) -> Iterator[File]:
     shown = {
         "taste": taste.partition('"""\n\n')[2].rstrip(),
         "client": model.taste("client.py").rstrip(),
+        "at_port": model.taste("device.py").rstrip(),
+        "at_port_aio": model.taste("device_aio.py").rstrip(),
+        "meaning": model.taste("meaning.py").rstrip(),
         "device": known.id if known else "DEVICE",  # the one that shows most
     }
     yield File("README.md", "README.md.j2", shown)
@@ -77,6 +80,9 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "groups": members.groups,
         "answered": members.answered,
         "expected": lambda f: members.expected(f, model),
+        "answer": lambda call, f: members.answer(call, f, model),
+        "answers": lambda f: members.answers(f, model),
+        "silencers": lambda f: members.silencers(f, model),
         "matches": lambda f: members.matches(f, model),
         # codecs
         "plan": steps.plan,

@@ -152,7 +152,9 @@ def layout(record: Record) -> list[tuple[str, str, str]]:
     for op in record.operations:
         match op:
             case m.ScalarOp():
-                made = reference(op.type, home(record)) if op.type else "codec.truth" if op.scalar.kind == "bool" else ""
+                made = (
+                    reference(op.type, home(record)) if op.type else "codec.truth" if op.scalar.kind == "bool" else ""
+                )
                 found.append((member(op.member), SCALARS[op.scalar.name][0], made))
             case m.ArrayOp(item=m.ScalarOp(type=None, scalar=scalar), count=int(count)) if scalar.kind != "bool":
                 made = reference(op.vector, home(record)) if op.vector else "tuple"
@@ -251,6 +253,29 @@ def expected(f: m.Field, model: m.Model) -> list[tuple[str, list[str]]]:
         condition = " and ".join(f"({t})" if " or " in t and len(tests) > 1 else t for t in tests)
         found.append((condition or "True", [reference(layout, home(f)) for layout in reply.layouts]))
     return found if any(condition != "True" for condition, _ in found) else []
+
+
+def answer(call: m.Call, f: m.Field, model: m.Model) -> str:
+    """The type of what a client gets for a command sent in this way: a response, one of several, or None."""
+    replies = [r for r in model.replies(f) if not r.functions or call.function in r.functions]
+    layouts = dict.fromkeys(reference(layout, home(f)) for r in replies for layout in r.layouts)
+    return " | ".join(layouts) or "None"
+
+
+def answers(f: m.Field, model: m.Model) -> str:
+    """The same for a command however it is sent; empty if that depends on the function."""
+    found = {answer(call, f, model) for call in f.calls}
+    return found.pop() if len(found) == 1 else ""
+
+
+def silencers(f: m.Field, model: m.Model) -> list[tuple[int, int, str, int]]:
+    """The settings that keep the device from acknowledging a command: set, descriptor, member and value."""
+    found = []
+    for c in f.silenced_by:
+        setting = model.field(c.command or "")
+        assert setting is not None
+        found.append((setting.set, setting.descriptor, member(c.parameter), c.value))
+    return found
 
 
 def matches(f: m.Field, model: m.Model) -> str:

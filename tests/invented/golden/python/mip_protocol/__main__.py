@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import sys
 from importlib import import_module
+from typing import Any
 
 from .errors import Failure
 from .protocol import VERSION
@@ -27,6 +28,7 @@ def _run(given: list[str]) -> int:
     parser = argparse.ArgumentParser(prog="mip", description="Tools for devices that speak MIP.")
     parser.add_argument("--version", action="version", version=f"mip {VERSION}")
     commands = parser.add_subparsers(metavar="COMMAND", title="commands", dest="command")
+    chosen: Any = None
     for name, (module, text) in COMMANDS.items():
         added = commands.add_parser(
             name,

@@ -11,7 +11,7 @@ from .field import Command, Field
 _DEFAULT_0 = codec.Block("BBBBB", "class_", "type", "register", "self_", "present")
 
 
-class Default(Command):
+class Default(Command[None]):
     """Default (0x0C,0x10).
 
     Its parameters are keywords here and there.
@@ -28,6 +28,7 @@ class Default(Command):
     DESCRIPTOR = 0x10
     NAME = "3d.default"
     ROLE = "command"
+    SILENCED_BY = ((0x01, 0x02, "mode", 1),)
     _LAYOUT = (
         ("class_", "B", None),
         ("type", "B", None),
