@@ -16,7 +16,7 @@ from .times import Stamps, Times
 
 F = TypeVar("F", bound=Field)
 
-_PIECE = 1 << 22  # bytes that are looked at together
+_PIECE = 1 << 20  # bytes that are looked at together
 #: Packets whose places are kept, so that they are found only once: some 250 MB. Those behind them
 #: are found again for each request.
 _KEPT = 10_000_000

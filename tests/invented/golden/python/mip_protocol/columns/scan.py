@@ -16,7 +16,7 @@ REACH = MAX_PAYLOAD + OVERHEAD - 1
 #: Bytes behind a piece that must be there, for packets and for whole words of the last of them.
 AHEAD = REACH + 8
 
-_PART = 1 << 19  # bytes that are searched at once: what is computed of them stays in the cache
+_PART = 1 << 18  # bytes that are searched at once: what is computed of them stays in the cache
 _ROWS = 1 << 14  # packets whose checksum is computed at once, for the same reason
 _MANY = 64  # packets of one set and length that are worth a group of their own
 _NONE = np.zeros(0, np.intp)
