@@ -6,6 +6,7 @@ import gzip
 import io
 import os
 import random
+import re
 import struct
 import subprocess
 import sys
@@ -25,7 +26,7 @@ from mipgen import model as m
 from packages import REAL, real
 from packages import mip as invented
 from strategies import drawn
-from support import SPECS, all_fields, model
+from support import ROOT, SPECS, all_fields, model
 
 PACKAGES = {"real": real, "invented": invented}
 
@@ -560,6 +561,21 @@ except ImportError as error:
     environment = {**os.environ, "PYTHONPATH": str(REAL), "PYTHONDONTWRITEBYTECODE": "1"}
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, env=environment)
     assert done.stdout.endswith(f"pip install mip-protocol[{missing}]\n"), done.stderr
+
+
+# --------------------------------------------------------------------------- documentation
+
+
+@pytest.mark.parametrize("page", ["docs/columns.md", "generated/python/README.md"])
+def test_the_code_in_the_documentation_runs(page: str, tmp_path: Path) -> None:
+    stream = b"".join(packet(0x80, gps(i / 10), ACCEL, (5, bytes(12))) for i in range(50))
+    (tmp_path / "drive.bin").write_bytes(stream)
+    blocks = re.findall(r"```python\n(.*?)```", (ROOT / page).read_text("utf-8"), re.DOTALL)
+    code = "\n".join(b for b in blocks if "read_log" in b or "log.parts" in b)
+    environment = {**os.environ, "PYTHONPATH": str(REAL), "PYTHONDONTWRITEBYTECODE": "1"}
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, cwd=tmp_path, env=environment)
+    assert done.returncode == 0, done.stderr
+    assert "sensor.scaled_accel 50 10" in done.stdout.replace("9.999", "10")
 
 
 # --------------------------------------------------------------------------- Dask
