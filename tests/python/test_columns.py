@@ -358,7 +358,7 @@ def test_what_is_no_log(arguments: tuple[Any, ...], error: type[Exception], said
 
 def test_unknown_types_and_names() -> None:
     log = real.columns.read_log(packet(0x80, (0x63, b"x"), (4, b"short")))
-    with pytest.raises(KeyError, match=r"sensor.nothing"):
+    with pytest.raises(LookupError, match=r"sensor.nothing"):
         log["sensor.nothing"]
     with pytest.raises(KeyError, match=r"set 0x82 has no field sensor.scaled_accel"):
         log.column("sensor.scaled_accel", 0x82)
@@ -411,6 +411,20 @@ def test_the_time_of_a_row_is_that_of_its_packet_or_the_last_one_of_the_set() ->
     assert column.time("external").clock == "external"
     with pytest.raises(ValueError, match="'utc' is not a clock; one of gps, external, reference is"):
         column.time("utc")
+
+
+def test_a_device_says_which_flags_count() -> None:
+    """The 3DM-GX5-15 has no flags for time of week and week, but one that the time is set."""
+    stamp = struct.pack(">dHH", 100, 2300, 1 << 2)
+    stream = packet(0x80, (0x12, stamp), ACCEL)
+    for device, known in ((None, False), ("3dm-gx5-15", True), ("3DM-CV7-GNSS/INS", False)):
+        log = real.columns.read_log(stream, device=device)
+        assert log["sensor.gps_timestamp"].valid("tow").tolist() == [known]
+        assert np.isnat(log["sensor.scaled_accel"].time("gps").values).tolist() == [not known]
+        (part,) = log.parts()
+        assert part.device == log.device
+    with pytest.raises(LookupError, match="3dm-gx5-16"):
+        real.columns.read_log(stream, device="3dm-gx5-16")
 
 
 def test_leap_seconds() -> None:

@@ -153,7 +153,9 @@ def test_feed_takes_any_buffer(tmp_path: Path) -> None:
             assert len(parser.feed(buffer)) == 300_000 and parser.skipped == 5
     short = bytes(mip.tools.Ping().packet())
     parser = mip.parser.Parser()
-    assert parser.feed(memoryview(bytes(b for pair in zip(short, short) for b in pair))[::2]) == [mip.packet.Packet(short)]
+    assert parser.feed(memoryview(bytes(b for pair in zip(short, short) for b in pair))[::2]) == [
+        mip.packet.Packet(short)
+    ]
     assert parser.feed(array.array("H")) == [] and parser.feed(bytearray()) == []
     for wrong in (5, "ue", None, [117]):
         with pytest.raises(TypeError):
@@ -218,7 +220,9 @@ def sizes(kind: Any) -> list[int]:
 
 
 def special(size: int, chance: random.Random) -> bytes:
-    words = [struct.pack(">I", w) for w in (0, 1, 0x7F800001, 0x7FC00000, 0x7F800000, 0xFF800000, 0xFFFFFFFF, 0x3F800000)]
+    words = [
+        struct.pack(">I", w) for w in (0, 1, 0x7F800001, 0x7FC00000, 0x7F800000, 0xFF800000, 0xFFFFFFFF, 0x3F800000)
+    ]
     return b"".join(chance.choice(words) for _ in range(size // 4 + 1))[:size]
 
 
@@ -393,7 +397,18 @@ def test_vectors_are_made_of_any_sequence_of_numbers() -> None:
     matrix = real.sensor.CompOrientationMatrix
     for value in (rows, Array(rows), sum(rows, []), [Array(row) for row in rows]):
         assert matrix(value).encode() == struct.pack(">9f", *range(1, 10))
-    for wrong in (b"abc", "abc", bytearray(3), memoryview(b"abc"), {1, 2, 3}, {1: 2}, (1, 2), 5, [[1, 2, 3]] * 2, [b"abc"]):
+    for wrong in (
+        b"abc",
+        "abc",
+        bytearray(3),
+        memoryview(b"abc"),
+        {1, 2, 3},
+        {1: 2},
+        (1, 2),
+        5,
+        [[1, 2, 3]] * 2,
+        [b"abc"],
+    ):
         with pytest.raises(real.errors.EncodeError, match="scaled_accel"):
             accel(wrong).encode()
     with pytest.raises(real.errors.EncodeError, match="missing: scaled_accel is None"):

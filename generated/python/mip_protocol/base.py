@@ -8,7 +8,7 @@ Commands common to all devices: identity, supported descriptors, idle and resume
 
 from __future__ import annotations
 
-from . import codec, types
+from . import codec
 from .errors import Truncated
 from .field import Command, Field, Response, ResponseClasses, Structure
 from .protocol import FunctionSelector
@@ -215,12 +215,6 @@ class BuiltInTestResponse(Response):
     DESCRIPTOR = 0x83
     NAME = "base.built_in_test_response"
     ROLE = "response"
-    READINGS = {
-        "result": (
-            "device",
-            {"3dm-cv7-gnss-ins": types.Cv7BuiltInTest, "3dm-gx5-15": types.Gx5BuiltInTest},
-        )
-    }
     _LAYOUT = (("result", "I", None),)
 
     result: int
@@ -390,7 +384,6 @@ class ContinuousBuiltInTestResponse(Response):
     DESCRIPTOR = 0x88
     NAME = "base.continuous_built_in_test_response"
     ROLE = "response"
-    READINGS = {"result": ("device", {"3dm-cv7-gnss-ins": types.Cv7ContinuousBuiltInTest})}
     _LAYOUT = (("result", "BBBBBBBBBBBBBBBB", tuple),)
 
     result: tuple[int, ...]

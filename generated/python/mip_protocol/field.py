@@ -6,11 +6,14 @@ from functools import cache
 from typing import TYPE_CHECKING, Any, ClassVar, TypeAlias, TypeVar
 
 from .codec import vector
+from .described import Described, help_of
 from .errors import DecodeError, EncodeError
 from .packet import Packet, PacketBuilder, RawField
 
 if TYPE_CHECKING:
     import dataclasses
+
+    from .info import FieldInfo
 
 F = TypeVar("F", bound="Field")
 S = TypeVar("S", bound="Structure")
@@ -44,12 +47,12 @@ def _as_dataclass(kind: Any) -> type:
     )
 
 
+# An attribute that holds a vector. Decoders store the numbers; the vector is made when it is asked for.
 class VectorMember:
-    """An attribute that holds a vector. Decoders store the numbers; the vector is made when it is asked for."""
-
-    __slots__ = ("_get", "_kinds", "_set")
+    __slots__ = ("_get", "_kinds", "_set", "_slot")
 
     def __init__(self, slot: Any, kinds: tuple[type[Any], ...]) -> None:
+        self._slot = slot
         self._get = slot.__get__
         self._set = slot.__set__
         self._kinds = kinds
@@ -71,8 +74,13 @@ class VectorMember:
     def __delete__(self, instance: object) -> None:
         raise AttributeError("a value cannot be deleted")
 
+    @property
+    def __doc__(self) -> str:  # type: ignore[override]
+        """What `help()` shows."""
+        return help_of(self._slot.__objclass__, self._slot.__name__)
 
-class Structure:
+
+class Structure(Described):
     """A group of named values: a field, or a part of one.
 
     It is what a data class is, too: `dataclasses.replace`, `fields` and `asdict` know it.
@@ -92,11 +100,8 @@ class Structure:
         __dataclass_fields__ = _OfDataclass()
         __dataclass_params__ = _OfDataclass()
 
-    #: Numbers whose type depends on another value: name -> (the other, {its value: type}).
-    READINGS: ClassVar[dict[str, tuple[str, dict[object, type]]]] = {}
-
-    def __init_subclass__(cls) -> None:
-        super().__init_subclass__()
+    def __init_subclass__(cls, **arguments: Any) -> None:
+        super().__init_subclass__(**arguments)
         added = cls.__dict__.get("__slots__", ())
         cls._MEMBERS += tuple([name for name in added if not name.startswith("_")])
         for name, kinds in cls.__dict__.get("_VECTORS", {}).items():
@@ -127,22 +132,15 @@ class Structure:
     def _write(self) -> bytes:
         raise NotImplementedError
 
-    def meaning(self, name: str, device: str | None = None) -> Any:
-        """The value `name` as the enumeration or bitfield that gives it its meaning.
-
-        The type depends on another value of this field or on the device (its id, "3dm-gx5-15").
-        Without such a type, the value is returned unchanged.
-        """
-        value = getattr(self, name)
-        by, types = self.READINGS.get(name, ("device", {}))
-        kind = types.get(device if by == "device" else getattr(self, by))
-        return value if kind is None or value is None else kind(value)
-
 
 class Field(Structure):
     """One field: a command, a response or data."""
 
     __slots__ = ()
+
+    if TYPE_CHECKING:
+        INFO: ClassVar[FieldInfo]
+        """What is known of it and of its parameters."""
 
     SET: ClassVar[int]
     DESCRIPTOR: ClassVar[int]

@@ -654,40 +654,6 @@ class DataStreamControlResponse(Response):
     DESCRIPTOR = 0x85
     NAME = "3dm.data_stream_control_response"
     ROLE = "response"
-    READINGS = {
-        "descriptor_set": (
-            "device",
-            {
-                "3dm-cl5-15": LegacyDataStream,
-                "3dm-cl5-25": LegacyDataStream,
-                "3dm-cv5-10": LegacyDataStream,
-                "3dm-cv5-15": LegacyDataStream,
-                "3dm-cv5-25": LegacyDataStream,
-                "3dm-cx5-10": LegacyDataStream,
-                "3dm-cx5-15": LegacyDataStream,
-                "3dm-cx5-25": LegacyDataStream,
-                "3dm-cx5-35": LegacyDataStream,
-                "3dm-cx5-45": LegacyDataStream,
-                "3dm-dh3": LegacyDataStream,
-                "3dm-gq4-45": LegacyDataStream,
-                "3dm-gx3-15": LegacyDataStream,
-                "3dm-gx3-25": LegacyDataStream,
-                "3dm-gx3-35": LegacyDataStream,
-                "3dm-gx3-45": LegacyDataStream,
-                "3dm-gx4-15": LegacyDataStream,
-                "3dm-gx4-25": LegacyDataStream,
-                "3dm-gx4-45": LegacyDataStream,
-                "3dm-gx5-10": LegacyDataStream,
-                "3dm-gx5-15": LegacyDataStream,
-                "3dm-gx5-25": LegacyDataStream,
-                "3dm-gx5-35": LegacyDataStream,
-                "3dm-gx5-45": LegacyDataStream,
-                "3dm-mv5-ar": LegacyDataStream,
-                "3dm-rq1-45-lt": LegacyDataStream,
-                "3dm-rq1-45-st": LegacyDataStream,
-            },
-        )
-    }
     _LAYOUT = (("descriptor_set", "B", None), ("enabled", "B", codec.truth))
 
     descriptor_set: int
@@ -3879,19 +3845,6 @@ class GpioConfigResponse(Response):
     DESCRIPTOR = 0xC1
     NAME = "3dm.gpio_config_response"
     ROLE = "response"
-    READINGS = {
-        "behavior": (
-            "feature",
-            {
-                0: types.GpioUnusedBehavior,
-                1: types.GpioBehavior,
-                2: types.GpioPpsBehavior,
-                3: types.GpioEncoderBehavior,
-                4: types.GpioTimestampBehavior,
-                5: types.GpioUartBehavior,
-            },
-        )
-    }
     _LAYOUT = (
         ("pin", "B", None),
         ("feature", "B", types.GpioFeature),
@@ -5298,40 +5251,6 @@ class DataStreamControl(Command):
     ROLE = "command"
     RESPONSES = (DataStreamControlResponse,)
     REQUIRED = {1: 2, 2: 1, 3: 1, 4: 1, 5: 1}
-    READINGS = {
-        "descriptor_set": (
-            "device",
-            {
-                "3dm-cl5-15": LegacyDataStream,
-                "3dm-cl5-25": LegacyDataStream,
-                "3dm-cv5-10": LegacyDataStream,
-                "3dm-cv5-15": LegacyDataStream,
-                "3dm-cv5-25": LegacyDataStream,
-                "3dm-cx5-10": LegacyDataStream,
-                "3dm-cx5-15": LegacyDataStream,
-                "3dm-cx5-25": LegacyDataStream,
-                "3dm-cx5-35": LegacyDataStream,
-                "3dm-cx5-45": LegacyDataStream,
-                "3dm-dh3": LegacyDataStream,
-                "3dm-gq4-45": LegacyDataStream,
-                "3dm-gx3-15": LegacyDataStream,
-                "3dm-gx3-25": LegacyDataStream,
-                "3dm-gx3-35": LegacyDataStream,
-                "3dm-gx3-45": LegacyDataStream,
-                "3dm-gx4-15": LegacyDataStream,
-                "3dm-gx4-25": LegacyDataStream,
-                "3dm-gx4-45": LegacyDataStream,
-                "3dm-gx5-10": LegacyDataStream,
-                "3dm-gx5-15": LegacyDataStream,
-                "3dm-gx5-25": LegacyDataStream,
-                "3dm-gx5-35": LegacyDataStream,
-                "3dm-gx5-45": LegacyDataStream,
-                "3dm-mv5-ar": LegacyDataStream,
-                "3dm-rq1-45-lt": LegacyDataStream,
-                "3dm-rq1-45-st": LegacyDataStream,
-            },
-        )
-    }
 
     function: FunctionSelector
     """What to do with the setting."""
@@ -7850,19 +7769,6 @@ class GpioConfig(Command):
     ROLE = "command"
     RESPONSES = (GpioConfigResponse,)
     REQUIRED = {1: 4, 2: 1, 3: 1, 4: 1, 5: 1}
-    READINGS = {
-        "behavior": (
-            "feature",
-            {
-                0: types.GpioUnusedBehavior,
-                1: types.GpioBehavior,
-                2: types.GpioPpsBehavior,
-                3: types.GpioEncoderBehavior,
-                4: types.GpioTimestampBehavior,
-                5: types.GpioUartBehavior,
-            },
-        )
-    }
 
     function: FunctionSelector
     """What to do with the setting."""

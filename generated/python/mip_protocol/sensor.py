@@ -821,15 +821,6 @@ class GpsTimestamp(Data):
     DESCRIPTOR = 0x12
     NAME = "sensor.gps_timestamp"
     ROLE = "data"
-    READINGS = {
-        "valid_flags": (
-            "device",
-            {
-                "3dm-gx5-15": types.Gx5SensorGpsTimestampFlags,
-                "3dm-gx5-35": types.Gx5SensorGpsTimestampFlags,
-            },
-        )
-    }
     _LAYOUT = (
         ("tow", "d", None),
         ("week_number", "H", None),

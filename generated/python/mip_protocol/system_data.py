@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from enum import IntFlag
 
-from . import codec, types
+from . import codec
 from .field import Data, Field
 
 
@@ -52,7 +52,6 @@ class BuiltInTest(Data):
     DESCRIPTOR = 0x01
     NAME = "system_data.built_in_test"
     ROLE = "data"
-    READINGS = {"result": ("device", {"3dm-cv7-gnss-ins": types.Cv7ContinuousBuiltInTest})}
     _LAYOUT = (("result", "BBBBBBBBBBBBBBBB", tuple),)
 
     result: tuple[int, ...]

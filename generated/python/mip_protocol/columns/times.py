@@ -190,7 +190,7 @@ def nanoseconds(column: Column[Any], clock: str) -> Array:
                 if len(values) and max(int(values.max()), -int(values.min())) * scale >= _MOST:
                     bad |= np.abs(values.astype(np.float64)) * scale >= _MOST
                 total += values.astype(np.int64) * scale
-        if p.valid:
+        if p.flags:
             bad |= ~column.valid(name)
     if CLOCKS[clock]:
         total[bad] = 0

@@ -9,7 +9,15 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from .errors import DecodeError, EncodeError, MipError, MissingResponse, PacketError, Truncated
+from .errors import (
+    DecodeError,
+    EncodeError,
+    MipError,
+    MissingResponse,
+    PacketError,
+    Truncated,
+    UnknownName,
+)
 from .field import Command, Data, Field, Response
 from .packet import Packet, PacketBuilder, RawField, Undecoded, checksum
 from .parser import Parser
@@ -88,5 +96,6 @@ __all__ = [
     "TimedOut",
     "Truncated",
     "Undecoded",
+    "UnknownName",
     "checksum",
 ]

@@ -159,9 +159,7 @@ def _read(log: Log, set: int, clock: str) -> Stamps:
     first = np.ones(len(packet), bool)
     first[1:] = packet[order[1:]] != packet[order[:-1]]
     order = order[first]
-    return Stamps(
-        packet[order], value[order], lambda: _whole([c.offset for c in columns])[order]
-    )
+    return Stamps(packet[order], value[order], lambda: _whole([c.offset for c in columns])[order])
 
 
 def _whole(parts: list[Array]) -> Array:
@@ -192,7 +190,7 @@ def nanoseconds(column: Column[Any], clock: str) -> Array:
                 if len(values) and max(int(values.max()), -int(values.min())) * scale >= _MOST:
                     bad |= np.abs(values.astype(np.float64)) * scale >= _MOST
                 total += values.astype(np.int64) * scale
-        if p.valid:
+        if p.flags:
             bad |= ~column.valid(name)
     if CLOCKS[clock]:
         total[bad] = 0

@@ -45,7 +45,6 @@ class Acknowledge(Shared, Response):
     DESCRIPTOR = 0xF1
     NAME = "protocol.acknowledge"
     ROLE = "response"
-    READINGS = {"code": ("device", {"model-b": types.Mode})}
     _LAYOUT = (("command", "B", None), ("code", "B", types.AckCode))
 
     command: int
