@@ -212,6 +212,21 @@ def test_columns_equal_objects_on_damaged_streams(spec: str, many: int, monkeypa
     assert compare(package, streams(spec, seed=many, count=700)) > 1000
 
 
+@pytest.mark.parametrize("layouts", [2, 30])
+def test_columns_equal_objects_if_packets_of_one_length_differ(layouts: int) -> None:
+    """Few layouts, which are compared with each other, and more than are compared."""
+    rng = random.Random(layouts)
+    kinds = [[rng.choice([4, 5, 6, 7, 8, 0x63]) for _ in range(3)] for _ in range(layouts)]
+    out = []
+    for _ in range(700):
+        payload = bytearray(b"".join(bytes((14, d)) + rng.randbytes(12) for d in rng.choice(kinds)))
+        if rng.random() < 0.05:
+            payload[rng.choice([0, 14, 28])] = rng.choice([0, 1, 2, 13, 15, 28, 30, 255])
+        head = b"ue\x80" + bytes([len(payload)]) + payload
+        out.append(head + bytes((sum(head) & 255, sum(accumulate(head)) & 255)))
+    assert compare(real, b"".join(out)) > 1000
+
+
 @pytest.mark.parametrize("spec", sorted(SPECS))
 def test_columns_equal_objects_for_every_field(spec: str) -> None:
     package = PACKAGES[spec]
