@@ -104,7 +104,9 @@ class Log:
                 if number < _KEPT:
                     self._kept[begin] = piece
             else:
-                found = scan.Found(piece.at, piece.end, [])
+                again = fields and piece.runs is None
+                groups = scan.grouped(data, piece.at) if again else []
+                found = scan.Found(piece.at, piece.end, groups)
             if fields and piece.runs is None:
                 piece.runs = walk.runs(data, found)
             piece.data = data

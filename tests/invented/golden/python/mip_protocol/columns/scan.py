@@ -126,6 +126,16 @@ def _forms(data: Array, first: int, limit: int, length: int) -> tuple[Array, Arr
     return at, end, key
 
 
+def grouped(data: Array, at: Array) -> list[Group]:
+    """The groups of packets that are known already."""
+    key = data[at + 2].astype(np.uint16) << 8 | data[at + 3]
+    return [
+        Group(what, some, gather(data, at[some], (what & 0xFF) + OVERHEAD - 2))
+        for what, some in groups_of(key)
+        if len(some) >= _MANY
+    ]
+
+
 def groups_of(key: Array) -> Iterator[tuple[int, Array]]:
     """Each key of a packet, and the numbers of the packets that have it."""
     order = np.argsort(key, kind="stable")
