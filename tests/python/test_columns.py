@@ -212,6 +212,13 @@ def test_columns_equal_objects_on_damaged_streams(spec: str, many: int, monkeypa
     assert compare(package, streams(spec, seed=many, count=700)) > 1000
 
 
+def test_short_packets_keep_their_bytes() -> None:
+    """Those of one word, whose checksums are computed in place."""
+    assert (
+        compare(real, b"".join(packet(0x01, (i % 2 + 1, b"")) + packet(0x80, (0xD0, b"x")) for i in range(200))) == 200
+    )
+
+
 @pytest.mark.parametrize("layouts", [2, 30])
 def test_columns_equal_objects_if_packets_of_one_length_differ(layouts: int) -> None:
     """Few layouts, which are compared with each other, and more than are compared."""

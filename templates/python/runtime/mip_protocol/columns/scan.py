@@ -188,7 +188,7 @@ def _right(
     word has its own sums, modulo 256, which are put together at last.
     """
     rows = gather(data, at, 8 * width)
-    words = np.ascontiguousarray(rows.view("<u8").T)
+    words = np.array(rows.view("<u8").T, order="C")  # always a copy: it is changed
     words[-1] &= _KEEP[size - 8 * (width - 1)]
     first = words[0]
     second = first.copy()
