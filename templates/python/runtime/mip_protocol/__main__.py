@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import os
 import sys
 from importlib import import_module
 
@@ -10,21 +11,49 @@ from .errors import Failure
 from .protocol import VERSION
 
 #: Command -> its module, with `add_arguments(parser)` and `run(options)`, and what it does.
-COMMANDS = {"simulate": ("simulator.command", "run a virtual device, on a pseudo-terminal or TCP")}
+COMMANDS = {
+    "dump": ("tools.dump", "show packets with names, values and units"),
+    "info": ("tools.info", "say what is in a log: types, rates, gaps, damage"),
+    "export": ("tools.export", "write a log as a table: csv, jsonl, npz, parquet, arrow"),
+    "plot": ("tools.plot", "draw values of a log over time"),
+    "cut": ("tools.cut", "copy a part of a log"),
+    "record": ("tools.record", "write what a device sends to a file"),
+    "monitor": ("tools.monitor", "show the latest values of a device, live"),
+    "send": ("tools.send", "send a command and show the answer"),
+    "fields": ("tools.fields", "look up fields: bytes, values, units, devices"),
+    "bandwidth": ("tools.bandwidth", "compute the baud rate that streams need"),
+    "simulate": ("simulator.command", "run a virtual device, on a pseudo-terminal or TCP"),
+    "completion": ("tools.completion", "print a script that completes commands in a shell"),
+}
+
+EPILOG = """\
+`mip COMMAND --help` says more.
+
+exit status: 0 done, 1 failed (one line says why), 2 the command line is wrong, 3 the device
+refused a command, 4 it did not answer, 130 interrupted, 141 the reader of the output has stopped
+"""
 
 
 def main(arguments: list[str] | None = None) -> int:
     try:
-        return _run(sys.argv[1:] if arguments is None else arguments)
+        code = _run(sys.argv[1:] if arguments is None else arguments)
+        sys.stdout.flush()
+        return code
     except KeyboardInterrupt:
         return 130  # as shells say it
     except BrokenPipeError:  # the reader has stopped, as `head` does
-        sys.stderr.close()
-        return 1
+        # What is still in the buffer would be written, and complained about, at the end.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 141
 
 
 def _run(given: list[str]) -> int:
-    parser = argparse.ArgumentParser(prog="mip", description="Tools for devices that speak MIP.")
+    parser = argparse.ArgumentParser(
+        prog="mip",
+        description="Tools for devices that speak MIP.",
+        epilog=EPILOG,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
     parser.add_argument("--version", action="version", version=f"mip {VERSION}")
     commands = parser.add_subparsers(metavar="COMMAND", title="commands", dest="command")
     for name, (module, text) in COMMANDS.items():
@@ -45,7 +74,7 @@ def _run(given: list[str]) -> int:
         return int(chosen.run(options))
     except Failure as failure:
         print(f"mip {options.command}: {failure}", file=sys.stderr)
-        return 1
+        return failure.status
 
 
 if __name__ == "__main__":
