@@ -119,15 +119,17 @@ def best(found: Callable[[], Iterable[Packet]]) -> str | None:
     return next((clock for clock in CLOCKS if clock in seen), None)
 
 
-def stamp(clock: str, time: int) -> str:
+def stamp(clock: str, time: int, digits: int = 9) -> str:
     """A time as text: UTC in ISO 8601 for GPS time, seconds for other clocks."""
-    if clock != "gps":
-        return f"{time // SECOND}.{time % SECOND:09d}"
-    try:
-        second = utc(time - time % SECOND)
-    except OverflowError:
-        return f"{time // SECOND}.{time % SECOND:09d}"
-    return f"{second.isoformat(timespec='seconds')}.{time % SECOND:09d}Z"
+    unit = 10 ** (9 - digits)
+    second, rest = divmod((time + unit // 2) // unit * unit, SECOND)
+    fraction = f".{rest // unit:0{digits}d}" if digits else ""
+    if clock == "gps":
+        try:
+            return f"{utc(second * SECOND).isoformat(timespec='seconds')}{fraction}Z"
+        except OverflowError:  # after the year 9999
+            pass
+    return f"{second}{fraction}"
 
 
 __all__ = ["CLOCKS", "SECOND", "Timeline", "best", "leap_seconds", "moments", "stamp"]

@@ -157,7 +157,7 @@ def _span(report: Report) -> Any:
     words = {"gps": "GPS, as UTC", "external": "external clock", "reference": "device clock"}
     first, last = min(firsts), max(lasts)
     yield (
-        f"time: {stamp(clock, first)} to {stamp(clock, last)}, {duration((last - first) / SECOND)} "
+        f"time: {stamp(clock, first, 3)} to {stamp(clock, last, 3)}, {duration((last - first) / SECOND)} "
         f"({words[clock]})"
     )
 
@@ -212,7 +212,7 @@ def _gaps(report: Report) -> Any:
 
 
 def _at(clock: str, place: Place) -> str:
-    return f"  {place.seconds:+.6g} s before {stamp(clock, place.time)}, byte {place.offset}"
+    return f"  {place.seconds:+.6g} s before {stamp(clock, place.time, 3)}, byte {place.offset}"
 
 
 def _count(number: int, what: str) -> str:

@@ -5,10 +5,11 @@ from __future__ import annotations
 import argparse
 import queue
 import re
+import signal
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, overload
 
 from ..errors import Failure, MipError
 from .scan import Piece, Scanner
@@ -65,6 +66,25 @@ def reason(error: BaseException) -> str:
     return " ".join(str(said).split())
 
 
+@contextmanager
+def stopping() -> Iterator[None]:
+    """An ordinary kill and the end of the terminal are an interrupt, too."""
+
+    def interrupt(number: int, frame: object) -> None:
+        raise KeyboardInterrupt
+
+    before = {}
+    for name in ("SIGTERM", "SIGHUP"):
+        number = getattr(signal, name, None)
+        if number is not None:
+            before[number] = signal.signal(number, interrupt)
+    try:
+        yield
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
+
+
 def received(
     name: str, options: argparse.Namespace, seconds: float | None = None
 ) -> Iterator[bytes]:
@@ -84,8 +104,18 @@ def received(
                 yield b""
 
 
-def pieces(name: str, options: argparse.Namespace, seconds: float | None = None) -> Iterator[Piece]:
-    """The packets that come in at a port, and what is between them."""
+@overload
+def pieces(
+    name: str, options: argparse.Namespace, seconds: float | None = None
+) -> Iterator[Piece]: ...
+@overload
+def pieces(
+    name: str, options: argparse.Namespace, seconds: float | None, idle: bool
+) -> Iterator[Piece | None]: ...
+def pieces(
+    name: str, options: argparse.Namespace, seconds: float | None = None, idle: bool = False
+) -> Iterator[Any]:
+    """The packets that come in at a port, and what is between them; `idle`: None after pauses."""
     scanner = Scanner()
     last = time.monotonic()
     for data in received(name, options, seconds):
@@ -94,7 +124,9 @@ def pieces(name: str, options: argparse.Namespace, seconds: float | None = None)
             yield from scanner.feed(data)
         elif time.monotonic() - last > SILENCE:
             yield from scanner.flush()
+        if idle and not data:
+            yield None
     yield from scanner.flush()
 
 
-__all__ = ["add_arguments", "opened", "pieces", "reason", "received", "url"]
+__all__ = ["add_arguments", "opened", "pieces", "reason", "received", "stopping", "url"]

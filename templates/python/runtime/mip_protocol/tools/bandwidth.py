@@ -13,6 +13,7 @@ from ..reflection import PARAMETERS
 from . import show
 from .arguments import hertz
 from .selection import field as named
+from .selection import fields, keys
 
 EPILOG = """\
 examples:
@@ -173,17 +174,24 @@ def _stream(text: str) -> Stream:
     except ValueError:
         raise Failure(f"'{text}' is not a stream; write NAME@HZ, as in sensor.scaled_accel@100") from None
     within, colon, plain = name.partition(":")
-    number, kind = named(plain if colon and not within.startswith("0x") else name)
+    number, kind = _field(within, plain) if colon else named(name)
     if not issubclass(kind, Data):
         raise Failure(f"{kind.NAME} is no data field; only data are streamed")
-    if number == 0xFF and colon:
-        from .selection import keys
-
-        number = keys(within)[0][0]
     size = size_of(kind, elements)
     if size is None:
         raise Failure(f"the size of {kind.NAME} varies; it cannot be computed")
     return Stream(number, kind.NAME, size, hz)
+
+
+def _field(within: str, name: str) -> tuple[int, type[Field]]:
+    """A field of a set, which may be a shared one."""
+    number, descriptor = keys(within)[0]
+    if descriptor is not None or number < 0x80:
+        raise Failure(f"'{within}' is no data set; write SET:NAME@HZ")
+    known = [(s, kind) for s, kind in fields(name) if s in (number, 0xFF)]
+    if not known:
+        raise Failure(f"{within} has no field '{name}'")
+    return number, known[0][1]
 
 
 def _adjusted(stream: Stream, profile: Any) -> Stream:

@@ -35,7 +35,7 @@ class Intervals:
     backwards: int = 0
     _bins: Counter[int] = field(default_factory=Counter)
     _longest: list[Place] = field(default_factory=list)
-    _forward: int = 0
+    _sums: Counter[int] = field(default_factory=Counter)
 
     def add(self, time: int, offset: int) -> None:
         """One more packet, at a time in ns."""
@@ -49,8 +49,9 @@ class Intervals:
                 if len(self.backward) < KEPT:
                     self.backward.append(Place(step / SECOND, offset, time))
             elif step > 0:
-                self._forward += step
-                self._bins[round(math.log(step) * 1000)] += 1  # 0.1 %
+                place_of = round(math.log(step) * 1000)  # 0.1 %
+                self._bins[place_of] += 1
+                self._sums[place_of] += step
                 place = Place(step / SECOND, offset, time)
                 if len(self._longest) < KEPT:
                     heapq.heappush(self._longest, place)
@@ -66,7 +67,7 @@ class Intervals:
         for place in sorted(self._bins):
             passed += self._bins[place]
             if passed * 2 >= total:
-                return math.exp(place / 1000) / SECOND
+                return self._sums[place] / self._bins[place] / SECOND
         return None
 
     @property
@@ -76,9 +77,9 @@ class Intervals:
         if usual is None:
             return None
         limit = math.log(usual * SECOND * GAP) * 1000
-        near = {place: n for place, n in self._bins.items() if place <= limit}
-        spent = sum(math.exp(place / 1000) * n for place, n in near.items()) / SECOND
-        return sum(near.values()) / spent if spent else None
+        near = [place for place in self._bins if place <= limit]
+        spent = sum(self._sums[place] for place in near) / SECOND
+        return sum(self._bins[place] for place in near) / spent if spent else None
 
     @property
     def gaps(self) -> tuple[int, float, list[Place]]:
@@ -87,10 +88,11 @@ class Intervals:
         if usual is None or self.count < 4:
             return 0, 0.0, []
         limit = math.log(usual * SECOND * GAP) * 1000
-        wide = {place: n for place, n in self._bins.items() if place > limit}
-        missing = sum((math.exp(p / 1000) / SECOND - usual) * n for p, n in wide.items())
+        wide = [place for place in self._bins if place > limit]
+        count = sum(self._bins[place] for place in wide)
+        missing = sum(self._sums[place] for place in wide) / SECOND - usual * count
         places = [p for p in self._longest if p.seconds > usual * GAP]
-        return sum(wide.values()), missing, sorted(places, key=lambda p: p.offset)
+        return count, missing, sorted(places, key=lambda p: p.offset)
 
 
 __all__ = ["GAP", "Intervals", "Place"]
