@@ -103,8 +103,9 @@ def run(options: argparse.Namespace) -> int:
         else:
             print(f"{port}: {fits} ({need / fits:.0%} used)")
     if options.baud is not None:
+        if need > options.baud:
+            raise Failure(f"{options.baud:.0f} Bd are not enough; {need} are needed")
         print(f"{options.baud:.0f}: {need / options.baud:.0%} used")
-        return 0 if need <= options.baud else 1
     return 0
 
 

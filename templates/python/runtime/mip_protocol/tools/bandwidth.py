@@ -76,12 +76,7 @@ def run(options: argparse.Namespace) -> int:
     rows = [("", "bytes", "Hz", "bytes/s")]
     for one in loads:
         rows += [
-            (
-                f"  {s.name}",
-                str(s.size),
-                f"{s.rate:g}",
-                f"{s.size * s.rate:.0f}",
-            )
+            (f"  {s.name}", str(s.size), f"{s.rate:g}", f"{s.size * s.rate:.0f}")
             for s in one.streams
         ]
         rows.append(
@@ -96,7 +91,9 @@ def run(options: argparse.Namespace) -> int:
     rows.append(("all", "", "", f"{total:.0f}"))
     widths = [max(len(row[i]) for row in rows) for i in range(4)]
     for row in rows:
-        print(f"{row[0]:<{widths[0]}}", *(f"{t:>{w}}" for t, w in zip(row[1:], widths[1:])), sep="  ")
+        print(
+            f"{row[0]:<{widths[0]}}", *(f"{t:>{w}}" for t, w in zip(row[1:], widths[1:])), sep="  "
+        )
     need = math.ceil(total * BITS)
     print(f"\nleast baud rate: {need}")
     for port, rates in _ports(profile):
@@ -106,8 +103,9 @@ def run(options: argparse.Namespace) -> int:
         else:
             print(f"{port}: {fits} ({need / fits:.0%} used)")
     if options.baud is not None:
+        if need > options.baud:
+            raise Failure(f"{options.baud:.0f} Bd are not enough; {need} are needed")
         print(f"{options.baud:.0f}: {need / options.baud:.0%} used")
-        return 0 if need <= options.baud else 1
     return 0
 
 
@@ -172,7 +170,9 @@ def _stream(text: str) -> Stream:
         if not at or not 0 < hz <= 1e6 or not 0 <= elements <= 255:
             raise ValueError
     except ValueError:
-        raise Failure(f"'{text}' is not a stream; write NAME@HZ, as in sensor.scaled_accel@100") from None
+        raise Failure(
+            f"'{text}' is not a stream; write NAME@HZ, as in sensor.scaled_accel@100"
+        ) from None
     within, colon, plain = name.partition(":")
     number, kind = _field(within, plain) if colon else named(name)
     if not issubclass(kind, Data):

@@ -26,8 +26,6 @@ _QUANTITIES = {
 }
 
 
-
-
 class _Source(NamedTuple):
     clock: str
     kind: type[Field]

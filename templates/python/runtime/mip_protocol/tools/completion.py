@@ -46,7 +46,9 @@ complete -c mip -a '(__mip_words)'
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.epilog = EPILOG
-    parser.add_argument("shell", choices=(*SCRIPTS, "words"), help="the shell; `words` is what the scripts call")
+    parser.add_argument(
+        "shell", choices=(*SCRIPTS, "words"), help="the shell; `words` is what the scripts call"
+    )
     parser.add_argument("words", nargs="*", metavar="WORD", help="of `words`: what has been typed")
 
 

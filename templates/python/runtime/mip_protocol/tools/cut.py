@@ -33,11 +33,27 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.epilog = EPILOG
     add = parser.add_argument
     add("file", metavar="FILE", help="a log; - for standard input")
-    add("-o", "--output", required=True, metavar="FILE", help="where to write; - for standard output")
+    add(
+        "-o",
+        "--output",
+        required=True,
+        metavar="FILE",
+        help="where to write; - for standard output",
+    )
     add("--begin", type=_when, metavar="T", help="leave out what is before this time")
     add("--end", type=_when, metavar="T", help="end at this time")
-    add("--bytes", type=_range, metavar="A:B", help="packets that begin in these bytes, B not included")
-    add("--packets", type=_range, metavar="A:B", help="packets of these numbers, from 0, B not included")
+    add(
+        "--bytes",
+        type=_range,
+        metavar="A:B",
+        help="packets that begin in these bytes, B not included",
+    )
+    add(
+        "--packets",
+        type=_range,
+        metavar="A:B",
+        help="packets of these numbers, from 0, B not included",
+    )
     add("--keep-skipped", action="store_true", help="keep bytes that belong to no packet, too")
     add_selection(parser)
 

@@ -55,7 +55,13 @@ def run(options: argparse.Namespace) -> int:
     shown = packets = bytes_skipped = 0
     for name in options.input if not explain else [""]:
         live = not explain and inputs.is_port(name)
-        source = _given(given or b"") if explain else ports.pieces(name, options) if live else inputs.pieces(name)
+        source = (
+            _given(given or b"")
+            if explain
+            else ports.pieces(name, options)
+            if live
+            else inputs.pieces(name)
+        )
         for piece in source:
             if piece.packet is None:
                 bytes_skipped += len(piece.data)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import argparse
 import json
 import shutil
-import textwrap
 from typing import Any
 
 from .. import registry
@@ -102,5 +101,7 @@ def text(kind: type[Field]) -> str:
     """All that is known of a field."""
     width = min(shutil.get_terminal_size().columns, 100)
     known = info(kind)
-    lines = [f"{known.name} (0x{kind.SET:02X},0x{kind.DESCRIPTOR:02X}), {known.role}: {known.title}"]
+    lines = [
+        f"{known.name} (0x{kind.SET:02X},0x{kind.DESCRIPTOR:02X}), {known.role}: {known.title}"
+    ]
     return "\n".join(lines)

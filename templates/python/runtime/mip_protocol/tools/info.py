@@ -7,11 +7,11 @@ import json
 from dataclasses import dataclass, field
 from typing import Any
 
+from ..packet import RawField
 from . import inputs, scan, show
 from .clocks import CLOCKS, SECOND, moments, stamp
 from .decoding import decoded, name_of, raw_fields
 from .intervals import Intervals, Place
-from ..packet import RawField
 
 EPILOG = """\
 examples:
@@ -168,10 +168,7 @@ def _damage(report: Report) -> Any:
     else:
         parts = [
             _count(n, what)
-            for n, what in (
-                (report.damaged, "damaged packet"),
-                (report.sentences, "NMEA sentence"),
-            )
+            for n, what in ((report.damaged, "damaged packet"), (report.sentences, "NMEA sentence"))
             if n
         ]
         share = report.skipped / report.size
@@ -194,9 +191,7 @@ def _table(report: Report) -> list[str]:
                 own = rate * kind.packets / times.count if rate and times else None
                 rows.append((f"  {kind.name}", str(kind.count), hz(own)))
     widths = [max(len(row[i]) for row in rows) for i in range(3)]
-    return [
-        f"{a:<{widths[0]}}  {b:>{widths[1]}}  {c:>{widths[2]}}".rstrip() for a, b, c in rows
-    ]
+    return [f"{a:<{widths[0]}}  {b:>{widths[1]}}  {c:>{widths[2]}}".rstrip() for a, b, c in rows]
 
 
 def _gaps(report: Report) -> Any:
@@ -235,7 +230,9 @@ def duration(seconds: float) -> str:
         return f"{seconds:.3f} s"
     minutes, rest = divmod(seconds, 60)
     hours, minutes = divmod(int(minutes), 60)
-    return f"{hours} h {minutes:02d} min {rest:04.1f} s" if hours else f"{minutes} min {rest:04.1f} s"
+    return (
+        f"{hours} h {minutes:02d} min {rest:04.1f} s" if hours else f"{minutes} min {rest:04.1f} s"
+    )
 
 
 # --------------------------------------------------------------------------- for programs

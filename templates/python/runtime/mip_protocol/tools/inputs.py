@@ -157,4 +157,14 @@ def existing(name: str) -> Path:
     return path
 
 
-__all__ = ["CHUNK", "chunks", "existing", "exists", "hex_bytes", "is_port", "pieces", "readable", "seekable"]
+__all__ = [
+    "CHUNK",
+    "chunks",
+    "existing",
+    "exists",
+    "hex_bytes",
+    "is_port",
+    "pieces",
+    "readable",
+    "seekable",
+]

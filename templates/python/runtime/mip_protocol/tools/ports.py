@@ -85,7 +85,9 @@ def stopping() -> Iterator[None]:
             signal.signal(number, handler)
 
 
-def received(name: str, options: argparse.Namespace, seconds: float | None = None) -> Iterator[bytes]:
+def received(
+    name: str, options: argparse.Namespace, seconds: float | None = None
+) -> Iterator[bytes]:
     """What comes in at a port, as it comes, until it closes or the time is over; empty after a pause."""
     came: queue.SimpleQueue[bytes] = queue.SimpleQueue()
     end = None if seconds is None else time.monotonic() + seconds

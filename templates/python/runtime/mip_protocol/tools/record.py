@@ -27,7 +27,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.epilog = EPILOG
     add = parser.add_argument
     add("port", metavar="PORT", help="such as /dev/ttyACM0, COM3, HOST:PORT, rfc2217://HOST:PORT")
-    add("-o", "--output", required=True, metavar="FILE", help="where to write; - for standard output")
+    add(
+        "-o",
+        "--output",
+        required=True,
+        metavar="FILE",
+        help="where to write; - for standard output",
+    )
     add("--duration", type=seconds, metavar="S", help="end after S seconds")
     add("--packets", type=positive, metavar="N", help="end after N packets")
     ports.add_arguments(parser)
@@ -44,7 +50,9 @@ def run(options: argparse.Namespace) -> int:
             recording.clear()
     outputs.note(recording.status())
     if recording.closed:
-        raise Failure(f"{options.port} was closed after {inputs.readable(recording.size)}, which are kept")
+        raise Failure(
+            f"{options.port} was closed after {inputs.readable(recording.size)}, which are kept"
+        )
     return 0
 
 

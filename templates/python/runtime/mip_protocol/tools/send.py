@@ -41,7 +41,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add("function", metavar="FUNCTION", nargs="?", help="write, read, save, load or default")
     add("values", metavar="VALUE", nargs="*", help="values in order, or NAME=VALUE")
     add("--hex", action="store_true", help="print the bytes of the packet, send nothing")
-    add("--timeout", type=seconds, metavar="S", help="seconds to wait (default: 1, or as specified)")
+    add(
+        "--timeout", type=seconds, metavar="S", help="seconds to wait (default: 1, or as specified)"
+    )
     add("--json", action="store_true", help="print the answer as JSON")
     add_device(parser)
     ports.add_arguments(parser)
@@ -71,7 +73,9 @@ def _said(command: Command, outcome: Any, options: argparse.Namespace, device: s
         _print(options, command, "sent", None, "sent; it is not answered", [])
         return 0
     if isinstance(outcome, TimedOut):
-        raise Failure(f"{options.port} did not answer {command.NAME}; check the port and --baud", SILENT)
+        raise Failure(
+            f"{options.port} did not answer {command.NAME}; check the port and --baud", SILENT
+        )
     assert isinstance(outcome, Answer)
     if not outcome.accepted:
         name = values.names(outcome.code)

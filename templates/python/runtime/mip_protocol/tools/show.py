@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ..packet import SYNC, Packet
 from .. import registry
 from ..errors import PacketError
+from ..packet import SYNC, Packet
 from . import values
 from .decoding import Found, decoded, malformed, name_of, raw_fields
 from .selection import Selection
@@ -114,8 +114,10 @@ def leaves(value: values.Structure, device: str | None) -> Iterator[str]:
         held = values.meant(value, p, device)
         unit = values.unit(p)
         structures = [held] if isinstance(held, values.Structure) else held
-        if isinstance(structures, (list, tuple)) and structures and all(
-            isinstance(v, values.Structure) for v in structures
+        if (
+            isinstance(structures, (list, tuple))
+            and structures
+            and all(isinstance(v, values.Structure) for v in structures)
         ):
             for i, inner in enumerate(structures):
                 yield f"{p.name}{'' if inner is held else f'[{i}]'}"
@@ -153,4 +155,14 @@ def _as_text(data: bytes) -> str:
     return spaced(data, 32)
 
 
-__all__ = ["branch", "inside", "leaves", "line", "selected", "set_name", "skipped", "spaced", "tree"]
+__all__ = [
+    "branch",
+    "inside",
+    "leaves",
+    "line",
+    "selected",
+    "set_name",
+    "skipped",
+    "spaced",
+    "tree",
+]

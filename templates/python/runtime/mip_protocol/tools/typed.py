@@ -223,12 +223,16 @@ def _flags(p: Parameter, kind: type[IntFlag], text: str) -> Any:
         known = names.get(name)
         if equal and known is not None:
             inner: Any = getattr(kind(known), name, None)
-            members = {n.lower(): int(v) for n, v in getattr(type(inner), "__members__", {}).items()}
+            members = {
+                n.lower(): int(v) for n, v in getattr(type(inner), "__members__", {}).items()
+            }
             many = members.get(number, _integer(number))
             mask = int(known)
             lowest = mask & -mask
             if many is None or not 0 <= many * lowest <= mask:
-                raise Failure(f"{p.name}: '{part}' does not fit; {name} has {bin(mask).count('1')} bits")
+                raise Failure(
+                    f"{p.name}: '{part}' does not fit; {name} has {bin(mask).count('1')} bits"
+                )
             bits |= many * lowest
         elif known is not None:
             bits |= int(known)
