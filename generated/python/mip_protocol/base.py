@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from . import codec, types
+from . import codec
 from .errors import Truncated
 from .field import Command, Field, Response, ResponseClasses, Structure
 from .protocol import FunctionSelector
@@ -173,12 +173,6 @@ class BuiltInTestResponse(Response):
     DESCRIPTOR = 0x83
     NAME = "base.built_in_test_response"
     ROLE = "response"
-    READINGS = {
-        "result": (
-            "device",
-            {"3dm-cv7-gnss-ins": types.Cv7BuiltInTest, "3dm-gx5-15": types.Gx5BuiltInTest},
-        )
-    }
 
     result: int
     """Failure flags, defined by each device. Zero means that every test passed.
@@ -325,7 +319,6 @@ class ContinuousBuiltInTestResponse(Response):
     DESCRIPTOR = 0x88
     NAME = "base.continuous_built_in_test_response"
     ROLE = "response"
-    READINGS = {"result": ("device", {"3dm-cv7-gnss-ins": types.Cv7ContinuousBuiltInTest})}
 
     result: tuple[int, ...]
     """Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the second

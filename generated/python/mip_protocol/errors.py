@@ -46,6 +46,17 @@ class EncodeError(MipError):
     """
 
 
+class UnknownName(MipError, LookupError):
+    """A name of nothing (`unknown_name`), or of several things (`ambiguous`); `near` has those that may be meant."""
+
+    def __init__(self, kind: str, detail: str, near: tuple[str, ...] = ()) -> None:
+        super().__init__(kind, detail)
+        self.near = near
+
+    def __str__(self) -> str:
+        return self.detail
+
+
 class Failure(Exception):
     """What a command line says in one line before it gives up: what is wrong, and the remedy."""
 

@@ -1004,20 +1004,6 @@ class Status(Data):
     DESCRIPTOR = 0x10
     NAME = "filter_data.status"
     ROLE = "data"
-    READINGS = {
-        "filter_state": (
-            "device",
-            {"3dm-cv7-gnss-ins": Cv7FilterState, "3dm-gx5-15": Gx5FilterState},
-        ),
-        "dynamics_mode": (
-            "device",
-            {"3dm-cv7-gnss-ins": Cv7DynamicsMode, "3dm-gx5-15": Gx5DynamicsMode},
-        ),
-        "status_flags": (
-            "device",
-            {"3dm-cv7-gnss-ins": Cv7StatusFlags, "3dm-gx5-15": Gx5StatusFlags},
-        ),
-    }
 
     filter_state: int
     """State of the filter.

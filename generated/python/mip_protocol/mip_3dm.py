@@ -574,40 +574,6 @@ class DataStreamControlResponse(Response):
     DESCRIPTOR = 0x85
     NAME = "3dm.data_stream_control_response"
     ROLE = "response"
-    READINGS = {
-        "descriptor_set": (
-            "device",
-            {
-                "3dm-cl5-15": LegacyDataStream,
-                "3dm-cl5-25": LegacyDataStream,
-                "3dm-cv5-10": LegacyDataStream,
-                "3dm-cv5-15": LegacyDataStream,
-                "3dm-cv5-25": LegacyDataStream,
-                "3dm-cx5-10": LegacyDataStream,
-                "3dm-cx5-15": LegacyDataStream,
-                "3dm-cx5-25": LegacyDataStream,
-                "3dm-cx5-35": LegacyDataStream,
-                "3dm-cx5-45": LegacyDataStream,
-                "3dm-dh3": LegacyDataStream,
-                "3dm-gq4-45": LegacyDataStream,
-                "3dm-gx3-15": LegacyDataStream,
-                "3dm-gx3-25": LegacyDataStream,
-                "3dm-gx3-35": LegacyDataStream,
-                "3dm-gx3-45": LegacyDataStream,
-                "3dm-gx4-15": LegacyDataStream,
-                "3dm-gx4-25": LegacyDataStream,
-                "3dm-gx4-45": LegacyDataStream,
-                "3dm-gx5-10": LegacyDataStream,
-                "3dm-gx5-15": LegacyDataStream,
-                "3dm-gx5-25": LegacyDataStream,
-                "3dm-gx5-35": LegacyDataStream,
-                "3dm-gx5-45": LegacyDataStream,
-                "3dm-mv5-ar": LegacyDataStream,
-                "3dm-rq1-45-lt": LegacyDataStream,
-                "3dm-rq1-45-st": LegacyDataStream,
-            },
-        )
-    }
 
     descriptor_set: int
     """Stream of the command.
@@ -2976,19 +2942,6 @@ class GpioConfigResponse(Response):
     DESCRIPTOR = 0xC1
     NAME = "3dm.gpio_config_response"
     ROLE = "response"
-    READINGS = {
-        "behavior": (
-            "feature",
-            {
-                0: types.GpioUnusedBehavior,
-                1: types.GpioBehavior,
-                2: types.GpioPpsBehavior,
-                3: types.GpioEncoderBehavior,
-                4: types.GpioTimestampBehavior,
-                5: types.GpioUartBehavior,
-            },
-        )
-    }
 
     pin: int
     """GPIO pin, counted from 1; 0 means all pins (save, load, default)."""
@@ -4227,40 +4180,6 @@ class DataStreamControl(Command):
     ROLE = "command"
     RESPONSES = (DataStreamControlResponse,)
     REQUIRED = {1: 2, 2: 1, 3: 1, 4: 1, 5: 1}
-    READINGS = {
-        "descriptor_set": (
-            "device",
-            {
-                "3dm-cl5-15": LegacyDataStream,
-                "3dm-cl5-25": LegacyDataStream,
-                "3dm-cv5-10": LegacyDataStream,
-                "3dm-cv5-15": LegacyDataStream,
-                "3dm-cv5-25": LegacyDataStream,
-                "3dm-cx5-10": LegacyDataStream,
-                "3dm-cx5-15": LegacyDataStream,
-                "3dm-cx5-25": LegacyDataStream,
-                "3dm-cx5-35": LegacyDataStream,
-                "3dm-cx5-45": LegacyDataStream,
-                "3dm-dh3": LegacyDataStream,
-                "3dm-gq4-45": LegacyDataStream,
-                "3dm-gx3-15": LegacyDataStream,
-                "3dm-gx3-25": LegacyDataStream,
-                "3dm-gx3-35": LegacyDataStream,
-                "3dm-gx3-45": LegacyDataStream,
-                "3dm-gx4-15": LegacyDataStream,
-                "3dm-gx4-25": LegacyDataStream,
-                "3dm-gx4-45": LegacyDataStream,
-                "3dm-gx5-10": LegacyDataStream,
-                "3dm-gx5-15": LegacyDataStream,
-                "3dm-gx5-25": LegacyDataStream,
-                "3dm-gx5-35": LegacyDataStream,
-                "3dm-gx5-45": LegacyDataStream,
-                "3dm-mv5-ar": LegacyDataStream,
-                "3dm-rq1-45-lt": LegacyDataStream,
-                "3dm-rq1-45-st": LegacyDataStream,
-            },
-        )
-    }
 
     function: FunctionSelector
     """What to do with the setting."""
@@ -6557,19 +6476,6 @@ class GpioConfig(Command):
     ROLE = "command"
     RESPONSES = (GpioConfigResponse,)
     REQUIRED = {1: 4, 2: 1, 3: 1, 4: 1, 5: 1}
-    READINGS = {
-        "behavior": (
-            "feature",
-            {
-                0: types.GpioUnusedBehavior,
-                1: types.GpioBehavior,
-                2: types.GpioPpsBehavior,
-                3: types.GpioEncoderBehavior,
-                4: types.GpioTimestampBehavior,
-                5: types.GpioUartBehavior,
-            },
-        )
-    }
 
     function: FunctionSelector
     """What to do with the setting."""

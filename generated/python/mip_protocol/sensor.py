@@ -702,15 +702,6 @@ class GpsTimestamp(Data):
     DESCRIPTOR = 0x12
     NAME = "sensor.gps_timestamp"
     ROLE = "data"
-    READINGS = {
-        "valid_flags": (
-            "device",
-            {
-                "3dm-gx5-15": types.Gx5SensorGpsTimestampFlags,
-                "3dm-gx5-35": types.Gx5SensorGpsTimestampFlags,
-            },
-        )
-    }
 
     tow: float
     """GPS time of week. Unit: s. Valid if `types.SensorGpsTimestampFlags.TOW_VALID` of

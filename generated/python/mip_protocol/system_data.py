@@ -10,7 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import IntFlag
 
-from . import codec, types
+from . import codec
 from .field import Data, Field
 
 
@@ -51,7 +51,6 @@ class BuiltInTest(Data):
     DESCRIPTOR = 0x01
     NAME = "system_data.built_in_test"
     ROLE = "data"
-    READINGS = {"result": ("device", {"3dm-cv7-gnss-ins": types.Cv7ContinuousBuiltInTest})}
 
     result: tuple[int, ...]
     """Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the second

@@ -10,7 +10,7 @@ from ... import formatting
 from ... import model as m
 from ...naming import Identifier
 from ...render import File
-from . import docs, members, names, simulator, steps, tables
+from . import docs, info, members, names, simulator, steps, tables
 
 TITLE = "Python >= 3.10, package mip_protocol"
 CONFORMANCE = ("parse", "decode", "encode", "client", "live")
@@ -29,11 +29,21 @@ def files(model: m.Model) -> Iterator[File]:
         "device": known.id if known else "DEVICE",  # the one that shows most
     }
     yield File("README.md", "README.md.j2", shown)
-    for name in ("_sets", "types", "protocol", "devices", "reflection"):
+    for name in ("_index", "_sets", "types", "protocol", "devices"):
         yield File(f"{PACKAGE}/{name}.py", f"{name}.py.j2")
+    protocol = model.protocol
+    yield _meaning("types", model.types)
+    yield _meaning("protocol", [protocol.function_selector], [protocol.acknowledge])
     yield File(f"{PACKAGE}/simulator/_facts.py", "simulator.py.j2")
     for s in model.sets:
         yield File(f"{PACKAGE}/{names.module(s.name)}.py", "set.py.j2", {"set": s})
+        yield _meaning(names.module(s.name), s.types, s.fields, s)
+
+
+def _meaning(module: str, types: Sequence[m.Type], fields: Sequence[m.Field] = (), of: m.Set | None = None) -> File:
+    """What the types and fields of a module mean."""
+    known = {"module": module, "kinds": types, "fields": fields, "set": of}
+    return File(f"{PACKAGE}/_meaning/{module}.py", "meaning.py.j2", known)
 
 
 def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
@@ -60,7 +70,6 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "answered": members.answered,
         "expected": lambda f: members.expected(f, model),
         "matches": lambda f: members.matches(f, model),
-        "readings": members.readings,
         # codecs
         "plan": steps.plan,
         # docstrings and comments
@@ -79,7 +88,17 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "hex": "0x{:02X}".format,
         "letters": m.letters,
         "by_descriptor": tables.by_descriptor,
-        "properties": tables.properties,
+        # what is known at run time
+        "field_info": partial(info.of_field, model=model),
+        "parameter_info": lambda p, record, case, union: info.of_parameter(p, record, model, case, union),
+        "type_info": partial(info.of_type, model=model),
+        "set_info": partial(info.of_set, model=model),
+        "value_info": partial(info.of_value, model=model),
+        "bits_info": partial(info.of_bits, model=model),
+        "full_name": lambda t: f"{t.owner}.{t.name}" if t.owner else t.name,
+        "quoted": info.code,
+        "every_field": info.fields,
+        "called": info.called,
         "given": simulator.given,
         "differences": simulator.differences,
     }

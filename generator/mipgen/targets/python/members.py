@@ -175,14 +175,3 @@ def matches(f: m.Field, model: m.Model) -> str:
     for at, size, value in f.signature:
         tests.append(f"{value.to_bytes(size, 'big')!r}.startswith(data[{at}:{at + size}])")
     return " and ".join(tests)
-
-
-def readings(f: m.Field) -> dict[str, tuple[str, dict[str, str]]]:
-    """Member -> what decides how it is read, and the type for each of its values, as Python writes them."""
-    found = {}
-    for p in members(f):
-        if p.readings:
-            by = p.readings[0].by if p.readings[0].by_device else member(p.readings[0].by)
-            types = {repr(v.key if v.by_device else v.value): reference(v.type, home(f)) for v in p.readings if v.type}
-            found[member(p.name)] = (by, types)
-    return found

@@ -25,7 +25,6 @@ class Accel(measurements.Accel):
 
     SET = 0x92
     NAME = "copy.accel"
-
     scaled_accel: types.Vector3f
     """Specific force. Elements: x, y, z. Unit: g. Frame: sensor. Each element is valid by its bit:
     x by `types.StateFlags.READY` of `valid_flags`, y by `types.StateFlags.HOT` of `valid_flags`, z
@@ -136,7 +135,6 @@ class Radio(measurements.Radio):
 
     SET = 0x92
     NAME = "copy.radio"
-
     noise: float
     """Never nothing. Unit: m. Range: greater than 0, at most 10. Valid if `connected` is true."""
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from . import tools, types
+from .lookup import device_id
 from .profile import Device, DeviceInfo, Limit, Note, Port, model_number
 
 MODEL_A = Device(
@@ -226,6 +227,11 @@ def find(name: str) -> Device | None:
     return next((d for d in DEVICES.values() if name in (d.id, d.title, *d.also)), None)
 
 
+def by_name(name: str) -> Device:
+    """The same, however it is spelt ("gx5 15"); raises UnknownName, which says the nearest names."""
+    return DEVICES[device_id(name)]
+
+
 def by_model(number: int) -> Device | None:
     """A device by its model number; None if it is unknown, as newer ones are."""
     return next((d for d in DEVICES.values() if d.model_number == number), None)
@@ -245,6 +251,7 @@ __all__ = [
     "Note",
     "Port",
     "by_model",
+    "by_name",
     "find",
     "identify",
     "model_number",

@@ -2,22 +2,23 @@
 
 from __future__ import annotations
 
-from typing import Any, ClassVar, TypeAlias, TypeVar
+from typing import TYPE_CHECKING, ClassVar, TypeAlias, TypeVar
 
+from .described import Described
 from .errors import DecodeError
 from .packet import Packet, PacketBuilder, RawField
+
+if TYPE_CHECKING:
+    from .info import FieldInfo
 
 F = TypeVar("F", bound="Field")
 S = TypeVar("S", bound="Structure")
 
 
-class Structure:
+class Structure(Described):
     """A group of named values: a field, or a part of one."""
 
     __slots__ = ()
-
-    #: Numbers whose type depends on another value: name -> (the other, {its value: type}).
-    READINGS: ClassVar[dict[str, tuple[str, dict[object, type]]]] = {}
 
     @classmethod
     def _read(cls: type[S], raw: bytes, at: int) -> tuple[S, int]:
@@ -27,22 +28,15 @@ class Structure:
     def _write(self) -> bytes:
         raise NotImplementedError
 
-    def meaning(self, name: str, device: str | None = None) -> Any:
-        """The value `name` as the enumeration or bitfield that gives it its meaning.
-
-        The type depends on another value of this field or on the device (its id, "3dm-gx5-15").
-        Without such a type, the value is returned unchanged.
-        """
-        value = getattr(self, name)
-        by, types = self.READINGS.get(name, ("device", {}))
-        kind = types.get(device if by == "device" else getattr(self, by))
-        return value if kind is None or value is None else kind(value)
-
 
 class Field(Structure):
     """One field: a command, a response or data."""
 
     __slots__ = ()
+
+    if TYPE_CHECKING:
+        INFO: ClassVar[FieldInfo]
+        """What is known of it and of its parameters."""
 
     SET: ClassVar[int]
     DESCRIPTOR: ClassVar[int]

@@ -59,7 +59,6 @@ class Accel(measurements.Accel):
 
     SET = 0x81
     NAME = "more.accel"
-
     scaled_accel: types.Vector3f
     """Specific force. Elements: x, y, z. Unit: g. Frame: sensor. Each element is valid by its bit:
     x by `types.StateFlags.READY` of `valid_flags`, y by `types.StateFlags.HOT` of `valid_flags`, z

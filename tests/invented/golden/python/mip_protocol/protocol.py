@@ -45,7 +45,6 @@ class Acknowledge(Response):
     DESCRIPTOR = 0xF1
     NAME = "protocol.acknowledge"
     ROLE = "response"
-    READINGS = {"code": ("device", {"model-b": types.Mode})}
 
     command: int
     """Descriptor of the command that is answered."""

@@ -13,7 +13,17 @@ from .protocol import Acknowledge
 
 SHARED_SET = 0xFF
 
-__all__ = ["MODULES", "SHARED_SET", "all_types", "decode", "decode_packet", "types"]
+__all__ = [
+    "MODULES",
+    "SHARED_SET",
+    "all_types",
+    "by_name",
+    "decode",
+    "decode_packet",
+    "names",
+    "set_by_name",
+    "types",
+]
 
 
 @cache
@@ -37,6 +47,32 @@ def _fields(set: int) -> dict[int, tuple[type[Field], ...]]:
         return {}
     fields: dict[int, tuple[type[Field], ...]] = import_module(f".{name}", __package__).FIELDS
     return fields
+
+
+def by_name(name: str) -> type[Field]:
+    """The type of a field: by its full name ("sensor.scaled_accel"), as its class is called
+    ("sensor.ScaledAccel"), by its title or descriptors ("0x80,0x04"), or as the vendor calls it.
+
+    The name of the set may be left out where that leads to one field. Raises UnknownName, which
+    says the nearest names.
+    """
+    from .lookup import field
+
+    return field(name)
+
+
+def set_by_name(name: str) -> int:
+    """The number of a descriptor set: by its name ("sensor", "3dm"), its title, or "0x80". Raises UnknownName."""
+    from .lookup import set_number
+
+    return set_number(name)
+
+
+def names() -> tuple[str, ...]:
+    """The full names of all fields, by set. Imports none of them."""
+    from ._index import FIELDS
+
+    return tuple(FIELDS)
 
 
 def all_types() -> list[tuple[int, type[Field]]]:

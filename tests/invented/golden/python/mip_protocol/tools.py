@@ -483,7 +483,6 @@ class PinResponse(Response):
     DESCRIPTOR = 0x8B
     NAME = "tools.pin_response"
     ROLE = "response"
-    READINGS = {"use": ("drive", {1: PulseUse, 2: SerialUse})}
 
     drive: Drive
     """What drives it."""
@@ -611,12 +610,6 @@ class StatusShort(Response):
     DESCRIPTOR = 0x90
     NAME = "tools.status_short"
     ROLE = "response"
-    READINGS = {
-        "flags": (
-            "device",
-            {"model-a": ModelAFaults, "model-b": ModelBFaults, "model-c": ModelAFaults},
-        )
-    }
 
     # On the wire: model. The model. Always 4711.
     # On the wire: selector. The short layout. Always 1.
@@ -670,7 +663,6 @@ class StatusLong(Response):
     DESCRIPTOR = 0x90
     NAME = "tools.status_long"
     ROLE = "response"
-    READINGS = {"flags": ("device", {"model-a": ModelAFaults, "model-b": ModelBFaults})}
 
     # On the wire: model. The model. Always 4711.
     # On the wire: selector. The long layout. Always 2.
@@ -1644,7 +1636,6 @@ class Pin(Command):
     ROLE = "command"
     RESPONSES = (PinResponse,)
     REQUIRED = {1: 2, 2: 1}
-    READINGS = {"use": ("drive", {1: PulseUse, 2: SerialUse})}
 
     function: FunctionSelector
     """What to do with the setting."""

@@ -114,10 +114,7 @@ def _named(p: Parameter, value: Any, record: Structure, differs: Difference, rea
     """Is it one of the named values, if the parameter is an enumeration?"""
     if differs.values is not None:
         return value in differs.values
-    kind = p.type
-    by, types = record.READINGS.get(p.attribute, ("", {}))
-    if kind is None:
-        kind = reading if by in ("", "device") else types.get(getattr(record, by))
+    kind = p.type or p.of(record).type or reading
     if not (isinstance(kind, type) and issubclass(kind, IntEnum)):
         return True
     return any(value == member for member in kind)

@@ -1,0 +1,94 @@
+"""What the types of `system` mean."""
+
+from __future__ import annotations
+
+from .. import protocol, system
+from ..info import BitInfo, BitsInfo, EnumInfo, FieldInfo, Info, SetInfo, ValueInfo
+from ..parameter import Parameter, Variant
+
+# fmt: off
+SET = SetInfo("system", number=0x7F, title="System", description="Advanced commands of devices that are built from several intelligent parts.", sources=("3dm-gx5-15: 4.4 System Commands",))
+
+#: Class -> what is known of it.
+TYPES: dict[str, Info] = {
+    "CommInterface": EnumInfo(
+        "system.comm_interface", type=system.CommInterface, description="A port of a device.", sources=("mip-sdk-4: Interface Control (0x7F,0x02)",),
+        values=(
+            ValueInfo("all", value=0, description="All ports."),
+            ValueInfo("main", value=1, description="The main port: USB while it is connected, else the main UART."),
+            ValueInfo("uart_1", value=17, description="The first port that is a UART or can be one."),
+            ValueInfo("uart_2", value=18, description="The second UART."),
+            ValueInfo("uart_3", value=19, description="The third UART."),
+            ValueInfo("usb_1", value=33, description="First virtual serial port of USB."),
+            ValueInfo("usb_2", value=34, description="Second virtual serial port of USB; on GNSS/INS models, made for NMEA and RTCM."),
+        ),
+    ),
+    "CommProtocols": BitsInfo(
+        "system.comm_protocols", type=system.CommProtocols, description="Protocols of a port.", sources=("mip-sdk-4: Interface Control (0x7F,0x02)",),
+        bits=(
+            BitInfo("mip", first=0, last=0, description="MIP."),
+            BitInfo("nmea", first=8, last=8, description="NMEA-0183."),
+            BitInfo("rtcm", first=9, last=9, description="RTCM corrections."),
+            BitInfo("spartn", first=24, last=24, description="SPARTN corrections."),
+        ),
+    ),
+    "ProtocolMode": EnumInfo(
+        "system.protocol_mode", type=system.ProtocolMode, description="Which part of the device the host talks to, and in which protocol.",
+        values=(
+            ValueInfo("standard", value=1, description="The device itself, MIP."),
+            ValueInfo("sensor_direct", value=2, description="The inertial sensor inside, MIP."),
+            ValueInfo("gnss_direct", value=3, description="The GNSS receiver inside, NMEA and UBX; only on models that have one."),
+        ),
+    ),
+    "InterfaceControl": FieldInfo(
+        "system.interface_control", type=system.InterfaceControl,
+        title="Interface control",
+        description="Protocols that a port takes in and gives out.",
+        facts=("Functions: `write`, `read`, `save`, `load` and `default`.", "Answered by `system.InterfaceControlResponse`.", "May be supported by 3DM-CV7-GNSS/INS.", "Accepted on the main port only. The main port always keeps MIP in both directions.", "The acknowledge comes on that port after the change; what arrives meanwhile may be lost.", "The device refuses protocols that it or the port does not have, and more parsers than it has; then nothing is changed.", "Answers in an incoming protocol leave by the same port, even if the protocol is not an outgoing one.", "How many parsers and streams there are depends on the device."),
+        sources=("mip-sdk-4: Interface Control (0x7F,0x02)", "3dm-cv7-gnss-ins: Ports"),
+        functions=("write", "read", "save", "load", "default"),
+        perhaps=("3dm-cv7-gnss-ins",),
+        parameters=(
+            Parameter("function", "function", "scalar", description="What to do with the setting.", scalar="u8", type=protocol.FunctionSelector),
+            Parameter("port", "port", "scalar", description="The port.", facts=("Uncertain: Whether write and read take `all`.",), scalar="u8", required=("write", "read", "save", "load", "default"), type=system.CommInterface),
+            Parameter("protocols_incoming", "protocols_incoming", "scalar", description="Protocols that it takes in.", facts=("Required for `write`.",), scalar="u32", required=("write",), type=system.CommProtocols),
+            Parameter("protocols_outgoing", "protocols_outgoing", "scalar", description="Protocols that it gives out.", facts=("Required for `write`.",), scalar="u32", required=("write",), type=system.CommProtocols),
+        ),
+    ),
+    "CommMode": FieldInfo(
+        "system.comm_mode", type=system.CommMode,
+        title="Communication mode",
+        description="Switches the port between the device and one of the sensors inside it.",
+        facts=("For advanced use.", "Functions: `write`, `read`, `save`, `load` and `default`.", "Answered by `system.CommModeResponse`.", "Supported by 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45.", "The acknowledge is sent in the old mode, just before the switch.", "In a direct mode only this command and `mip_3dm.DeviceStatus` of the device itself are answered."),
+        sources=("3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10)",),
+        functions=("write", "read", "save", "load", "default"),
+        devices=("3dm-gx5-15", "3dm-gx5-35", "3dm-gx5-45"),
+        advanced=True,
+        parameters=(
+            Parameter("function", "function", "scalar", description="What to do with the setting.", scalar="u8", type=protocol.FunctionSelector),
+            Parameter("mode", "mode", "scalar", description="Communication mode.", facts=("Default: `system.ProtocolMode.STANDARD`.", "Required for `write`.", "On the 3DM-GX5-35: default `system.ProtocolMode.STANDARD`."), scalar="u8", default=1, required=("write",), type=system.ProtocolMode, variants=(Variant("device", ("3dm-gx5-35",), "On the 3DM-GX5-35: default `system.ProtocolMode.STANDARD`.", {"default": 1}),)),
+        ),
+    ),
+    "InterfaceControlResponse": FieldInfo(
+        "system.interface_control_response", type=system.InterfaceControlResponse,
+        title="Interface control response",
+        facts=("Answers `system.InterfaceControl`.", "May be supported by 3DM-CV7-GNSS/INS."),
+        sources=("mip-sdk-4: Interface Control (0x7F,0x02)", "3dm-cv7-gnss-ins: Ports"),
+        perhaps=("3dm-cv7-gnss-ins",),
+        parameters=(
+            Parameter("port", "port", "scalar", description="The port.", facts=("Uncertain: Whether write and read take `all`.",), scalar="u8", type=system.CommInterface),
+            Parameter("protocols_incoming", "protocols_incoming", "scalar", description="Protocols that it takes in.", scalar="u32", type=system.CommProtocols),
+            Parameter("protocols_outgoing", "protocols_outgoing", "scalar", description="Protocols that it gives out.", scalar="u32", type=system.CommProtocols),
+        ),
+    ),
+    "CommModeResponse": FieldInfo(
+        "system.comm_mode_response", type=system.CommModeResponse,
+        title="Communication mode response",
+        facts=("Answers `system.CommMode`.", "Supported by 3DM-GX5-15, 3DM-GX5-35 and 3DM-GX5-45."),
+        sources=("3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10)",),
+        devices=("3dm-gx5-15", "3dm-gx5-35", "3dm-gx5-45"),
+        parameters=(
+            Parameter("mode", "mode", "scalar", description="Communication mode.", facts=("Default: `system.ProtocolMode.STANDARD`.",), scalar="u8", default=1, type=system.ProtocolMode),
+        ),
+    ),
+}

@@ -1,0 +1,270 @@
+"""Rows of the modules of `_meaning`: what is known of fields, structures, enumerations and bitfields at run time.
+
+A row is what Python calls the values of a class of `info` or `parameter`, by the names of its attributes; what says
+nothing is left out.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable
+from typing import Any
+
+from ... import describe, meaning
+from ... import model as m
+from . import docs
+from .members import Record
+from .names import member, qualified
+
+Row = dict[str, str]
+
+
+def shown(values: dict[str, Any]) -> Row:
+    """As Python writes them, without what is empty."""
+    return {k: code(v) for k, v in values.items() if v not in (None, "", (), False)}
+
+
+def code(value: object) -> str:
+    """As `repr`, but texts in double quotes.
+
+    >>> print(code((1, "a", ("it's",))))
+    (1, "a", ("it's",))
+    """
+    if isinstance(value, str):
+        return json.dumps(value, ensure_ascii=False)
+    if isinstance(value, tuple):
+        return f"({', '.join(map(code, value))}{',' if len(value) == 1 else ''})"
+    return repr(value)
+
+
+def said(facts: Iterable[describe.Fact]) -> tuple[str, ...]:
+    return tuple(docs.say(fact.sentence, "") for fact in facts)
+
+
+def _prose(text: str, model: m.Model) -> str:
+    return docs.say(describe.prose(text, model), "")
+
+
+# --------------------------------------------------------------------------- fields, structures, sets
+
+
+def of_field(f: m.Field, model: m.Model) -> Row:
+    return shown(
+        {
+            "title": f.title,
+            "description": _prose(f.description, model),
+            "facts": said(describe.field(f, model)),
+            "sources": tuple(describe.sources(f)),
+            "also": f.also,
+            "functions": tuple(member(x.name) for x in f.functions),
+            "devices": tuple(d.id for d in model.devices_of(f)),
+            "perhaps": tuple(d.id for d in model.devices_of(f, certain=False)),
+            "deprecated": f.deprecated and _prose(f.deprecated, model),
+            "advanced": f.advanced,
+            "max_rate": f.max_rate,
+        }
+    )
+
+
+def of_type(t: m.Struct | m.Enum | m.Bitfield, model: m.Model) -> Row:
+    """What structures, enumerations and bitfields have in common."""
+    return shown(
+        {
+            "description": _prose(t.description, model),
+            "facts": said(describe.type(t, model)),
+            "sources": tuple(describe.sources(t)),
+        }
+    )
+
+
+def of_set(s: m.Set, model: m.Model) -> Row:
+    return shown(
+        {
+            "title": s.title,
+            "description": _prose(s.description, model),
+            "facts": said(describe.uncertain(s, model)),
+            "sources": tuple(describe.sources(s)),
+        }
+    )
+
+
+def of_value(v: m.EnumValue, model: m.Model) -> Row:
+    return shown(
+        {
+            "description": _prose(v.description, model),
+            "facts": said(describe.uncertain(v, model)),
+            "deprecated": v.deprecated,
+        }
+    )
+
+
+def of_bits(b: m.Bits, model: m.Model) -> Row:
+    facts = said(describe.uncertain(b, model))  # the others are attributes
+    row = shown({"description": _prose(b.description, model), "facts": facts, "alias": b.alias})
+    return row | ({"type": qualified(b.enum)} if b.enum else {})
+
+
+# --------------------------------------------------------------------------- parameters
+
+
+def of_parameter(p: m.Parameter, record: Record, model: m.Model, case: m.Case | None = None, union: str = "") -> Row:
+    """What is known of a parameter beside its name and kind, and beside its cases. Of the parameter of a union's case,
+    `case` and the name of the union."""
+    facts = describe.parameter(p, record, model)
+    if case is not None:
+        facts = [describe.case(case, next(q for q in record.parameters if q.name == union), record), *facts]
+    empty = [describe.case(c, p, record) for c in p.cases if c.parameter is None]
+    values = {
+        "description": _prose(p.description, model),
+        "facts": said([*facts, *empty]),
+        "scalar": _scalar(p.element),
+        "size": p.element.size if isinstance(p.element, m.Bitfield) and p.element.scalar is None else 0,
+        "elements": p.element.elements if isinstance(p.element, m.Vector) else (),
+        "length": p.length,
+        "constant": p.constant,
+        "counts": p.counts and member(p.counts),
+        "tag": p.tag and member(p.tag),
+        "units": p.units,
+        "valid": p.valid,
+        "minimum": p.minimum,
+        "maximum": p.maximum,
+        "above": p.above,
+        "below": p.below,
+        "magnitude": p.magnitude if p.magnitude != (None, None) else None,
+        "default": p.reserved if p.default is None else meaning.in_numbers(p.default, p.element),
+        "frame": p.frame,
+        "required": tuple(
+            member(x.name) for x in p.required_for if isinstance(record, m.Field) and p in record.counted
+        ),
+        "optional": p.optional,
+        "reserved": p.reserved is not None,
+        "deprecated": p.deprecated,
+    }
+    zero = {k: code(values[k]) for k in ("length", "constant", "minimum", "maximum", "above", "below", "default")
+            if values[k] is not None}  # fmt: skip
+    row = shown(values) | zero
+    if isinstance(p.element, (m.Enum, m.Bitfield, m.Struct)):
+        row["type"] = qualified(p.element)
+    vouching = flags(p.valid, record)
+    if vouching:
+        row["flags"] = _flags(vouching)
+    row |= _variants(p, record, model)
+    return row
+
+
+def _scalar(e: m.Scalar | m.Enum | m.Bitfield | m.Vector | m.Struct | None) -> str:
+    if isinstance(e, m.Scalar):
+        return e.name
+    if isinstance(e, m.Bitfield) and e.scalar is None:
+        return "bits"
+    return e.scalar.name if isinstance(e, (m.Enum, m.Bitfield, m.Vector)) and e.scalar is not None else ""
+
+
+def _variants(p: m.Parameter, record: Record, model: m.Model) -> Row:
+    """What differs by device or with another parameter, and the flags of devices that have others."""
+    rows = []
+    for group, fact in describe.variants(p, record, model):
+        v = group[0]
+        keys = tuple(x.key for x in group) if v.by_device else (v.value,)
+        changes = _changes(v, p, record)
+        by = v.by if v.by_device else member(v.by)
+        text = docs.say(fact.sentence, "")
+        arguments = [code(by), code(keys), code(text), _mapping(changes)]
+        if v.member:
+            arguments.append(f"member={code(member(v.member))}")
+        rows.append(f"Variant({', '.join(arguments)})")
+    found: Row = {"variants": f"({', '.join(rows)},)"} if rows else {}
+    others = _flags_on(p, record)
+    if others:
+        found["flags_on"] = _mapping({d: _flags(x) for d, x in others.items()})
+    return found
+
+
+def _mapping(row: Row) -> str:
+    return f"{{{', '.join(f'{code(k)}: {x}' for k, x in row.items())}}}"
+
+
+def _changes(v: m.Variant, p: m.Parameter, record: Record) -> Row:
+    """The attributes of a parameter that a variant has otherwise."""
+    if v.member and isinstance(p.element, m.Struct):
+        p = next(q for q in p.element.parameters if q.name == v.member)
+    found: dict[str, object] = {
+        "units": v.units or None,
+        "frame": v.frame,
+        "minimum": v.minimum,
+        "maximum": v.maximum,
+        "default": meaning.in_numbers(v.default, v.type or p.element),
+        "valid": v.valid,
+        "constant": v.constant,
+        "only": tuple(x.name for x in v.only) or None,
+        "deprecated": v.deprecated,
+    }
+    row = {k: code(x) for k, x in found.items() if x is not None}
+    if v.type is not None:
+        row["type"] = qualified(v.type)
+    elif v.unknown:
+        row["type"] = "None"
+    if v.valid is not None and not v.by_device:
+        row["flags"] = _flags(flags(v.valid, record))
+    return row
+
+
+# --------------------------------------------------------------------------- what vouches for a value
+
+Flags = list[tuple[str, str, int]]
+
+
+def flags(paths: Iterable[str], record: Record, device: str | None = None) -> Flags:
+    """What says that a value is valid: path, attribute and mask of each; the mask of a bool is 0.
+
+    Nothing if the device decides which bit it is, and is not known.
+    """
+    found = []
+    for path in paths:
+        name, _, bit = path.partition(".")
+        mask = _mask(next(q for q in record.parameters if q.name == name), bit, device) if bit else 0
+        if mask is None:
+            return []
+        found.append((path, member(name), mask))
+    return found
+
+
+def _mask(holder: m.Parameter, bit: str, device: str | None) -> int | None:
+    """The mask of a bit, as the device has it; None if that depends on a device that is not known."""
+    own = next((v.type for v in holder.readings if v.by_device and v.key == device), None)
+    types: list[object] = [own or holder.element]
+    if not own and not _masks(types, bit):
+        types = [*(v.type for v in holder.readings)]
+    masks = set(_masks(types, bit))
+    return masks.pop() if len(masks) == 1 else None
+
+
+def _masks(types: Iterable[object], bit: str) -> list[int]:
+    return [b.mask for t in types if isinstance(t, m.Bitfield) for b in t.bits if b.name == bit]
+
+
+def _flags_on(p: m.Parameter, record: Record) -> dict[str, Flags]:
+    """Devices where something else vouches for a parameter, or the same bit is another one."""
+    own = {v.key: v.valid for v in p.variants if v.by_device and v.valid is not None and not v.member}
+    holders = {path.partition(".")[0] for paths in (p.valid, *own.values()) for path in paths}
+    readings = (v for q in record.parameters if q.name in holders for v in q.readings if v.by_device)
+    usual = flags(p.valid, record)
+    found = {d: flags(own.get(d, p.valid), record, d) for d in dict.fromkeys((*own, *(v.key for v in readings)))}
+    return {d: vouching for d, vouching in found.items() if vouching != usual}
+
+
+def _flags(found: Flags) -> str:
+    rows = [f"Flag({code(path)}, {code(attribute)}, 0x{mask:X})" for path, attribute, mask in found]
+    return f"({', '.join(rows)}{',' if len(rows) == 1 else ''})"
+
+
+# --------------------------------------------------------------------------- names
+
+
+def fields(model: m.Model) -> list[m.Field]:
+    return [*model.fields, model.protocol.acknowledge]
+
+
+def called(d: m.Device) -> tuple[str, ...]:
+    """The title of a device, and its other names."""
+    return (d.title, *d.also)

@@ -1,0 +1,130 @@
+"""Finds fields, sets and devices by name, and says the nearest names of those that there are not."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from functools import cache
+from importlib import import_module
+
+from ._index import DEVICES, FIELDS, SETS
+from .errors import UnknownName
+from .field import Field
+
+#: Words of names in other bindings that say nothing of the field itself.
+NOISE = frozenset(("mip", "data", "command", "commands"))
+
+
+def field(name: str) -> type[Field]:
+    """The type of a field; see `registry.by_name`."""
+    found = _named(name)
+    if len(found) == 1:
+        set, kind = FIELDS[found[0]][:2]
+        kind_: type[Field] = getattr(import_module(f".{set}", __package__), kind)
+        return kind_
+    if found:
+        raise ambiguous(name, found)
+    raise unknown(name, "a field", FIELDS, _near(name))
+
+
+def _named(name: str) -> tuple[str, ...]:
+    """The full names of the fields that are called so."""
+    if name in FIELDS:
+        return (name,)
+    numbers = re.fullmatch(r"\(?0x([0-9a-f]{1,2}) *, *0x([0-9a-f]{1,2})\)?", name.strip(), re.I)
+    if numbers:
+        from .registry import types
+
+        return tuple(t.NAME for t in types(int(numbers[1], 16), int(numbers[2], 16)))
+    words = _words(name)
+    found = _keys().get(_key(words), ())
+    for role in ("command", "data"):
+        hinted = tuple(x for x in found if FIELDS[x][2] == role)
+        if len(found) > 1 and hinted and {role, f"{role}s"} & {*words}:
+            found = hinted
+    return found
+
+
+def _words(name: str) -> list[str]:
+    """
+    >>> _words("sensor.ScaledAccel"), _words("mip_3dm_poll_data_command")
+    (['sensor', 'scaled', 'accel'], ['mip', '3dm', 'poll', 'data', 'command'])
+    """
+    apart = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", " ", name)
+    return re.findall(r"[a-z0-9]+", apart.lower())
+
+
+def _key(words: list[str]) -> str:
+    return "".join(w for w in words if w not in NOISE) or "".join(words)
+
+
+@cache
+def _keys() -> dict[str, tuple[str, ...]]:
+    """What a field may be called, without what does not matter -> full names."""
+    found: dict[str, dict[str, None]] = {}
+    for full, (_, _, _, title, also) in FIELDS.items():
+        set, _, own = full.partition(".")
+        for called in (own, title, *also):
+            for words in (_words(called), _words(f"{set}.{called}")):
+                found.setdefault(_key(words), {})[full] = None
+    return {key: tuple(names) for key, names in found.items()}
+
+
+def _near(name: str) -> list[str]:
+    from difflib import get_close_matches
+
+    keys = _keys()
+    close = get_close_matches(_key(_words(name)), keys, n=4, cutoff=0.7)
+    return list(dict.fromkeys(full for key in close for full in keys[key]))[:4]
+
+
+def set_number(name: str) -> int:
+    """The number of a descriptor set; see `registry.set_by_name`."""
+    try:
+        number = int(name, 16) if name.lower().startswith("0x") else None
+    except ValueError:
+        number = None
+    found = [n for n, names in SETS.items() if n == number or name in names]
+    if not found:
+        key = _words(name)
+        found = [n for n, names in SETS.items() if any(key == _words(x) for x in names)]
+    if len(found) == 1:
+        return found[0]
+    raise unknown(name, "a descriptor set", [names[0] for names in SETS.values()])
+
+
+@cache
+def device_id(name: str) -> str:
+    """The id of a device, of its id, its title or another name."""
+    if name in DEVICES:
+        return name
+    wanted = _words(name)
+    for id, names in DEVICES.items():
+        if any(wanted == _words(x) for x in (id, *names)):
+            return id
+    raise unknown(name, "a device", DEVICES)
+
+
+def unknown(
+    name: str, what: str, known: Iterable[str], near: Iterable[str] | None = None
+) -> UnknownName:
+    """The error for a name that is not known: it says the nearest ones."""
+    from difflib import get_close_matches
+
+    known = list(known)
+    close = tuple(get_close_matches(name, known, n=4) if near is None else near)
+    few = tuple(known) if len(known) <= 8 else ()
+    hint = f"did you mean {_either(close)}?" if close else f"known: {', '.join(few)}" if few else ""
+    text = f"{name!r} is not {what}"
+    return UnknownName("unknown_name", f"{text}; {hint}" if hint else text, close or few)
+
+
+def ambiguous(name: str, found: tuple[str, ...]) -> UnknownName:
+    return UnknownName("ambiguous", f"{name!r} may be {_either(found)}", found)
+
+
+def _either(names: tuple[str, ...]) -> str:
+    return " or ".join(filter(None, (", ".join(names[:-1]), names[-1])))
+
+
+__all__ = ["ambiguous", "device_id", "field", "set_number", "unknown"]

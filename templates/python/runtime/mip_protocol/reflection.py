@@ -1,0 +1,87 @@
+"""What fields are made of and what they mean, for tools that treat all of them alike.
+
+>>> from mip_protocol import reflection, sensor
+>>> reflection.info(sensor.ScaledAccel)["scaled_accel"].unit
+'g'
+
+What is known of a set is loaded when it is first asked for.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from enum import IntEnum, IntFlag
+from functools import cache
+from importlib import import_module
+from typing import Any, overload
+
+from ._sets import MODULES
+from .described import Described
+from .field import Field, Structure
+from .info import BitsInfo, EnumInfo, FieldInfo, Info, SetInfo, StructureInfo
+from .parameter import Flag, Parameter, Variant
+from .text import Item, items
+
+
+@overload
+def info(kind: type[Field]) -> FieldInfo: ...
+@overload
+def info(kind: type[Structure] | type[Described]) -> StructureInfo: ...
+@overload
+def info(kind: type[IntEnum]) -> EnumInfo: ...
+@overload
+def info(kind: type[IntFlag]) -> BitsInfo: ...
+@cache
+def info(kind: type) -> Any:
+    """What is known of a field, a structure, an enumeration or a bitfield of the specification.
+
+    Raises LookupError for any other class.
+    """
+    for base in kind.__mro__:
+        package, _, module = base.__module__.rpartition(".")
+        if package == __package__ and module in _modules():
+            found = _table(module).get(base.__name__)
+            if found is not None:
+                return found
+    raise LookupError(f"{kind.__module__}.{kind.__qualname__} is no type of the specification")
+
+
+@cache
+def set_info(number: int) -> SetInfo:
+    """What is known of a descriptor set. Raises LookupError for one that is not known."""
+    found = import_module(f"._meaning.{MODULES[number]}", __package__).SET
+    assert isinstance(found, SetInfo)
+    return found
+
+
+@cache
+def _modules() -> frozenset[str]:
+    return frozenset((*MODULES.values(), "protocol", "types"))
+
+
+@cache
+def _table(module: str) -> dict[str, Info]:
+    """Class -> what is known of it."""
+    table: dict[str, Info] = import_module(f"._meaning.{module}", __package__).TYPES
+    return table
+
+
+class _Parameters(Mapping[type, tuple[Parameter, ...]]):
+    def __getitem__(self, kind: type) -> tuple[Parameter, ...]:
+        found = info(kind)
+        if not isinstance(found, StructureInfo):
+            raise KeyError(kind)
+        return found.parameters
+
+    def __iter__(self) -> Iterator[type]:
+        for module in ("protocol", "types", *MODULES.values()):
+            yield from (x.type for x in _table(module).values() if isinstance(x, StructureInfo))
+
+    def __len__(self) -> int:
+        return sum(1 for _ in self)
+
+
+#: Fields and structures -> their parameters, in wire order. To go through it loads all sets.
+PARAMETERS: Mapping[type, tuple[Parameter, ...]] = _Parameters()
+
+__all__ = ["PARAMETERS", "Flag", "Item", "Parameter", "Variant", "info", "items", "set_info"]

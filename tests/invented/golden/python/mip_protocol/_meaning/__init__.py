@@ -1,0 +1,1 @@
+"""What the types of each module mean; `reflection.info` loads what is asked for."""
