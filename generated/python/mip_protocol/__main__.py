@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import os
 import sys
+from collections.abc import Generator
 from importlib import import_module
 
 from .errors import Failure
@@ -47,26 +48,40 @@ def main(arguments: list[str] | None = None) -> int:
         return 141
 
 
+class _Layout(argparse.RawDescriptionHelpFormatter):
+    """Keeps the lines of examples; the commands are in one column, without a line before them."""
+
+    def _iter_indented_subactions(
+        self, action: argparse.Action
+    ) -> Generator[argparse.Action, None, None]:
+        yield from getattr(action, "_get_subactions", list)()
+
+    def _format_action(self, action: argparse.Action) -> str:
+        text = super()._format_action(action)
+        return text.partition("\n")[2] if action.nargs == argparse.PARSER else text
+
+
 def _run(given: list[str]) -> int:
     parser = argparse.ArgumentParser(
         prog="mip",
         description="Tools for devices that speak MIP.",
         epilog=EPILOG,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
+        formatter_class=_Layout,
     )
     parser.add_argument("--version", action="version", version=f"mip {VERSION}")
+    used = parser
     commands = parser.add_subparsers(metavar="COMMAND", title="commands", dest="command")
     for name, (module, text) in COMMANDS.items():
         added = commands.add_parser(
-            name,
-            help=text,
-            description=f"{text[0].upper()}{text[1:]}.",
-            formatter_class=argparse.RawDescriptionHelpFormatter,
+            name, help=text, description=f"{text[0].upper()}{text[1:]}.", formatter_class=_Layout
         )
         if given[:1] == [name]:  # only the one that is wanted is imported
             chosen = import_module(f".{module}", __package__)
             chosen.add_arguments(added)
-    options = parser.parse_args(given)
+            used = added
+    options, unknown = parser.parse_known_args(given)
+    if unknown:
+        used.error(f"{' '.join(unknown)} is not understood; see --help")
     if options.command is None:
         parser.print_help()
         return 0

@@ -7,7 +7,7 @@ import math
 from typing import Any, NamedTuple
 
 from ..errors import Failure
-from ..field import Data, Field
+from ..field import Data, Field, Structure
 from ..packet import MAX_PAYLOAD, OVERHEAD
 from ..reflection import PARAMETERS
 from . import show
@@ -146,7 +146,7 @@ def _size(p: Any, elements: int) -> int | None:
     if p.kind == "switch":
         return None
     one = p.size or _SCALARS.get(p.scalar, 4 if p.scalar == "float" else 8)
-    if p.kind == "struct" or (p.kind == "array" and p.type in PARAMETERS):
+    if isinstance(p.type, type) and issubclass(p.type, Structure):
         inner = [_size(q, elements) for q in PARAMETERS[p.type]]
         if None in inner:
             return None
@@ -174,7 +174,8 @@ def _stream(text: str) -> Stream:
             f"'{text}' is not a stream; write NAME@HZ, as in sensor.scaled_accel@100"
         ) from None
     within, colon, plain = name.partition(":")
-    number, kind = _field(within, plain) if colon else named(name)
+    kind = named(name) if not colon else None
+    number, kind = (kind.SET, kind) if kind else _field(within, plain)
     if not issubclass(kind, Data):
         raise Failure(f"{kind.NAME} is no data field; only data are streamed")
     size = size_of(kind, elements)
@@ -188,15 +189,15 @@ def _field(within: str, name: str) -> tuple[int, type[Field]]:
     number, descriptor = keys(within)[0]
     if descriptor is not None or number < 0x80:
         raise Failure(f"'{within}' is no data set; write SET:NAME@HZ")
-    known = [(s, kind) for s, kind in fields(name) if s in (number, 0xFF)]
+    known = [kind for kind in fields(name) if kind.SET in (number, 0xFF)]
     if not known:
         raise Failure(f"{within} has no field '{name}'")
-    return number, known[0][1]
+    return number, known[0]
 
 
 def _adjusted(stream: Stream, profile: Any) -> Stream:
     """The rate that the device can have, which is its base rate by a whole number."""
-    kind = named(stream.name)[1]
+    kind = named(stream.name)
     if not profile.may_support(stream.set, kind.DESCRIPTOR):
         raise Failure(f"{profile.title} does not send {stream.name} in {show.set_name(stream.set)}")
     base = profile.base_rates.get(stream.set, 0)

@@ -9,7 +9,8 @@ from .. import registry
 from ..errors import DecodeError
 from ..field import Data, Field
 from ..packet import Packet, RawField
-from ..reflection import PARAMETERS
+from ..parameter import Flag
+from ..reflection import info
 from ..simulator._facts import VALUES
 from ..simulator.earth import leap_seconds, utc
 from .decoding import raw_fields
@@ -30,6 +31,7 @@ class _Source(NamedTuple):
     clock: str
     kind: type[Field]
     attributes: tuple[str, ...]
+    flags: tuple[Flag, ...]
 
 
 def moments(packet: Packet) -> dict[str, int]:
@@ -61,7 +63,9 @@ def _of_type(kind: type[Field]) -> Iterable[_Source]:
     places = {value.quantity: path for path, value in said.parameters.items() if value.factor == 1}
     for clock, quantities in _QUANTITIES.items():
         if all(q in places for q in quantities):
-            yield _Source(clock, kind, tuple(places[q] for q in quantities))
+            attributes = tuple(places[q] for q in quantities)
+            flags = [flag for a in attributes for flag in info(kind)[a].flags]
+            yield _Source(clock, kind, attributes, tuple(dict.fromkeys(flags)))
 
 
 def _time(source: _Source, raw: RawField) -> int | None:
@@ -69,26 +73,13 @@ def _time(source: _Source, raw: RawField) -> int | None:
         value = source.kind.decode(raw.data)
     except DecodeError:
         return None
-    if not all(_valid(value, a) for a in source.attributes):
+    if not all(flag.holds(getattr(value, flag.attribute)) for flag in source.flags):
         return None
     numbers: list[Any] = [getattr(value, a) for a in source.attributes]
     if source.clock != "gps":
         return int(numbers[0])
     week, tow = numbers
     return week * WEEK * SECOND + round(tow * SECOND) if 0 <= tow < 2 * WEEK else None
-
-
-def _valid(value: Field, attribute: str) -> bool:
-    for p in PARAMETERS[type(value)]:
-        if p.attribute != attribute:
-            continue
-        for flag in p.valid:
-            holder, _, bit = flag.partition(".")
-            flags: Any = getattr(value, holder)
-            mask = int(type(flags)[bit.upper()]) if bit else -1
-            if not int(flags) & mask:
-                return False
-    return True
 
 
 class Timeline:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 from importlib import import_module
-from typing import Any
 
 EPILOG = """\
   bash:  mip completion bash > ~/.local/share/bash-completion/completions/mip
@@ -100,19 +99,19 @@ def _values(action: argparse.Action, before: list[str]) -> list[str]:
 
 
 def _names(commands: bool) -> list[str]:
-    from .. import registry
-    from ..field import Command
+    from .._index import FIELDS, SETS
 
-    found = [kind for _, kind in registry.all_types() if issubclass(kind, Command) or not commands]
-    sets: list[Any] = [] if commands else list(registry.MODULES.values())
-    return list(dict.fromkeys([*sets, *(kind.NAME for kind in found)]))
+    found = [name for name, known in FIELDS.items() if not commands or known[2] == "command"]
+    return found if commands else [*(names[0] for names in SETS.values()), *found]
 
 
 def _functions(before: list[str]) -> list[str]:
     from .. import registry
-    from ..protocol import FunctionSelector
+    from .._index import FIELDS
+    from ..field import Command
+    from .typed import functions
 
-    for _, kind in registry.all_types():
-        if kind.NAME in before and hasattr(kind, "REQUIRED"):
-            return [f.name.lower() for f in FunctionSelector if f in kind.REQUIRED]
+    for word in before:
+        if word in FIELDS and issubclass(kind := registry.by_name(word), Command):
+            return functions(kind)
     return []

@@ -105,7 +105,7 @@ def _lines(
 ) -> list[str]:
     lines = [f"{packets} packets, {skipped} bytes of none"]
     set = None
-    for (number, name), one in sorted(latest.items()):
+    for (number, _), one in sorted(latest.items()):
         if number != set:
             set = number
             lines.append(f"{show.set_name(number)} (0x{number:02X})")

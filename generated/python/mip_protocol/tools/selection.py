@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
-from difflib import get_close_matches
+from collections.abc import Iterable
 
 from .. import registry
-from ..errors import Failure
+from ..errors import Failure, UnknownName
 from ..field import Field
 
 _NUMBERS = re.compile(r"(0[xX][0-9A-Fa-f]{1,2}|\d{1,3})(?:[:,](0[xX][0-9A-Fa-f]{1,2}|\d{1,3}))?")
@@ -22,53 +21,36 @@ def keys(name: str) -> list[Key]:
     if numbers is not None:
         set, descriptor = (None if n is None else int(n, 0) for n in numbers.groups())
         if set is None or set > 255 or (descriptor or 0) > 255:
-            raise Failure(f"'{name}' has numbers above 255")
+            raise Failure(f"'{name}' has a number above 255; use 0 to 255")
         return [(set, descriptor)]
-    sets = {module: number for number, module in registry.MODULES.items()}
-    sets |= {kind.NAME.partition(".")[0]: number for number, kind in _first_types()}
-    if name in sets:
-        return [(sets[name], None)]
-    return [(set, kind.DESCRIPTOR) for set, kind in fields(name)]
+    try:
+        return [(registry.set_by_name(name), None)]
+    except UnknownName:
+        return [(kind.SET, kind.DESCRIPTOR) for kind in fields(name)]
 
 
-def fields(name: str) -> list[tuple[int, type[Field]]]:
-    """The (set, type) of a field, several if it has several layouts. Raises Failure."""
-    wanted = name.lower().replace("-", "_")
-    known = registry.all_types()
-    found = [(set, kind) for set, kind in known if wanted in (kind.NAME, kind.__name__.lower())]
-    if not found:
-        found = [(set, kind) for set, kind in known if kind.NAME.partition(".")[2] == wanted]
-    if not found:
-        raise Failure(f"'{name}' is no field{nearest(name)}; `mip fields` lists them all")
-    return found
+def fields(name: str) -> list[type[Field]]:
+    """The fields of a name; several if it leaves open which. Raises Failure."""
+    numbers = _NUMBERS.fullmatch(name)
+    if numbers is not None and numbers[2]:
+        found = registry.types(int(numbers[1], 0), int(numbers[2], 0))
+        if not found:
+            raise Failure(f"{name} is not a field; `mip fields` lists them")
+        return list(found)
+    try:
+        return [registry.by_name(name)]
+    except UnknownName as error:
+        if error.kind == "ambiguous":
+            return [registry.by_name(near) for near in error.near]
+        raise Failure(f"{error}; `mip fields` lists them") from None
 
 
-def field(name: str) -> tuple[int, type[Field]]:
+def field(name: str) -> type[Field]:
     """The one field of this name. Raises Failure if several sets have one."""
     found = fields(name)
-    places = list(dict.fromkeys(kind.NAME for _, kind in found))
-    if len(places) > 1:
-        raise Failure(f"'{name}' is in several sets; write {' or '.join(places)}")
+    if len(found) > 1:
+        raise Failure(f"'{name}' is in several sets; write {' or '.join(k.NAME for k in found)}")
     return found[0]
-
-
-def nearest(name: str) -> str:
-    """`; do you mean …?` with names that are close."""
-    names = [kind.NAME for _, kind in registry.all_types()]
-    short = {full.partition(".")[2]: full for full in names}
-    close = get_close_matches(name.lower(), names, 3, 0.6)
-    close += [short[s] for s in get_close_matches(name.lower(), short, 3, 0.75)]
-    close += [full for full in names if len(name) > 3 and name.lower() in full]
-    close = list(dict.fromkeys(close))[:4]
-    return f"; do you mean {' or '.join(close)}?" if close else ""
-
-
-def _first_types() -> Iterator[tuple[int, type[Field]]]:
-    seen: set[int] = set()
-    for number, kind in registry.all_types():
-        if number not in seen:
-            seen.add(number)
-            yield number, kind
 
 
 class Selection:
@@ -114,4 +96,4 @@ def _within(wanted: set[Key], number: int, descriptor: int) -> bool:
     return shared and ((0xFF, descriptor) in wanted or (0xFF, None) in wanted)
 
 
-__all__ = ["Key", "Selection", "field", "fields", "keys", "nearest"]
+__all__ = ["Key", "Selection", "field", "fields", "keys"]

@@ -97,16 +97,16 @@ def _print(
     lines: list[str],
 ) -> None:
     if options.json:
-        held = None if response is None else values.plain(response)
+        held = None if response is None else values.plain(response, True)
         print(json.dumps({"command": command.NAME, "outcome": outcome, "response": held}))
     else:
         print("\n".join(lines) if lines else text)
 
 
 def _kind(name: str) -> type[Command]:
-    found = [kind for _, kind in fields(name) if issubclass(kind, Command)]
+    found = [kind for kind in fields(name) if issubclass(kind, Command)]
     if not found:
         raise Failure(f"{name} is no command; `mip fields --search {name}` finds others")
-    if len({kind.NAME for kind in found}) > 1:
+    if len(found) > 1:
         raise Failure(f"'{name}' is in several sets; write {' or '.join(k.NAME for k in found)}")
     return found[0]

@@ -3,21 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from enum import IntFlag
 
-from .. import registry
+from .._index import SETS
+from ..described import Described
 from ..errors import PacketError
+from ..field import Structure
 from ..packet import SYNC, Packet
-from . import values
+from ..reflection import items
+from ..text import meant
 from .decoding import Found, decoded, malformed, name_of, raw_fields
 from .selection import Selection
 
 
 def set_name(number: int) -> str:
     """The name of a descriptor set; its number if it has none."""
-    module = registry.MODULES.get(number)
-    if module is None:
-        return f"0x{number:02X}"
-    return module.removeprefix("mip_") if module.startswith("mip_") else module
+    return SETS[number][0] if number in SETS else f"0x{number:02X}"
 
 
 def spaced(data: bytes, most: int = 0) -> str:
@@ -41,7 +42,7 @@ def selected(packet: Packet, selection: Selection) -> list[Found]:
 def line(packet: Packet, found: list[Found], device: str | None) -> str:
     """A packet in one line: its set, and each field with its values in parentheses."""
     set = set_name(packet.set)
-    parts = [f"{short(f, set)}({inside(f, device)})" for f in found]
+    parts = [f"{short(f, set)}{inside(f, device)}" for f in found]
     wrong = malformed(packet)
     if wrong:
         parts.append(f"malformed({wrong})")
@@ -55,22 +56,19 @@ def short(found: Found, set: str) -> str:
 
 
 def inside(found: Found, device: str | None) -> str:
-    """The values of a field in one line."""
+    """The values of a field in one line, in parentheses; a unit may follow."""
     if found.value is None:
         said = found.raw.data.hex()
-        return f"{said}: {found.error}" if found.error else said
-    name = found.value.NAME.partition(".")[2]
+        return f"({said}: {found.error})" if found.error else f"({said})"
+    own = found.value.NAME.partition(".")[2]
     parts = []
-    for p in values.members(found.value):
-        said = values.text(values.meant(found.value, p, device), p, device)
-        unit = values.unit(p)
-        label = "" if p.name == name else f"{p.name}="
-        if label and p.elements:
-            said = f"({said})"
-        parts.append(f"{label}{said}{' ' if unit else ''}{unit}")
+    for item in items(found.value, device):
+        label = "" if item.parameter.name == own else f"{item.parameter.name}="
+        parts.append(f"{label}{item.text}{'' if item.valid else ' (invalid)'}")
     if found.trailing:
         parts.append(f"and {found.trailing} more bytes: {found.raw.data[-found.trailing :].hex()}")
-    return ", ".join(parts)
+    one = len(parts) == 1 and parts[0].startswith("(")
+    return parts[0] if one else f"({', '.join(parts)})"
 
 
 # --------------------------------------------------------------------------- a tree
@@ -108,25 +106,23 @@ def branch(found: Found, device: str | None) -> Iterator[str]:
         yield f"  and {found.trailing} bytes that are not known: {spaced(raw.data[-found.trailing :])}"
 
 
-def leaves(value: values.Structure, device: str | None) -> Iterator[str]:
+def leaves(value: Described, device: str | None) -> Iterator[str]:
     """The values of a field or structure, one in a line."""
-    for p in values.members(value):
-        held = values.meant(value, p, device)
-        unit = values.unit(p)
-        structures = [held] if isinstance(held, values.Structure) else held
-        if (
-            isinstance(structures, (list, tuple))
-            and structures
-            and all(isinstance(v, values.Structure) for v in structures)
-        ):
-            for i, inner in enumerate(structures):
-                yield f"{p.name}{'' if inner is held else f'[{i}]'}"
-                yield from (f"  {text}" for text in leaves(inner, device))
+    for item in items(value, device):
+        name, held = item.parameter.name, item.value
+        inner = held if isinstance(held, (list, tuple)) else (held,)
+        if inner and all(isinstance(v, Structure) for v in inner):
+            for i, one in enumerate(inner):
+                yield name if one is held else f"{name}[{i}]"
+                yield from (f"  {text}" for text in leaves(one, device))
             continue
-        said = values.text(held, p, device)
-        if isinstance(held, int) and not isinstance(held, bool) and said != str(int(held)):
-            said += f" ({int(held) if not isinstance(held, values.IntFlag) else hex(held)})"
-        yield f"{p.name} = {said}{' ' if unit else ''}{unit}"
+        said = item.text
+        if isinstance(held, int) and not isinstance(held, bool) and item.parameter.type:
+            bits = isinstance(meant(item.parameter, held), IntFlag)
+            said += (
+                f" (0x{int(held):X})" if bits else f" ({int(held)})" if not said.isdigit() else ""
+            )
+        yield f"{name} = {said}{'' if item.valid else ' (invalid)'}"
 
 
 # --------------------------------------------------------------------------- no packet

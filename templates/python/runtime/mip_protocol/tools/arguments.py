@@ -5,6 +5,9 @@ from __future__ import annotations
 import argparse
 import math
 
+from .. import lookup
+from ..errors import Failure, UnknownName
+
 
 def add_selection(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
@@ -31,9 +34,10 @@ def device_id(name: str | None) -> str | None:
     """The id of a device by any of its names. Raises Failure."""
     if name is None:
         return None
-    from ..simulator.profiles import device_named
-
-    return device_named(name).id
+    try:
+        return lookup.device_id(name)
+    except UnknownName as error:
+        raise Failure(f"{error}; `mip simulate --list` names them all") from None
 
 
 def positive(text: str) -> int:

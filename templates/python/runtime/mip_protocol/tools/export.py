@@ -12,7 +12,7 @@ from ..errors import Failure
 from ..field import Field
 from . import inputs, outputs
 from .arguments import add_selection
-from .selection import Selection, fields
+from .selection import Selection, field
 
 #: Format -> the module that writes it.
 FORMATS = {
@@ -105,10 +105,7 @@ def _by_ending(output: str) -> str:
 
 
 def _one_type(name: str) -> type[Field]:
-    found = list(dict.fromkeys(kind for _, kind in fields(name)))
-    if len(found) > 1:
-        raise Failure(f"'{name}' is several fields; write {' or '.join(k.NAME for k in found)}")
-    return found[0]
+    return field(name)
 
 
 def _files(

@@ -212,7 +212,7 @@ def write_jsonl(
                 found["time"] = said if said is None or said.endswith("Z") else float(said)
                 found["time_own"] = sample.own
             found |= {"packet": sample.packet, "offset": sample.offset, "field": kind.NAME}
-            held = values.plain(sample.value, None, options.named)
+            held = values.plain(sample.value, options.named)
             if options.invalid == "mask":
                 if kind not in known:
                     known[kind] = columns(kind)

@@ -42,7 +42,7 @@ def columns(kind: type[Field]) -> list[Column]:
 
 def _columns(kind: type[Structure], before: str, owner: Callable[[Any], Any]) -> Iterator[Column]:
     for p in PARAMETERS[kind]:
-        if p.kind in ("constant", "counter"):
+        if p.derived:
             continue
         get = _member(owner, p.attribute)
         name = f"{before}{p.name}"
@@ -51,10 +51,10 @@ def _columns(kind: type[Structure], before: str, owner: Callable[[Any], Any]) ->
         elif p.kind == "array" and (labels := _labels(p)):
             for i, label in enumerate(labels):
                 unit = p.units[i] if len(p.units) == len(labels) else "".join(p.units[:1])
-                valid = _valid(owner, kind, p, i)
+                valid = _valid(owner, p, i)
                 yield Column(f"{name}_{label}", _unit(unit), p, _element(get, i), valid)
         else:
-            yield Column(name, _unit(values.unit(p)), p, get, _valid(owner, kind, p, 0))
+            yield Column(name, _unit(p.unit), p, get, _valid(owner, p, 0))
 
 
 def _labels(p: Parameter) -> tuple[Any, ...]:
@@ -86,18 +86,14 @@ def _element(get: Callable[[Any], Any], i: int) -> Callable[[Any], Any]:
     return element
 
 
-def _valid(
-    owner: Callable[[Any], Any], kind: type[Structure], p: Parameter, i: int
-) -> Callable[[Any], bool] | None:
-    if not p.valid:
+def _valid(owner: Callable[[Any], Any], p: Parameter, i: int) -> Callable[[Any], bool] | None:
+    if not p.flags:
         return None
-    holder, _, bit = p.valid[i if len(p.valid) > 1 else 0].partition(".")
-    flags = next(q for q in PARAMETERS[kind] if q.name == holder or q.attribute == holder)
-    mask = int(flags.type[bit.upper()]) if bit else -1
+    flag = p.flags[i if len(p.flags) > 1 else 0]
 
     def valid(field: Any) -> bool:
-        held = getattr(owner(field), flags.attribute)
-        return held is not None and bool(int(held) & mask)
+        held = getattr(owner(field), flag.attribute)
+        return held is not None and flag.holds(held)
 
     return valid
 
@@ -105,9 +101,15 @@ def _valid(
 def cell(column: Column, field: Any, named: bool) -> Any:
     """The value of a column in a field: a number, a text, None, or a list for JSON."""
     held = column.get(field)
-    if isinstance(held, float):
+    if held is None or isinstance(held, (float, bool)):
         return held
-    return values.plain(held, column.parameter, named)
+    if isinstance(held, str):
+        return held.strip("\0 ")
+    if isinstance(held, int):
+        return values.words(column.parameter, held) if named else int(held)
+    if isinstance(held, Structure):
+        return values.plain(held, named)
+    return [values.plain(v, named) if isinstance(v, Structure) else v for v in held]
 
 
 # --------------------------------------------------------------------------- what is in a log

@@ -59,6 +59,17 @@ def functions(kind: type[Command]) -> list[str]:
     ]
 
 
+def wanted(kind: type[Command], function: str) -> list[str]:
+    """The names of the values that a function takes; in brackets, if they may be left out."""
+    build = getattr(kind, function) if function else kind
+    accepted = inspect.signature(build).parameters
+    return [
+        p.name if accepted[p.attribute].default is inspect.Parameter.empty else f"[{p.name}]"
+        for p in PARAMETERS[kind]
+        if p.attribute in accepted
+    ]
+
+
 def _constructor(kind: type[Command], words: Sequence[str]) -> tuple[Callable[..., Any], list[str]]:
     known = functions(kind)
     if not known:
@@ -209,7 +220,7 @@ def _integer(text: str) -> int | None:
 def _named_number(text: str) -> int | None:
     """The number of a set, or the descriptor of a field, where a byte is wanted."""
     try:
-        (number, descriptor), *_ = keys(text)
+        number, descriptor = keys(text)[0]
     except Failure:
         return None
     return number if descriptor is None else descriptor
@@ -243,4 +254,4 @@ def _flags(p: Parameter, kind: type[IntFlag], text: str) -> Any:
     return kind(bits)
 
 
-__all__ = ["command", "functions", "usage", "value"]
+__all__ = ["command", "functions", "usage", "value", "wanted"]

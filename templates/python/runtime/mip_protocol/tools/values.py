@@ -5,14 +5,14 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from dataclasses import replace
-from enum import IntEnum, IntFlag
+from enum import IntEnum
 from typing import Any
 
 from ..described import Described
 from ..field import Structure
 from ..parameter import Parameter
 from ..reflection import info
-from ..text import shortest
+from ..text import _shortest as shortest
 
 
 def words(p: Parameter, value: Any) -> str:
@@ -45,7 +45,7 @@ def _shorten(members: Iterable[Parameter], held: dict[str, Any]) -> None:
             for inner in held[p.name] if isinstance(held[p.name], list) else [held[p.name]]:
                 if isinstance(inner, dict):
                     _shorten(info(p.type).members, inner)
-        elif p.scalar == "float" or p.tag:
+        elif p.scalar == "float":
             held[p.name] = _shorter(held[p.name])
 
 
@@ -57,4 +57,4 @@ def _shorter(value: Any) -> Any:
     return {k: _shorter(v) for k, v in value.items()} if isinstance(value, dict) else value
 
 
-__all__ = ["IntFlag", "names", "number", "plain", "words"]
+__all__ = ["names", "number", "plain", "words"]
