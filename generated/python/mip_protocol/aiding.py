@@ -10,10 +10,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from enum import IntFlag
+from typing import Any
 
 from . import codec, types
 from .errors import Truncated
-from .field import Command, Field, Response, ResponseClasses, Structure
+from .field import ClassOf, Command, Field, R, Response, ResponseClasses, Structure
 from .protocol import FunctionSelector
 
 
@@ -234,7 +235,7 @@ _FRAME_CONFIG_GROUPS = (
 
 
 @dataclass(slots=True)
-class FrameConfig(Command):
+class FrameConfig(Command[R]):
     """Frame configuration (0x13,0x01).
 
     Where and how an external sensor is mounted on the vehicle.
@@ -280,13 +281,13 @@ class FrameConfig(Command):
 
     @classmethod
     def write(
-        cls,
+        cls: ClassOf[FrameConfig[Any]],
         frame_id: int,
         format: AidingFrameFormat,
         tracking_enabled: bool,
         translation: types.Vector3f,
         rotation: types.Vector3f | types.Quatf | None,
-    ) -> FrameConfig:
+    ) -> FrameConfig[None]:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE,
@@ -298,22 +299,24 @@ class FrameConfig(Command):
         )
 
     @classmethod
-    def read(cls, frame_id: int, format: AidingFrameFormat) -> FrameConfig:
+    def read(
+        cls: ClassOf[FrameConfig[Any]], frame_id: int, format: AidingFrameFormat
+    ) -> FrameConfig[FrameConfigResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, frame_id=frame_id, format=format)
 
     @classmethod
-    def save(cls, frame_id: int) -> FrameConfig:
+    def save(cls: ClassOf[FrameConfig[Any]], frame_id: int) -> FrameConfig[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, frame_id=frame_id)
 
     @classmethod
-    def load(cls, frame_id: int) -> FrameConfig:
+    def load(cls: ClassOf[FrameConfig[Any]], frame_id: int) -> FrameConfig[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, frame_id=frame_id)
 
     @classmethod
-    def default(cls, frame_id: int) -> FrameConfig:
+    def default(cls: ClassOf[FrameConfig[Any]], frame_id: int) -> FrameConfig[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, frame_id=frame_id)
 
@@ -324,7 +327,7 @@ class FrameConfig(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[FrameConfig, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[FrameConfig[R], int]:
         frame_id: int | None = None
         format: AidingFrameFormat | None = None
         tracking_enabled: bool | None = None
@@ -409,7 +412,7 @@ _ECHO_CONTROL_GROUPS = ((1, ("mode",), False),)
 
 
 @dataclass(slots=True)
-class EchoControl(Command):
+class EchoControl(Command[R]):
     """Echo control (0x13,0x1F).
 
     How the device answers aiding measurements.
@@ -436,27 +439,27 @@ class EchoControl(Command):
     """How they are answered. Required for `write`."""
 
     @classmethod
-    def write(cls, mode: AidingEchoMode) -> EchoControl:
+    def write(cls: ClassOf[EchoControl[Any]], mode: AidingEchoMode) -> EchoControl[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, mode=mode)
 
     @classmethod
-    def read(cls) -> EchoControl:
+    def read(cls: ClassOf[EchoControl[Any]]) -> EchoControl[EchoControlResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> EchoControl:
+    def save(cls: ClassOf[EchoControl[Any]]) -> EchoControl[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> EchoControl:
+    def load(cls: ClassOf[EchoControl[Any]]) -> EchoControl[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> EchoControl:
+    def default(cls: ClassOf[EchoControl[Any]]) -> EchoControl[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -467,7 +470,7 @@ class EchoControl(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EchoControl, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[EchoControl[R], int]:
         mode: AidingEchoMode | None = None
         v = _ECHO_CONTROL_0.read(raw, at)
         at += 1
@@ -502,7 +505,7 @@ _ECEF_POSITION_0 = codec.Block(
 
 
 @dataclass(slots=True)
-class EcefPosition(Command):
+class EcefPosition(Command[None]):
     """ECEF position (0x13,0x21).
 
     A measured position in Earth-fixed coordinates.
@@ -521,6 +524,7 @@ class EcefPosition(Command):
     DESCRIPTOR = 0x21
     NAME = "aiding.ecef_position"
     ROLE = "command"
+    SILENCED_BY = ((0x13, 0x1F, "mode", 0),)
 
     time: MeasurementTime
     """When the measurement was taken."""
@@ -567,7 +571,7 @@ _LLH_POSITION_0 = codec.Block(
 
 
 @dataclass(slots=True)
-class LlhPosition(Command):
+class LlhPosition(Command[None]):
     """LLH position (0x13,0x22).
 
     A measured position as latitude, longitude and height.
@@ -586,6 +590,7 @@ class LlhPosition(Command):
     DESCRIPTOR = 0x22
     NAME = "aiding.llh_position"
     ROLE = "command"
+    SILENCED_BY = ((0x13, 0x1F, "mode", 0),)
 
     time: MeasurementTime
     """When the measurement was taken."""
@@ -638,7 +643,7 @@ _HEIGHT_ABOVE_ELLIPSOID_0 = codec.Block("BffH", "frame_id", "height", "uncertain
 
 
 @dataclass(slots=True)
-class HeightAboveEllipsoid(Command):
+class HeightAboveEllipsoid(Command[None]):
     """Height above ellipsoid (0x13,0x23).
 
     A measured height.
@@ -656,6 +661,7 @@ class HeightAboveEllipsoid(Command):
     DESCRIPTOR = 0x23
     NAME = "aiding.height_above_ellipsoid"
     ROLE = "command"
+    SILENCED_BY = ((0x13, 0x1F, "mode", 0),)
 
     time: MeasurementTime
     """When the measurement was taken."""
@@ -693,7 +699,7 @@ _ECEF_VELOCITY_0 = codec.Block(
 
 
 @dataclass(slots=True)
-class EcefVelocity(Command):
+class EcefVelocity(Command[None]):
     """ECEF velocity (0x13,0x28).
 
     A measured velocity in Earth-fixed coordinates.
@@ -713,6 +719,7 @@ class EcefVelocity(Command):
     DESCRIPTOR = 0x28
     NAME = "aiding.ecef_velocity"
     ROLE = "command"
+    SILENCED_BY = ((0x13, 0x1F, "mode", 0),)
 
     time: MeasurementTime
     """When the measurement was taken."""
@@ -759,7 +766,7 @@ _NED_VELOCITY_0 = codec.Block(
 
 
 @dataclass(slots=True)
-class NedVelocity(Command):
+class NedVelocity(Command[None]):
     """NED velocity (0x13,0x29).
 
     A measured velocity in the local level frame.
@@ -779,6 +786,7 @@ class NedVelocity(Command):
     DESCRIPTOR = 0x29
     NAME = "aiding.ned_velocity"
     ROLE = "command"
+    SILENCED_BY = ((0x13, 0x1F, "mode", 0),)
 
     time: MeasurementTime
     """When the measurement was taken."""
@@ -825,7 +833,7 @@ _BODY_FRAME_VELOCITY_0 = codec.Block(
 
 
 @dataclass(slots=True)
-class BodyFrameVelocity(Command):
+class BodyFrameVelocity(Command[None]):
     """Body frame velocity (0x13,0x2A).
 
     A measured velocity of the vehicle in the frame of the sensor.
@@ -848,6 +856,7 @@ class BodyFrameVelocity(Command):
     DESCRIPTOR = 0x2A
     NAME = "aiding.body_frame_velocity"
     ROLE = "command"
+    SILENCED_BY = ((0x13, 0x1F, "mode", 0),)
 
     time: MeasurementTime
     """When the measurement was taken."""
@@ -892,7 +901,7 @@ _TRUE_HEADING_0 = codec.Block("BffH", "frame_id", "heading", "uncertainty", "val
 
 
 @dataclass(slots=True)
-class TrueHeading(Command):
+class TrueHeading(Command[None]):
     """True heading (0x13,0x31).
 
     A measured heading relative to true north.
@@ -911,6 +920,7 @@ class TrueHeading(Command):
     DESCRIPTOR = 0x31
     NAME = "aiding.true_heading"
     ROLE = "command"
+    SILENCED_BY = ((0x13, 0x1F, "mode", 0),)
 
     time: MeasurementTime
     """When the measurement was taken."""
@@ -948,7 +958,7 @@ _MAGNETIC_FIELD_0 = codec.Block(
 
 
 @dataclass(slots=True)
-class MagneticField(Command):
+class MagneticField(Command[None]):
     """Magnetic field (0x13,0x32).
 
     A magnetic field measured by an external magnetometer.
@@ -967,6 +977,7 @@ class MagneticField(Command):
     DESCRIPTOR = 0x32
     NAME = "aiding.magnetic_field"
     ROLE = "command"
+    SILENCED_BY = ((0x13, 0x1F, "mode", 0),)
 
     time: MeasurementTime
     """When the measurement was taken."""
@@ -1011,7 +1022,7 @@ _PRESSURE_0 = codec.Block("BffH", "frame_id", "pressure", "uncertainty", "valid_
 
 
 @dataclass(slots=True)
-class Pressure(Command):
+class Pressure(Command[None]):
     """Pressure (0x13,0x33).
 
     A static air pressure measured by an external sensor.
@@ -1030,6 +1041,7 @@ class Pressure(Command):
     DESCRIPTOR = 0x33
     NAME = "aiding.pressure"
     ROLE = "command"
+    SILENCED_BY = ((0x13, 0x1F, "mode", 0),)
 
     time: MeasurementTime
     """When the measurement was taken."""

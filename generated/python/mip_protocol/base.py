@@ -9,10 +9,11 @@ Commands common to all devices: identity, supported descriptors, idle and resume
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 from . import codec
 from .errors import Truncated
-from .field import Command, Field, Response, ResponseClasses, Structure
+from .field import ClassOf, Command, Field, R, Response, ResponseClasses, Structure
 from .protocol import FunctionSelector
 
 _BASE_DEVICE_INFO_0 = codec.Block("H", "firmware_version")
@@ -375,7 +376,7 @@ class CommSpeedResponse(Response):
 
 
 @dataclass(slots=True)
-class Ping(Command):
+class Ping(Command[None]):
     """Ping (0x01,0x01).
 
     Asks whether a device is there and answers commands.
@@ -407,7 +408,7 @@ class Ping(Command):
 
 
 @dataclass(slots=True)
-class SetIdle(Command):
+class SetIdle(Command[None]):
     """Set to idle (0x01,0x02).
 
     Stops all data streams, and wakes a sleeping device, so that it can be set up.
@@ -440,7 +441,7 @@ class SetIdle(Command):
 
 
 @dataclass(slots=True)
-class GetDeviceInfo(Command):
+class GetDeviceInfo(Command[GetDeviceInfoResponse]):
     """Get device information (0x01,0x03).
 
     Gets the firmware version and the identity strings of the device.
@@ -471,7 +472,7 @@ class GetDeviceInfo(Command):
 
 
 @dataclass(slots=True)
-class GetDeviceDescriptors(Command):
+class GetDeviceDescriptors(Command[GetDeviceDescriptorsResponse]):
     """Get device descriptors (0x01,0x04).
 
     Gets the command and data descriptors that the device supports.
@@ -505,7 +506,7 @@ class GetDeviceDescriptors(Command):
 
 
 @dataclass(slots=True)
-class BuiltInTest(Command):
+class BuiltInTest(Command[BuiltInTestResponse]):
     """Built-in test (0x01,0x05).
 
     Runs the self test of the device and gets its result.
@@ -540,7 +541,7 @@ class BuiltInTest(Command):
 
 
 @dataclass(slots=True)
-class Resume(Command):
+class Resume(Command[None]):
     """Resume (0x01,0x06).
 
     Ends idle mode and returns the device to the mode that it was in before.
@@ -572,7 +573,7 @@ class Resume(Command):
 
 
 @dataclass(slots=True)
-class GetExtendedDescriptors(Command):
+class GetExtendedDescriptors(Command[GetExtendedDescriptorsResponse]):
     """Get device descriptors (extended) (0x01,0x07).
 
     Gets the supported descriptors that did not fit into the reply of get device descriptors.
@@ -601,7 +602,7 @@ class GetExtendedDescriptors(Command):
 
 
 @dataclass(slots=True)
-class ContinuousBuiltInTest(Command):
+class ContinuousBuiltInTest(Command[ContinuousBuiltInTestResponse]):
     """Continuous built-in test (0x01,0x08).
 
     Gets the flags of the tests that run all the time. It does not interrupt operation.
@@ -637,7 +638,7 @@ _COMM_SPEED_GROUPS = ((1, ("port",), False), (2, ("baud",), False))
 
 
 @dataclass(slots=True)
-class CommSpeed(Command):
+class CommSpeed(Command[R]):
     """Comm port speed (0x01,0x09).
 
     Baud rate of one communication port.
@@ -667,27 +668,27 @@ class CommSpeed(Command):
     """Baud rate; one that the port supports. Unit: Bd. Required for `write`."""
 
     @classmethod
-    def write(cls, port: int, baud: int) -> CommSpeed:
+    def write(cls: ClassOf[CommSpeed[Any]], port: int, baud: int) -> CommSpeed[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, port=port, baud=baud)
 
     @classmethod
-    def read(cls, port: int) -> CommSpeed:
+    def read(cls: ClassOf[CommSpeed[Any]], port: int) -> CommSpeed[CommSpeedResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, port=port)
 
     @classmethod
-    def save(cls, port: int) -> CommSpeed:
+    def save(cls: ClassOf[CommSpeed[Any]], port: int) -> CommSpeed[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, port=port)
 
     @classmethod
-    def load(cls, port: int) -> CommSpeed:
+    def load(cls: ClassOf[CommSpeed[Any]], port: int) -> CommSpeed[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, port=port)
 
     @classmethod
-    def default(cls, port: int) -> CommSpeed:
+    def default(cls: ClassOf[CommSpeed[Any]], port: int) -> CommSpeed[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, port=port)
 
@@ -698,7 +699,7 @@ class CommSpeed(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[CommSpeed, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[CommSpeed[R], int]:
         port: int | None = None
         baud: int | None = None
         v = _COMM_SPEED_0.read(raw, at)
@@ -743,7 +744,7 @@ _GPS_TIME_UPDATE_GROUPS = ((1, ("field_id",), False), (2, ("value",), False))
 
 
 @dataclass(slots=True)
-class GpsTimeUpdate(Command):
+class GpsTimeUpdate(Command[R]):
     """GPS time update (0x01,0x72).
 
     Sets the week number or the time of week of the external (GPS) time.
@@ -781,17 +782,23 @@ class GpsTimeUpdate(Command):
     """
 
     @classmethod
-    def write(cls, field_id: GpsTimeField, value: int) -> GpsTimeUpdate:
+    def write(
+        cls: ClassOf[GpsTimeUpdate[Any]], field_id: GpsTimeField, value: int
+    ) -> GpsTimeUpdate[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, field_id=field_id, value=value)
 
     @classmethod
-    def read(cls, field_id: GpsTimeField) -> GpsTimeUpdate:
+    def read(
+        cls: ClassOf[GpsTimeUpdate[Any]], field_id: GpsTimeField
+    ) -> GpsTimeUpdate[GpsTimeUpdateWeekNumberResponse | GpsTimeUpdateTowResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, field_id=field_id)
 
     @classmethod
-    def apply(cls, field_id: GpsTimeField, value: int) -> GpsTimeUpdate:
+    def apply(
+        cls: ClassOf[GpsTimeUpdate[Any]], field_id: GpsTimeField, value: int
+    ) -> GpsTimeUpdate[None]:
         """Apply the new setting and send no acknowledge (5-series devices)."""
         return cls(FunctionSelector.APPLY, field_id=field_id, value=value)
 
@@ -808,7 +815,7 @@ class GpsTimeUpdate(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GpsTimeUpdate, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GpsTimeUpdate[R], int]:
         field_id: GpsTimeField | None = None
         value: int | None = None
         v = _GPS_TIME_UPDATE_0.read(raw, at)
@@ -847,7 +854,7 @@ class GpsTimeUpdate(Command):
 
 
 @dataclass(slots=True)
-class SoftReset(Command):
+class SoftReset(Command[None]):
     """Reset device (0x01,0x7E).
 
     Acknowledges the command, then resets the device at once.

@@ -10,10 +10,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from enum import IntFlag
+from typing import Any
 
 from . import codec, types
 from .errors import Truncated
-from .field import Command, Field, Response, ResponseClasses
+from .field import ClassOf, Command, Field, R, Response, ResponseClasses
 from .protocol import FunctionSelector
 
 
@@ -2015,7 +2016,7 @@ class GnssAntennaCalibrationControlResponse(Response):
 
 
 @dataclass(slots=True)
-class Reset(Command):
+class Reset(Command[None]):
     """Reset navigation filter (0x0D,0x01).
 
     Puts the filter back into its initialization state.
@@ -2048,7 +2049,7 @@ _SET_INITIAL_ATTITUDE_0 = codec.Block("fff", "roll", "pitch", "heading")
 
 
 @dataclass(slots=True)
-class SetInitialAttitude(Command):
+class SetInitialAttitude(Command[None]):
     """Set initial attitude (0x0D,0x02).
 
     Gives the filter its initial attitude, the orientation of the sensor frame in the NED frame.
@@ -2091,7 +2092,7 @@ _SET_INITIAL_HEADING_0 = codec.Block("f", "heading")
 
 
 @dataclass(slots=True)
-class SetInitialHeading(Command):
+class SetInitialHeading(Command[None]):
     """Set initial heading (0x0D,0x03).
 
     Gives the filter its initial heading; pitch and roll come from the accelerometers.
@@ -2127,7 +2128,7 @@ class SetInitialHeading(Command):
 
 
 @dataclass(slots=True)
-class Run(Command):
+class Run(Command[None]):
     """Run navigation filter (0x0D,0x05).
 
     Starts a filter that was set up to wait for this command.
@@ -2159,7 +2160,7 @@ _VEHICLE_DYNAMICS_MODE_GROUPS = ((1, ("mode",), False),)
 
 
 @dataclass(slots=True)
-class VehicleDynamicsMode(Command):
+class VehicleDynamicsMode(Command[R]):
     """Vehicle dynamics mode (0x0D,0x10).
 
     Kind of vehicle that the filter is tuned for.
@@ -2188,27 +2189,31 @@ class VehicleDynamicsMode(Command):
     """
 
     @classmethod
-    def write(cls, mode: DynamicsMode) -> VehicleDynamicsMode:
+    def write(
+        cls: ClassOf[VehicleDynamicsMode[Any]], mode: DynamicsMode
+    ) -> VehicleDynamicsMode[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, mode=mode)
 
     @classmethod
-    def read(cls) -> VehicleDynamicsMode:
+    def read(
+        cls: ClassOf[VehicleDynamicsMode[Any]],
+    ) -> VehicleDynamicsMode[VehicleDynamicsModeResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> VehicleDynamicsMode:
+    def save(cls: ClassOf[VehicleDynamicsMode[Any]]) -> VehicleDynamicsMode[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> VehicleDynamicsMode:
+    def load(cls: ClassOf[VehicleDynamicsMode[Any]]) -> VehicleDynamicsMode[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> VehicleDynamicsMode:
+    def default(cls: ClassOf[VehicleDynamicsMode[Any]]) -> VehicleDynamicsMode[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -2219,7 +2224,7 @@ class VehicleDynamicsMode(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[VehicleDynamicsMode, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[VehicleDynamicsMode[R], int]:
         mode: DynamicsMode | None = None
         v = _VEHICLE_DYNAMICS_MODE_0.read(raw, at)
         at += 1
@@ -2260,7 +2265,7 @@ _SENSOR_TO_VEHICLE_ROTATION_EULER_GROUPS = (
 
 
 @dataclass(slots=True)
-class SensorToVehicleRotationEuler(Command):
+class SensorToVehicleRotationEuler(Command[R]):
     """Sensor to vehicle frame transformation (0x0D,0x11).
 
     Euler angles of the rotation from the sensor frame to the vehicle frame (5-series).
@@ -2293,27 +2298,33 @@ class SensorToVehicleRotationEuler(Command):
     """Yaw angle. Unit: rad. Required for `write`."""
 
     @classmethod
-    def write(cls, roll: float, pitch: float, yaw: float) -> SensorToVehicleRotationEuler:
+    def write(
+        cls: ClassOf[SensorToVehicleRotationEuler[Any]], roll: float, pitch: float, yaw: float
+    ) -> SensorToVehicleRotationEuler[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, roll=roll, pitch=pitch, yaw=yaw)
 
     @classmethod
-    def read(cls) -> SensorToVehicleRotationEuler:
+    def read(
+        cls: ClassOf[SensorToVehicleRotationEuler[Any]],
+    ) -> SensorToVehicleRotationEuler[SensorToVehicleRotationEulerResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> SensorToVehicleRotationEuler:
+    def save(cls: ClassOf[SensorToVehicleRotationEuler[Any]]) -> SensorToVehicleRotationEuler[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> SensorToVehicleRotationEuler:
+    def load(cls: ClassOf[SensorToVehicleRotationEuler[Any]]) -> SensorToVehicleRotationEuler[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> SensorToVehicleRotationEuler:
+    def default(
+        cls: ClassOf[SensorToVehicleRotationEuler[Any]],
+    ) -> SensorToVehicleRotationEuler[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -2324,7 +2335,7 @@ class SensorToVehicleRotationEuler(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationEuler, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationEuler[R], int]:
         roll: float | None = None
         pitch: float | None = None
         yaw: float | None = None
@@ -2377,7 +2388,7 @@ _SENSOR_TO_VEHICLE_OFFSET_GROUPS = ((1, ("offset",), False),)
 
 
 @dataclass(slots=True)
-class SensorToVehicleOffset(Command):
+class SensorToVehicleOffset(Command[R]):
     """Sensor to vehicle offset (0x0D,0x12).
 
     Origin of the vehicle frame, as seen from the sensor.
@@ -2408,27 +2419,31 @@ class SensorToVehicleOffset(Command):
     """
 
     @classmethod
-    def write(cls, offset: types.Vector3f) -> SensorToVehicleOffset:
+    def write(
+        cls: ClassOf[SensorToVehicleOffset[Any]], offset: types.Vector3f
+    ) -> SensorToVehicleOffset[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, offset=offset)
 
     @classmethod
-    def read(cls) -> SensorToVehicleOffset:
+    def read(
+        cls: ClassOf[SensorToVehicleOffset[Any]],
+    ) -> SensorToVehicleOffset[SensorToVehicleOffsetResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> SensorToVehicleOffset:
+    def save(cls: ClassOf[SensorToVehicleOffset[Any]]) -> SensorToVehicleOffset[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> SensorToVehicleOffset:
+    def load(cls: ClassOf[SensorToVehicleOffset[Any]]) -> SensorToVehicleOffset[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> SensorToVehicleOffset:
+    def default(cls: ClassOf[SensorToVehicleOffset[Any]]) -> SensorToVehicleOffset[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -2439,7 +2454,7 @@ class SensorToVehicleOffset(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleOffset, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleOffset[R], int]:
         offset: types.Vector3f | None = None
         v = _SENSOR_TO_VEHICLE_OFFSET_0.read(raw, at)
         at += 1
@@ -2474,7 +2489,7 @@ _ANTENNA_OFFSET_GROUPS = ((1, ("offset",), False),)
 
 
 @dataclass(slots=True)
-class AntennaOffset(Command):
+class AntennaOffset(Command[R]):
     """GNSS antenna offset (0x0D,0x13).
 
     Position of the GNSS antenna relative to the origin of the sensor.
@@ -2504,27 +2519,27 @@ class AntennaOffset(Command):
     """
 
     @classmethod
-    def write(cls, offset: types.Vector3f) -> AntennaOffset:
+    def write(cls: ClassOf[AntennaOffset[Any]], offset: types.Vector3f) -> AntennaOffset[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, offset=offset)
 
     @classmethod
-    def read(cls) -> AntennaOffset:
+    def read(cls: ClassOf[AntennaOffset[Any]]) -> AntennaOffset[AntennaOffsetResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> AntennaOffset:
+    def save(cls: ClassOf[AntennaOffset[Any]]) -> AntennaOffset[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> AntennaOffset:
+    def load(cls: ClassOf[AntennaOffset[Any]]) -> AntennaOffset[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> AntennaOffset:
+    def default(cls: ClassOf[AntennaOffset[Any]]) -> AntennaOffset[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -2535,7 +2550,7 @@ class AntennaOffset(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AntennaOffset, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[AntennaOffset[R], int]:
         offset: types.Vector3f | None = None
         v = _ANTENNA_OFFSET_0.read(raw, at)
         at += 1
@@ -2570,7 +2585,7 @@ _ESTIMATION_CONTROL_GROUPS = ((1, ("flags",), False),)
 
 
 @dataclass(slots=True)
-class EstimationControl(Command):
+class EstimationControl(Command[R]):
     """Estimation control flags (0x0D,0x14).
 
     Which states the filter estimates.
@@ -2606,27 +2621,29 @@ class EstimationControl(Command):
     """
 
     @classmethod
-    def write(cls, flags: EstimatedStates) -> EstimationControl:
+    def write(
+        cls: ClassOf[EstimationControl[Any]], flags: EstimatedStates
+    ) -> EstimationControl[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, flags=flags)
 
     @classmethod
-    def read(cls) -> EstimationControl:
+    def read(cls: ClassOf[EstimationControl[Any]]) -> EstimationControl[EstimationControlResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> EstimationControl:
+    def save(cls: ClassOf[EstimationControl[Any]]) -> EstimationControl[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> EstimationControl:
+    def load(cls: ClassOf[EstimationControl[Any]]) -> EstimationControl[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> EstimationControl:
+    def default(cls: ClassOf[EstimationControl[Any]]) -> EstimationControl[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -2637,7 +2654,7 @@ class EstimationControl(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EstimationControl, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[EstimationControl[R], int]:
         flags: EstimatedStates | None = None
         v = _ESTIMATION_CONTROL_0.read(raw, at)
         at += 1
@@ -2672,7 +2689,7 @@ _GNSS_SOURCE_GROUPS = ((1, ("source",), False),)
 
 
 @dataclass(slots=True)
-class GnssSource(Command):
+class GnssSource(Command[R]):
     """GNSS aiding source (0x0D,0x15).
 
     Which GNSS receiver aids the filter.
@@ -2699,27 +2716,27 @@ class GnssSource(Command):
     """Source of the GNSS data. Required for `write`."""
 
     @classmethod
-    def write(cls, source: GnssAidingSource) -> GnssSource:
+    def write(cls: ClassOf[GnssSource[Any]], source: GnssAidingSource) -> GnssSource[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, source=source)
 
     @classmethod
-    def read(cls) -> GnssSource:
+    def read(cls: ClassOf[GnssSource[Any]]) -> GnssSource[GnssSourceResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> GnssSource:
+    def save(cls: ClassOf[GnssSource[Any]]) -> GnssSource[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> GnssSource:
+    def load(cls: ClassOf[GnssSource[Any]]) -> GnssSource[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> GnssSource:
+    def default(cls: ClassOf[GnssSource[Any]]) -> GnssSource[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -2730,7 +2747,7 @@ class GnssSource(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssSource, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GnssSource[R], int]:
         source: GnssAidingSource | None = None
         v = _GNSS_SOURCE_0.read(raw, at)
         at += 1
@@ -2773,7 +2790,7 @@ _EXTERNAL_GNSS_UPDATE_0 = codec.Block(
 
 
 @dataclass(slots=True)
-class ExternalGnssUpdate(Command):
+class ExternalGnssUpdate(Command[None]):
     """External GNSS update (0x0D,0x16).
 
     Gives the filter one position and velocity of a GNSS receiver that the user provides.
@@ -2848,7 +2865,7 @@ _EXTERNAL_HEADING_UPDATE_0 = codec.Block("ffB", "heading", "heading_uncertainty"
 
 
 @dataclass(slots=True)
-class ExternalHeadingUpdate(Command):
+class ExternalHeadingUpdate(Command[None]):
     """External heading update (0x0D,0x17).
 
     Gives the filter one measurement of the heading of the sensor frame in the NED frame.
@@ -2900,7 +2917,7 @@ _HEADING_SOURCE_GROUPS = ((1, ("source",), False),)
 
 
 @dataclass(slots=True)
-class HeadingSource(Command):
+class HeadingSource(Command[R]):
     """Heading update control (0x0D,0x18).
 
     Source of the heading that aids the filter.
@@ -2937,27 +2954,27 @@ class HeadingSource(Command):
     """
 
     @classmethod
-    def write(cls, source: HeadingUpdateSource) -> HeadingSource:
+    def write(cls: ClassOf[HeadingSource[Any]], source: HeadingUpdateSource) -> HeadingSource[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, source=source)
 
     @classmethod
-    def read(cls) -> HeadingSource:
+    def read(cls: ClassOf[HeadingSource[Any]]) -> HeadingSource[HeadingSourceResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> HeadingSource:
+    def save(cls: ClassOf[HeadingSource[Any]]) -> HeadingSource[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> HeadingSource:
+    def load(cls: ClassOf[HeadingSource[Any]]) -> HeadingSource[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> HeadingSource:
+    def default(cls: ClassOf[HeadingSource[Any]]) -> HeadingSource[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -2968,7 +2985,7 @@ class HeadingSource(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[HeadingSource, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[HeadingSource[R], int]:
         source: HeadingUpdateSource | None = None
         v = _HEADING_SOURCE_0.read(raw, at)
         at += 1
@@ -3003,7 +3020,7 @@ _AUTO_INITIALIZATION_CONTROL_GROUPS = ((1, ("enable",), False),)
 
 
 @dataclass(slots=True)
-class AutoInitializationControl(Command):
+class AutoInitializationControl(Command[R]):
     """Automatic initialization (0x0D,0x19).
 
     Whether the filter initializes by itself when the device starts.
@@ -3029,27 +3046,31 @@ class AutoInitializationControl(Command):
     """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
 
     @classmethod
-    def write(cls, enable: int) -> AutoInitializationControl:
+    def write(
+        cls: ClassOf[AutoInitializationControl[Any]], enable: int
+    ) -> AutoInitializationControl[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, enable=enable)
 
     @classmethod
-    def read(cls) -> AutoInitializationControl:
+    def read(
+        cls: ClassOf[AutoInitializationControl[Any]],
+    ) -> AutoInitializationControl[AutoInitializationControlResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> AutoInitializationControl:
+    def save(cls: ClassOf[AutoInitializationControl[Any]]) -> AutoInitializationControl[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> AutoInitializationControl:
+    def load(cls: ClassOf[AutoInitializationControl[Any]]) -> AutoInitializationControl[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> AutoInitializationControl:
+    def default(cls: ClassOf[AutoInitializationControl[Any]]) -> AutoInitializationControl[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -3060,7 +3081,7 @@ class AutoInitializationControl(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AutoInitializationControl, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[AutoInitializationControl[R], int]:
         enable: int | None = None
         v = _AUTO_INITIALIZATION_CONTROL_0.read(raw, at)
         at += 1
@@ -3095,7 +3116,7 @@ _ACCEL_NOISE_GROUPS = ((1, ("noise",), False),)
 
 
 @dataclass(slots=True)
-class AccelNoise(Command):
+class AccelNoise(Command[R]):
     """Accelerometer noise (0x0D,0x1A).
 
     Standard deviation of the accelerometer noise that the filter assumes (process noise).
@@ -3124,27 +3145,27 @@ class AccelNoise(Command):
     """
 
     @classmethod
-    def write(cls, noise: types.Vector3f) -> AccelNoise:
+    def write(cls: ClassOf[AccelNoise[Any]], noise: types.Vector3f) -> AccelNoise[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, noise=noise)
 
     @classmethod
-    def read(cls) -> AccelNoise:
+    def read(cls: ClassOf[AccelNoise[Any]]) -> AccelNoise[AccelNoiseResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> AccelNoise:
+    def save(cls: ClassOf[AccelNoise[Any]]) -> AccelNoise[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> AccelNoise:
+    def load(cls: ClassOf[AccelNoise[Any]]) -> AccelNoise[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> AccelNoise:
+    def default(cls: ClassOf[AccelNoise[Any]]) -> AccelNoise[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -3155,7 +3176,7 @@ class AccelNoise(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AccelNoise, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[AccelNoise[R], int]:
         noise: types.Vector3f | None = None
         v = _ACCEL_NOISE_0.read(raw, at)
         at += 1
@@ -3190,7 +3211,7 @@ _GYRO_NOISE_GROUPS = ((1, ("noise",), False),)
 
 
 @dataclass(slots=True)
-class GyroNoise(Command):
+class GyroNoise(Command[R]):
     """Gyroscope noise (0x0D,0x1B).
 
     Standard deviation of the gyroscope noise that the filter assumes (process noise).
@@ -3219,27 +3240,27 @@ class GyroNoise(Command):
     """
 
     @classmethod
-    def write(cls, noise: types.Vector3f) -> GyroNoise:
+    def write(cls: ClassOf[GyroNoise[Any]], noise: types.Vector3f) -> GyroNoise[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, noise=noise)
 
     @classmethod
-    def read(cls) -> GyroNoise:
+    def read(cls: ClassOf[GyroNoise[Any]]) -> GyroNoise[GyroNoiseResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> GyroNoise:
+    def save(cls: ClassOf[GyroNoise[Any]]) -> GyroNoise[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> GyroNoise:
+    def load(cls: ClassOf[GyroNoise[Any]]) -> GyroNoise[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> GyroNoise:
+    def default(cls: ClassOf[GyroNoise[Any]]) -> GyroNoise[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -3250,7 +3271,7 @@ class GyroNoise(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GyroNoise, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GyroNoise[R], int]:
         noise: types.Vector3f | None = None
         v = _GYRO_NOISE_0.read(raw, at)
         at += 1
@@ -3286,7 +3307,7 @@ _ACCEL_BIAS_MODEL_GROUPS = ((1, ("beta",), False), (2, ("noise",), False))
 
 
 @dataclass(slots=True)
-class AccelBiasModel(Command):
+class AccelBiasModel(Command[R]):
     """Accelerometer bias model (0x0D,0x1C).
 
     Parameters of the model by which the accelerometer bias drifts.
@@ -3316,27 +3337,29 @@ class AccelBiasModel(Command):
     """
 
     @classmethod
-    def write(cls, beta: types.Vector3f, noise: types.Vector3f) -> AccelBiasModel:
+    def write(
+        cls: ClassOf[AccelBiasModel[Any]], beta: types.Vector3f, noise: types.Vector3f
+    ) -> AccelBiasModel[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, beta=beta, noise=noise)
 
     @classmethod
-    def read(cls) -> AccelBiasModel:
+    def read(cls: ClassOf[AccelBiasModel[Any]]) -> AccelBiasModel[AccelBiasModelResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> AccelBiasModel:
+    def save(cls: ClassOf[AccelBiasModel[Any]]) -> AccelBiasModel[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> AccelBiasModel:
+    def load(cls: ClassOf[AccelBiasModel[Any]]) -> AccelBiasModel[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> AccelBiasModel:
+    def default(cls: ClassOf[AccelBiasModel[Any]]) -> AccelBiasModel[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -3347,7 +3370,7 @@ class AccelBiasModel(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AccelBiasModel, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[AccelBiasModel[R], int]:
         beta: types.Vector3f | None = None
         noise: types.Vector3f | None = None
         v = _ACCEL_BIAS_MODEL_0.read(raw, at)
@@ -3392,7 +3415,7 @@ _GYRO_BIAS_MODEL_GROUPS = ((1, ("beta",), False), (2, ("noise",), False))
 
 
 @dataclass(slots=True)
-class GyroBiasModel(Command):
+class GyroBiasModel(Command[R]):
     """Gyroscope bias model (0x0D,0x1D).
 
     Parameters of the model by which the gyroscope bias drifts.
@@ -3423,27 +3446,29 @@ class GyroBiasModel(Command):
     """
 
     @classmethod
-    def write(cls, beta: types.Vector3f, noise: types.Vector3f) -> GyroBiasModel:
+    def write(
+        cls: ClassOf[GyroBiasModel[Any]], beta: types.Vector3f, noise: types.Vector3f
+    ) -> GyroBiasModel[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, beta=beta, noise=noise)
 
     @classmethod
-    def read(cls) -> GyroBiasModel:
+    def read(cls: ClassOf[GyroBiasModel[Any]]) -> GyroBiasModel[GyroBiasModelResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> GyroBiasModel:
+    def save(cls: ClassOf[GyroBiasModel[Any]]) -> GyroBiasModel[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> GyroBiasModel:
+    def load(cls: ClassOf[GyroBiasModel[Any]]) -> GyroBiasModel[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> GyroBiasModel:
+    def default(cls: ClassOf[GyroBiasModel[Any]]) -> GyroBiasModel[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -3454,7 +3479,7 @@ class GyroBiasModel(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GyroBiasModel, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GyroBiasModel[R], int]:
         beta: types.Vector3f | None = None
         noise: types.Vector3f | None = None
         v = _GYRO_BIAS_MODEL_0.read(raw, at)
@@ -3499,7 +3524,7 @@ _AUTO_ZUPT_GROUPS = ((1, ("enable",), False), (2, ("threshold",), False))
 
 
 @dataclass(slots=True)
-class AutoZupt(Command):
+class AutoZupt(Command[R]):
     """Automatic zero velocity update (0x0D,0x1E).
 
     Lets the filter take the device as standing still while its GNSS speed is small.
@@ -3527,27 +3552,27 @@ class AutoZupt(Command):
     """Largest speed that is taken as zero. Unit: m/s. Range: at least 0. Required for `write`."""
 
     @classmethod
-    def write(cls, enable: int, threshold: float) -> AutoZupt:
+    def write(cls: ClassOf[AutoZupt[Any]], enable: int, threshold: float) -> AutoZupt[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, enable=enable, threshold=threshold)
 
     @classmethod
-    def read(cls) -> AutoZupt:
+    def read(cls: ClassOf[AutoZupt[Any]]) -> AutoZupt[AutoZuptResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> AutoZupt:
+    def save(cls: ClassOf[AutoZupt[Any]]) -> AutoZupt[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> AutoZupt:
+    def load(cls: ClassOf[AutoZupt[Any]]) -> AutoZupt[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> AutoZupt:
+    def default(cls: ClassOf[AutoZupt[Any]]) -> AutoZupt[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -3558,7 +3583,7 @@ class AutoZupt(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AutoZupt, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[AutoZupt[R], int]:
         enable: int | None = None
         threshold: float | None = None
         v = _AUTO_ZUPT_0.read(raw, at)
@@ -3602,7 +3627,7 @@ _EXTERNAL_HEADING_UPDATE_WITH_TIME_0 = codec.Block(
 
 
 @dataclass(slots=True)
-class ExternalHeadingUpdateWithTime(Command):
+class ExternalHeadingUpdateWithTime(Command[None]):
     """External heading update with time (0x0D,0x1F).
 
     Gives the filter one measurement of the heading of the sensor frame with its GPS time.
@@ -3664,7 +3689,7 @@ _AUTO_ANGULAR_ZUPT_GROUPS = ((1, ("enable",), False), (2, ("threshold",), False)
 
 
 @dataclass(slots=True)
-class AutoAngularZupt(Command):
+class AutoAngularZupt(Command[R]):
     """Zero angular rate update (0x0D,0x20).
 
     Lets the filter take the device as not rotating while its angular rate is small.
@@ -3695,27 +3720,29 @@ class AutoAngularZupt(Command):
     """
 
     @classmethod
-    def write(cls, enable: int, threshold: float) -> AutoAngularZupt:
+    def write(
+        cls: ClassOf[AutoAngularZupt[Any]], enable: int, threshold: float
+    ) -> AutoAngularZupt[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, enable=enable, threshold=threshold)
 
     @classmethod
-    def read(cls) -> AutoAngularZupt:
+    def read(cls: ClassOf[AutoAngularZupt[Any]]) -> AutoAngularZupt[AutoAngularZuptResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> AutoAngularZupt:
+    def save(cls: ClassOf[AutoAngularZupt[Any]]) -> AutoAngularZupt[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> AutoAngularZupt:
+    def load(cls: ClassOf[AutoAngularZupt[Any]]) -> AutoAngularZupt[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> AutoAngularZupt:
+    def default(cls: ClassOf[AutoAngularZupt[Any]]) -> AutoAngularZupt[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -3726,7 +3753,7 @@ class AutoAngularZupt(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AutoAngularZupt, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[AutoAngularZupt[R], int]:
         enable: int | None = None
         threshold: float | None = None
         v = _AUTO_ANGULAR_ZUPT_0.read(raw, at)
@@ -3770,7 +3797,7 @@ _TARE_ORIENTATION_GROUPS = ((1, ("axes",), False),)
 
 
 @dataclass(slots=True)
-class TareOrientation(Command):
+class TareOrientation(Command[R]):
     """Tare orientation (0x0D,0x21).
 
     Makes the present orientation in the NED frame the sensor-to-vehicle transformation.
@@ -3798,27 +3825,27 @@ class TareOrientation(Command):
     """Axes to tare; 0 resets all axes. Required for `write`."""
 
     @classmethod
-    def write(cls, axes: TareAxes) -> TareOrientation:
+    def write(cls: ClassOf[TareOrientation[Any]], axes: TareAxes) -> TareOrientation[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, axes=axes)
 
     @classmethod
-    def read(cls) -> TareOrientation:
+    def read(cls: ClassOf[TareOrientation[Any]]) -> TareOrientation[TareOrientationResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> TareOrientation:
+    def save(cls: ClassOf[TareOrientation[Any]]) -> TareOrientation[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> TareOrientation:
+    def load(cls: ClassOf[TareOrientation[Any]]) -> TareOrientation[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> TareOrientation:
+    def default(cls: ClassOf[TareOrientation[Any]]) -> TareOrientation[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -3829,7 +3856,7 @@ class TareOrientation(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[TareOrientation, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[TareOrientation[R], int]:
         axes: TareAxes | None = None
         v = _TARE_ORIENTATION_0.read(raw, at)
         at += 1
@@ -3859,7 +3886,7 @@ class TareOrientation(Command):
 
 
 @dataclass(slots=True)
-class CommandedZupt(Command):
+class CommandedZupt(Command[None]):
     """Commanded zero velocity update (0x0D,0x22).
 
     Tells the filter once that the device stands still.
@@ -3885,7 +3912,7 @@ class CommandedZupt(Command):
 
 
 @dataclass(slots=True)
-class CommandedAngularZupt(Command):
+class CommandedAngularZupt(Command[None]):
     """Commanded zero angular rate update (0x0D,0x23).
 
     Tells the filter once that the device is not rotating.
@@ -3924,7 +3951,7 @@ _REFERENCE_POSITION_GROUPS = (
 
 
 @dataclass(slots=True)
-class ReferencePosition(Command):
+class ReferencePosition(Command[R]):
     """Set reference position (0x0D,0x26).
 
     Position for which the device computes gravity (WGS84) and the magnetic field (WMM2015).
@@ -3955,8 +3982,12 @@ class ReferencePosition(Command):
 
     @classmethod
     def write(
-        cls, enable: int, latitude: float, longitude: float, altitude: float
-    ) -> ReferencePosition:
+        cls: ClassOf[ReferencePosition[Any]],
+        enable: int,
+        latitude: float,
+        longitude: float,
+        altitude: float,
+    ) -> ReferencePosition[None]:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE,
@@ -3967,22 +3998,22 @@ class ReferencePosition(Command):
         )
 
     @classmethod
-    def read(cls) -> ReferencePosition:
+    def read(cls: ClassOf[ReferencePosition[Any]]) -> ReferencePosition[ReferencePositionResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> ReferencePosition:
+    def save(cls: ClassOf[ReferencePosition[Any]]) -> ReferencePosition[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> ReferencePosition:
+    def load(cls: ClassOf[ReferencePosition[Any]]) -> ReferencePosition[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> ReferencePosition:
+    def default(cls: ClassOf[ReferencePosition[Any]]) -> ReferencePosition[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -3993,7 +4024,7 @@ class ReferencePosition(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ReferencePosition, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[ReferencePosition[R], int]:
         enable: int | None = None
         latitude: float | None = None
         longitude: float | None = None
@@ -4053,7 +4084,7 @@ _MAG_CAPTURE_AUTO_CALIBRATION_0 = codec.Block("B", "function")
 
 
 @dataclass(slots=True)
-class MagCaptureAutoCalibration(Command):
+class MagCaptureAutoCalibration(Command[None]):
     """Capture automatic magnetometer calibration (0x0D,0x27).
 
     Makes the automatic magnetometer calibration part of the fixed one.
@@ -4105,7 +4136,7 @@ _GRAVITY_NOISE_GROUPS = ((1, ("noise",), False),)
 
 
 @dataclass(slots=True)
-class GravityNoise(Command):
+class GravityNoise(Command[R]):
     """Gravity noise (0x0D,0x28).
 
     Standard deviation of the gravity noise that the filter assumes (process noise).
@@ -4134,27 +4165,27 @@ class GravityNoise(Command):
     """
 
     @classmethod
-    def write(cls, noise: types.Vector3f) -> GravityNoise:
+    def write(cls: ClassOf[GravityNoise[Any]], noise: types.Vector3f) -> GravityNoise[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, noise=noise)
 
     @classmethod
-    def read(cls) -> GravityNoise:
+    def read(cls: ClassOf[GravityNoise[Any]]) -> GravityNoise[GravityNoiseResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> GravityNoise:
+    def save(cls: ClassOf[GravityNoise[Any]]) -> GravityNoise[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> GravityNoise:
+    def load(cls: ClassOf[GravityNoise[Any]]) -> GravityNoise[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> GravityNoise:
+    def default(cls: ClassOf[GravityNoise[Any]]) -> GravityNoise[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -4165,7 +4196,7 @@ class GravityNoise(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GravityNoise, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GravityNoise[R], int]:
         noise: types.Vector3f | None = None
         v = _GRAVITY_NOISE_0.read(raw, at)
         at += 1
@@ -4200,7 +4231,7 @@ _PRESSURE_ALTITUDE_NOISE_GROUPS = ((1, ("noise",), False),)
 
 
 @dataclass(slots=True)
-class PressureAltitudeNoise(Command):
+class PressureAltitudeNoise(Command[R]):
     """Pressure altitude noise (0x0D,0x29).
 
     Standard deviation of the noise of the pressure altitude model that the filter assumes.
@@ -4227,27 +4258,31 @@ class PressureAltitudeNoise(Command):
     """Standard deviation. Unit: m. Range: greater than 0. Required for `write`."""
 
     @classmethod
-    def write(cls, noise: float) -> PressureAltitudeNoise:
+    def write(
+        cls: ClassOf[PressureAltitudeNoise[Any]], noise: float
+    ) -> PressureAltitudeNoise[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, noise=noise)
 
     @classmethod
-    def read(cls) -> PressureAltitudeNoise:
+    def read(
+        cls: ClassOf[PressureAltitudeNoise[Any]],
+    ) -> PressureAltitudeNoise[PressureAltitudeNoiseResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> PressureAltitudeNoise:
+    def save(cls: ClassOf[PressureAltitudeNoise[Any]]) -> PressureAltitudeNoise[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> PressureAltitudeNoise:
+    def load(cls: ClassOf[PressureAltitudeNoise[Any]]) -> PressureAltitudeNoise[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> PressureAltitudeNoise:
+    def default(cls: ClassOf[PressureAltitudeNoise[Any]]) -> PressureAltitudeNoise[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -4258,7 +4293,7 @@ class PressureAltitudeNoise(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[PressureAltitudeNoise, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[PressureAltitudeNoise[R], int]:
         noise: float | None = None
         v = _PRESSURE_ALTITUDE_NOISE_0.read(raw, at)
         at += 1
@@ -4293,7 +4328,7 @@ _HARD_IRON_OFFSET_NOISE_GROUPS = ((1, ("noise",), False),)
 
 
 @dataclass(slots=True)
-class HardIronOffsetNoise(Command):
+class HardIronOffsetNoise(Command[R]):
     """Hard iron offset noise (0x0D,0x2B).
 
     Standard deviation of the noise of the estimated hard iron offset (process noise).
@@ -4319,27 +4354,31 @@ class HardIronOffsetNoise(Command):
     """
 
     @classmethod
-    def write(cls, noise: types.Vector3f) -> HardIronOffsetNoise:
+    def write(
+        cls: ClassOf[HardIronOffsetNoise[Any]], noise: types.Vector3f
+    ) -> HardIronOffsetNoise[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, noise=noise)
 
     @classmethod
-    def read(cls) -> HardIronOffsetNoise:
+    def read(
+        cls: ClassOf[HardIronOffsetNoise[Any]],
+    ) -> HardIronOffsetNoise[HardIronOffsetNoiseResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> HardIronOffsetNoise:
+    def save(cls: ClassOf[HardIronOffsetNoise[Any]]) -> HardIronOffsetNoise[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> HardIronOffsetNoise:
+    def load(cls: ClassOf[HardIronOffsetNoise[Any]]) -> HardIronOffsetNoise[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> HardIronOffsetNoise:
+    def default(cls: ClassOf[HardIronOffsetNoise[Any]]) -> HardIronOffsetNoise[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -4350,7 +4389,7 @@ class HardIronOffsetNoise(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[HardIronOffsetNoise, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[HardIronOffsetNoise[R], int]:
         noise: types.Vector3f | None = None
         v = _HARD_IRON_OFFSET_NOISE_0.read(raw, at)
         at += 1
@@ -4385,7 +4424,7 @@ _SOFT_IRON_MATRIX_NOISE_GROUPS = ((1, ("noise",), False),)
 
 
 @dataclass(slots=True)
-class SoftIronMatrixNoise(Command):
+class SoftIronMatrixNoise(Command[R]):
     """Soft iron matrix noise (0x0D,0x2C).
 
     Standard deviation of the noise of the estimated soft iron matrix (process noise).
@@ -4411,27 +4450,31 @@ class SoftIronMatrixNoise(Command):
     """
 
     @classmethod
-    def write(cls, noise: types.Matrix3f) -> SoftIronMatrixNoise:
+    def write(
+        cls: ClassOf[SoftIronMatrixNoise[Any]], noise: types.Matrix3f
+    ) -> SoftIronMatrixNoise[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, noise=noise)
 
     @classmethod
-    def read(cls) -> SoftIronMatrixNoise:
+    def read(
+        cls: ClassOf[SoftIronMatrixNoise[Any]],
+    ) -> SoftIronMatrixNoise[SoftIronMatrixNoiseResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> SoftIronMatrixNoise:
+    def save(cls: ClassOf[SoftIronMatrixNoise[Any]]) -> SoftIronMatrixNoise[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> SoftIronMatrixNoise:
+    def load(cls: ClassOf[SoftIronMatrixNoise[Any]]) -> SoftIronMatrixNoise[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> SoftIronMatrixNoise:
+    def default(cls: ClassOf[SoftIronMatrixNoise[Any]]) -> SoftIronMatrixNoise[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -4442,7 +4485,7 @@ class SoftIronMatrixNoise(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SoftIronMatrixNoise, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[SoftIronMatrixNoise[R], int]:
         noise: types.Matrix3f | None = None
         v = _SOFT_IRON_MATRIX_NOISE_0.read(raw, at)
         at += 1
@@ -4477,7 +4520,7 @@ _ENABLE_MEASUREMENTS_GROUPS = ((1, ("control",), False),)
 
 
 @dataclass(slots=True)
-class EnableMeasurements(Command):
+class EnableMeasurements(Command[R]):
     """Enable or disable measurements (0x0D,0x41).
 
     Which inertial measurements the filter uses.
@@ -4501,27 +4544,31 @@ class EnableMeasurements(Command):
     """Measurements to use. Required for `write`."""
 
     @classmethod
-    def write(cls, control: MeasurementFlags) -> EnableMeasurements:
+    def write(
+        cls: ClassOf[EnableMeasurements[Any]], control: MeasurementFlags
+    ) -> EnableMeasurements[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, control=control)
 
     @classmethod
-    def read(cls) -> EnableMeasurements:
+    def read(
+        cls: ClassOf[EnableMeasurements[Any]],
+    ) -> EnableMeasurements[EnableMeasurementsResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> EnableMeasurements:
+    def save(cls: ClassOf[EnableMeasurements[Any]]) -> EnableMeasurements[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> EnableMeasurements:
+    def load(cls: ClassOf[EnableMeasurements[Any]]) -> EnableMeasurements[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> EnableMeasurements:
+    def default(cls: ClassOf[EnableMeasurements[Any]]) -> EnableMeasurements[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -4532,7 +4579,7 @@ class EnableMeasurements(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EnableMeasurements, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[EnableMeasurements[R], int]:
         control: MeasurementFlags | None = None
         v = _ENABLE_MEASUREMENTS_0.read(raw, at)
         at += 1
@@ -4567,7 +4614,7 @@ _MAG_NOISE_GROUPS = ((1, ("noise",), False),)
 
 
 @dataclass(slots=True)
-class MagNoise(Command):
+class MagNoise(Command[R]):
     """Magnetometer noise (0x0D,0x42).
 
     Standard deviation of the magnetometer noise that the filter assumes.
@@ -4594,27 +4641,27 @@ class MagNoise(Command):
     """
 
     @classmethod
-    def write(cls, noise: types.Vector3f) -> MagNoise:
+    def write(cls: ClassOf[MagNoise[Any]], noise: types.Vector3f) -> MagNoise[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, noise=noise)
 
     @classmethod
-    def read(cls) -> MagNoise:
+    def read(cls: ClassOf[MagNoise[Any]]) -> MagNoise[MagNoiseResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> MagNoise:
+    def save(cls: ClassOf[MagNoise[Any]]) -> MagNoise[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> MagNoise:
+    def load(cls: ClassOf[MagNoise[Any]]) -> MagNoise[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> MagNoise:
+    def default(cls: ClassOf[MagNoise[Any]]) -> MagNoise[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -4625,7 +4672,7 @@ class MagNoise(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagNoise, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[MagNoise[R], int]:
         noise: types.Vector3f | None = None
         v = _MAG_NOISE_0.read(raw, at)
         at += 1
@@ -4661,7 +4708,7 @@ _MAGNETIC_DECLINATION_SOURCE_GROUPS = ((1, ("source",), False), (2, ("declinatio
 
 
 @dataclass(slots=True)
-class MagneticDeclinationSource(Command):
+class MagneticDeclinationSource(Command[R]):
     """Magnetic declination source (0x0D,0x43).
 
     Source of the local declination of the magnetic field.
@@ -4693,27 +4740,31 @@ class MagneticDeclinationSource(Command):
     """Declination; used only if `source` is manual. Unit: rad. Required for `write`."""
 
     @classmethod
-    def write(cls, source: MagParameterSource, declination: float) -> MagneticDeclinationSource:
+    def write(
+        cls: ClassOf[MagneticDeclinationSource[Any]], source: MagParameterSource, declination: float
+    ) -> MagneticDeclinationSource[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, source=source, declination=declination)
 
     @classmethod
-    def read(cls) -> MagneticDeclinationSource:
+    def read(
+        cls: ClassOf[MagneticDeclinationSource[Any]],
+    ) -> MagneticDeclinationSource[MagneticDeclinationSourceResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> MagneticDeclinationSource:
+    def save(cls: ClassOf[MagneticDeclinationSource[Any]]) -> MagneticDeclinationSource[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> MagneticDeclinationSource:
+    def load(cls: ClassOf[MagneticDeclinationSource[Any]]) -> MagneticDeclinationSource[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> MagneticDeclinationSource:
+    def default(cls: ClassOf[MagneticDeclinationSource[Any]]) -> MagneticDeclinationSource[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -4724,7 +4775,7 @@ class MagneticDeclinationSource(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagneticDeclinationSource, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[MagneticDeclinationSource[R], int]:
         source: MagParameterSource | None = None
         declination: float | None = None
         v = _MAGNETIC_DECLINATION_SOURCE_0.read(raw, at)
@@ -4782,7 +4833,7 @@ _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_GROUPS = (
 
 
 @dataclass(slots=True)
-class AccelMagnitudeErrorAdaptiveMeasurement(Command):
+class AccelMagnitudeErrorAdaptiveMeasurement(Command[R]):
     """Gravity magnitude error adaptive measurement (0x0D,0x44).
 
     How far the filter trusts gravity measurements whose magnitude is not that of gravity.
@@ -4831,7 +4882,7 @@ class AccelMagnitudeErrorAdaptiveMeasurement(Command):
 
     @classmethod
     def write(
-        cls,
+        cls: ClassOf[AccelMagnitudeErrorAdaptiveMeasurement[Any]],
         adaptive_measurement: AdaptiveMeasurementSelector,
         frequency: float | None = None,
         low_limit: float | None = None,
@@ -4839,7 +4890,7 @@ class AccelMagnitudeErrorAdaptiveMeasurement(Command):
         low_limit_uncertainty: float | None = None,
         high_limit_uncertainty: float | None = None,
         minimum_uncertainty: float | None = None,
-    ) -> AccelMagnitudeErrorAdaptiveMeasurement:
+    ) -> AccelMagnitudeErrorAdaptiveMeasurement[None]:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE,
@@ -4853,22 +4904,30 @@ class AccelMagnitudeErrorAdaptiveMeasurement(Command):
         )
 
     @classmethod
-    def read(cls) -> AccelMagnitudeErrorAdaptiveMeasurement:
+    def read(
+        cls: ClassOf[AccelMagnitudeErrorAdaptiveMeasurement[Any]],
+    ) -> AccelMagnitudeErrorAdaptiveMeasurement[AccelMagnitudeErrorAdaptiveMeasurementResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> AccelMagnitudeErrorAdaptiveMeasurement:
+    def save(
+        cls: ClassOf[AccelMagnitudeErrorAdaptiveMeasurement[Any]],
+    ) -> AccelMagnitudeErrorAdaptiveMeasurement[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> AccelMagnitudeErrorAdaptiveMeasurement:
+    def load(
+        cls: ClassOf[AccelMagnitudeErrorAdaptiveMeasurement[Any]],
+    ) -> AccelMagnitudeErrorAdaptiveMeasurement[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> AccelMagnitudeErrorAdaptiveMeasurement:
+    def default(
+        cls: ClassOf[AccelMagnitudeErrorAdaptiveMeasurement[Any]],
+    ) -> AccelMagnitudeErrorAdaptiveMeasurement[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -4879,7 +4938,7 @@ class AccelMagnitudeErrorAdaptiveMeasurement(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AccelMagnitudeErrorAdaptiveMeasurement, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[AccelMagnitudeErrorAdaptiveMeasurement[R], int]:
         adaptive_measurement: AdaptiveMeasurementSelector | None = None
         frequency: float | None = None
         low_limit: float | None = None
@@ -4991,7 +5050,7 @@ _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_GROUPS = (
 
 
 @dataclass(slots=True)
-class MagMagnitudeErrorAdaptiveMeasurement(Command):
+class MagMagnitudeErrorAdaptiveMeasurement(Command[R]):
     """Magnetometer magnitude error adaptive measurement (0x0D,0x45).
 
     How far the filter trusts a magnetic field whose magnitude is not as expected.
@@ -5052,7 +5111,7 @@ class MagMagnitudeErrorAdaptiveMeasurement(Command):
 
     @classmethod
     def write(
-        cls,
+        cls: ClassOf[MagMagnitudeErrorAdaptiveMeasurement[Any]],
         adaptive_measurement: AdaptiveMeasurementSelector,
         frequency: float,
         low_limit: float,
@@ -5060,7 +5119,7 @@ class MagMagnitudeErrorAdaptiveMeasurement(Command):
         low_limit_uncertainty: float,
         high_limit_uncertainty: float,
         minimum_uncertainty: float,
-    ) -> MagMagnitudeErrorAdaptiveMeasurement:
+    ) -> MagMagnitudeErrorAdaptiveMeasurement[None]:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE,
@@ -5074,22 +5133,30 @@ class MagMagnitudeErrorAdaptiveMeasurement(Command):
         )
 
     @classmethod
-    def read(cls) -> MagMagnitudeErrorAdaptiveMeasurement:
+    def read(
+        cls: ClassOf[MagMagnitudeErrorAdaptiveMeasurement[Any]],
+    ) -> MagMagnitudeErrorAdaptiveMeasurement[MagMagnitudeErrorAdaptiveMeasurementResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> MagMagnitudeErrorAdaptiveMeasurement:
+    def save(
+        cls: ClassOf[MagMagnitudeErrorAdaptiveMeasurement[Any]],
+    ) -> MagMagnitudeErrorAdaptiveMeasurement[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> MagMagnitudeErrorAdaptiveMeasurement:
+    def load(
+        cls: ClassOf[MagMagnitudeErrorAdaptiveMeasurement[Any]],
+    ) -> MagMagnitudeErrorAdaptiveMeasurement[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> MagMagnitudeErrorAdaptiveMeasurement:
+    def default(
+        cls: ClassOf[MagMagnitudeErrorAdaptiveMeasurement[Any]],
+    ) -> MagMagnitudeErrorAdaptiveMeasurement[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -5100,7 +5167,7 @@ class MagMagnitudeErrorAdaptiveMeasurement(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagMagnitudeErrorAdaptiveMeasurement, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[MagMagnitudeErrorAdaptiveMeasurement[R], int]:
         adaptive_measurement: AdaptiveMeasurementSelector | None = None
         frequency: float | None = None
         low_limit: float | None = None
@@ -5208,7 +5275,7 @@ _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_GROUPS = (
 
 
 @dataclass(slots=True)
-class MagDipAngleErrorAdaptiveMeasurement(Command):
+class MagDipAngleErrorAdaptiveMeasurement(Command[R]):
     """Magnetometer dip angle error adaptive measurement (0x0D,0x46).
 
     How far the filter trusts a magnetic field whose dip angle is not as expected.
@@ -5252,13 +5319,13 @@ class MagDipAngleErrorAdaptiveMeasurement(Command):
 
     @classmethod
     def write(
-        cls,
+        cls: ClassOf[MagDipAngleErrorAdaptiveMeasurement[Any]],
         enable: bool,
         frequency: float,
         high_limit: float,
         high_limit_uncertainty: float,
         minimum_uncertainty: float,
-    ) -> MagDipAngleErrorAdaptiveMeasurement:
+    ) -> MagDipAngleErrorAdaptiveMeasurement[None]:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE,
@@ -5270,22 +5337,30 @@ class MagDipAngleErrorAdaptiveMeasurement(Command):
         )
 
     @classmethod
-    def read(cls) -> MagDipAngleErrorAdaptiveMeasurement:
+    def read(
+        cls: ClassOf[MagDipAngleErrorAdaptiveMeasurement[Any]],
+    ) -> MagDipAngleErrorAdaptiveMeasurement[MagDipAngleErrorAdaptiveMeasurementResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> MagDipAngleErrorAdaptiveMeasurement:
+    def save(
+        cls: ClassOf[MagDipAngleErrorAdaptiveMeasurement[Any]],
+    ) -> MagDipAngleErrorAdaptiveMeasurement[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> MagDipAngleErrorAdaptiveMeasurement:
+    def load(
+        cls: ClassOf[MagDipAngleErrorAdaptiveMeasurement[Any]],
+    ) -> MagDipAngleErrorAdaptiveMeasurement[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> MagDipAngleErrorAdaptiveMeasurement:
+    def default(
+        cls: ClassOf[MagDipAngleErrorAdaptiveMeasurement[Any]],
+    ) -> MagDipAngleErrorAdaptiveMeasurement[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -5296,7 +5371,7 @@ class MagDipAngleErrorAdaptiveMeasurement(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagDipAngleErrorAdaptiveMeasurement, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[MagDipAngleErrorAdaptiveMeasurement[R], int]:
         enable: bool | None = None
         frequency: float | None = None
         high_limit: float | None = None
@@ -5369,7 +5444,7 @@ _ALTITUDE_AIDING_GROUPS = ((1, ("selector",), False),)
 
 
 @dataclass(slots=True)
-class AltitudeAiding(Command):
+class AltitudeAiding(Command[R]):
     """Altitude aiding (0x0D,0x47).
 
     What aids the altitude beside GNSS.
@@ -5396,27 +5471,29 @@ class AltitudeAiding(Command):
     """Source of the aiding. Required for `write`."""
 
     @classmethod
-    def write(cls, selector: AltitudeAidingSource) -> AltitudeAiding:
+    def write(
+        cls: ClassOf[AltitudeAiding[Any]], selector: AltitudeAidingSource
+    ) -> AltitudeAiding[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, selector=selector)
 
     @classmethod
-    def read(cls) -> AltitudeAiding:
+    def read(cls: ClassOf[AltitudeAiding[Any]]) -> AltitudeAiding[AltitudeAidingResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> AltitudeAiding:
+    def save(cls: ClassOf[AltitudeAiding[Any]]) -> AltitudeAiding[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> AltitudeAiding:
+    def load(cls: ClassOf[AltitudeAiding[Any]]) -> AltitudeAiding[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> AltitudeAiding:
+    def default(cls: ClassOf[AltitudeAiding[Any]]) -> AltitudeAiding[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -5427,7 +5504,7 @@ class AltitudeAiding(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AltitudeAiding, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[AltitudeAiding[R], int]:
         selector: AltitudeAidingSource | None = None
         v = _ALTITUDE_AIDING_0.read(raw, at)
         at += 1
@@ -5462,7 +5539,7 @@ _PITCH_ROLL_AIDING_GROUPS = ((1, ("aiding",), False),)
 
 
 @dataclass(slots=True)
-class PitchRollAiding(Command):
+class PitchRollAiding(Command[R]):
     """Pitch and roll aiding (0x0D,0x4B).
 
     What aids pitch and roll while the motion is gentle.
@@ -5486,27 +5563,29 @@ class PitchRollAiding(Command):
     """Source of the aiding. Required for `write`."""
 
     @classmethod
-    def write(cls, aiding: PitchRollAidingSource) -> PitchRollAiding:
+    def write(
+        cls: ClassOf[PitchRollAiding[Any]], aiding: PitchRollAidingSource
+    ) -> PitchRollAiding[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, aiding=aiding)
 
     @classmethod
-    def read(cls) -> PitchRollAiding:
+    def read(cls: ClassOf[PitchRollAiding[Any]]) -> PitchRollAiding[PitchRollAidingResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> PitchRollAiding:
+    def save(cls: ClassOf[PitchRollAiding[Any]]) -> PitchRollAiding[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> PitchRollAiding:
+    def load(cls: ClassOf[PitchRollAiding[Any]]) -> PitchRollAiding[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> PitchRollAiding:
+    def default(cls: ClassOf[PitchRollAiding[Any]]) -> PitchRollAiding[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -5517,7 +5596,7 @@ class PitchRollAiding(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[PitchRollAiding, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[PitchRollAiding[R], int]:
         aiding: PitchRollAidingSource | None = None
         v = _PITCH_ROLL_AIDING_0.read(raw, at)
         at += 1
@@ -5553,7 +5632,7 @@ _MAGNETIC_INCLINATION_SOURCE_GROUPS = ((1, ("source",), False), (2, ("inclinatio
 
 
 @dataclass(slots=True)
-class MagneticInclinationSource(Command):
+class MagneticInclinationSource(Command[R]):
     """Magnetic inclination source (0x0D,0x4C).
 
     Source of the local inclination (dip angle) of the magnetic field.
@@ -5584,27 +5663,31 @@ class MagneticInclinationSource(Command):
     """
 
     @classmethod
-    def write(cls, source: MagParameterSource, inclination: float) -> MagneticInclinationSource:
+    def write(
+        cls: ClassOf[MagneticInclinationSource[Any]], source: MagParameterSource, inclination: float
+    ) -> MagneticInclinationSource[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, source=source, inclination=inclination)
 
     @classmethod
-    def read(cls) -> MagneticInclinationSource:
+    def read(
+        cls: ClassOf[MagneticInclinationSource[Any]],
+    ) -> MagneticInclinationSource[MagneticInclinationSourceResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> MagneticInclinationSource:
+    def save(cls: ClassOf[MagneticInclinationSource[Any]]) -> MagneticInclinationSource[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> MagneticInclinationSource:
+    def load(cls: ClassOf[MagneticInclinationSource[Any]]) -> MagneticInclinationSource[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> MagneticInclinationSource:
+    def default(cls: ClassOf[MagneticInclinationSource[Any]]) -> MagneticInclinationSource[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -5615,7 +5698,7 @@ class MagneticInclinationSource(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagneticInclinationSource, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[MagneticInclinationSource[R], int]:
         source: MagParameterSource | None = None
         inclination: float | None = None
         v = _MAGNETIC_INCLINATION_SOURCE_0.read(raw, at)
@@ -5660,7 +5743,7 @@ _MAGNETIC_MAGNITUDE_SOURCE_GROUPS = ((1, ("source",), False), (2, ("magnitude",)
 
 
 @dataclass(slots=True)
-class MagneticMagnitudeSource(Command):
+class MagneticMagnitudeSource(Command[R]):
     """Magnetic field magnitude source (0x0D,0x4D).
 
     Source of the local magnitude of the magnetic field.
@@ -5692,27 +5775,31 @@ class MagneticMagnitudeSource(Command):
     """
 
     @classmethod
-    def write(cls, source: MagParameterSource, magnitude: float) -> MagneticMagnitudeSource:
+    def write(
+        cls: ClassOf[MagneticMagnitudeSource[Any]], source: MagParameterSource, magnitude: float
+    ) -> MagneticMagnitudeSource[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, source=source, magnitude=magnitude)
 
     @classmethod
-    def read(cls) -> MagneticMagnitudeSource:
+    def read(
+        cls: ClassOf[MagneticMagnitudeSource[Any]],
+    ) -> MagneticMagnitudeSource[MagneticMagnitudeSourceResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> MagneticMagnitudeSource:
+    def save(cls: ClassOf[MagneticMagnitudeSource[Any]]) -> MagneticMagnitudeSource[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> MagneticMagnitudeSource:
+    def load(cls: ClassOf[MagneticMagnitudeSource[Any]]) -> MagneticMagnitudeSource[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> MagneticMagnitudeSource:
+    def default(cls: ClassOf[MagneticMagnitudeSource[Any]]) -> MagneticMagnitudeSource[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -5723,7 +5810,7 @@ class MagneticMagnitudeSource(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagneticMagnitudeSource, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[MagneticMagnitudeSource[R], int]:
         source: MagParameterSource | None = None
         magnitude: float | None = None
         v = _MAGNETIC_MAGNITUDE_SOURCE_0.read(raw, at)
@@ -5767,7 +5854,7 @@ _SENSOR_TO_VEHICLE_ROTATION_DCM_GROUPS = ((1, ("dcm",), False),)
 
 
 @dataclass(slots=True)
-class SensorToVehicleRotationDcm(Command):
+class SensorToVehicleRotationDcm(Command[R]):
     """Sensor to vehicle rotation, matrix (0x0D,0x4E).
 
     Rotation from the sensor frame to the vehicle frame as a direction cosine matrix.
@@ -5800,27 +5887,31 @@ class SensorToVehicleRotationDcm(Command):
     """
 
     @classmethod
-    def write(cls, dcm: types.Matrix3f) -> SensorToVehicleRotationDcm:
+    def write(
+        cls: ClassOf[SensorToVehicleRotationDcm[Any]], dcm: types.Matrix3f
+    ) -> SensorToVehicleRotationDcm[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, dcm=dcm)
 
     @classmethod
-    def read(cls) -> SensorToVehicleRotationDcm:
+    def read(
+        cls: ClassOf[SensorToVehicleRotationDcm[Any]],
+    ) -> SensorToVehicleRotationDcm[SensorToVehicleRotationDcmResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> SensorToVehicleRotationDcm:
+    def save(cls: ClassOf[SensorToVehicleRotationDcm[Any]]) -> SensorToVehicleRotationDcm[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> SensorToVehicleRotationDcm:
+    def load(cls: ClassOf[SensorToVehicleRotationDcm[Any]]) -> SensorToVehicleRotationDcm[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> SensorToVehicleRotationDcm:
+    def default(cls: ClassOf[SensorToVehicleRotationDcm[Any]]) -> SensorToVehicleRotationDcm[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -5831,7 +5922,7 @@ class SensorToVehicleRotationDcm(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationDcm, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationDcm[R], int]:
         dcm: types.Matrix3f | None = None
         v = _SENSOR_TO_VEHICLE_ROTATION_DCM_0.read(raw, at)
         at += 1
@@ -5866,7 +5957,7 @@ _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_GROUPS = ((1, ("q",), False),)
 
 
 @dataclass(slots=True)
-class SensorToVehicleRotationQuaternion(Command):
+class SensorToVehicleRotationQuaternion(Command[R]):
     """Sensor to vehicle rotation, quaternion (0x0D,0x4F).
 
     Rotation from the sensor frame to the vehicle frame as a quaternion.
@@ -5898,27 +5989,37 @@ class SensorToVehicleRotationQuaternion(Command):
     """
 
     @classmethod
-    def write(cls, q: types.Quatf) -> SensorToVehicleRotationQuaternion:
+    def write(
+        cls: ClassOf[SensorToVehicleRotationQuaternion[Any]], q: types.Quatf
+    ) -> SensorToVehicleRotationQuaternion[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, q=q)
 
     @classmethod
-    def read(cls) -> SensorToVehicleRotationQuaternion:
+    def read(
+        cls: ClassOf[SensorToVehicleRotationQuaternion[Any]],
+    ) -> SensorToVehicleRotationQuaternion[SensorToVehicleRotationQuaternionResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> SensorToVehicleRotationQuaternion:
+    def save(
+        cls: ClassOf[SensorToVehicleRotationQuaternion[Any]],
+    ) -> SensorToVehicleRotationQuaternion[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> SensorToVehicleRotationQuaternion:
+    def load(
+        cls: ClassOf[SensorToVehicleRotationQuaternion[Any]],
+    ) -> SensorToVehicleRotationQuaternion[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> SensorToVehicleRotationQuaternion:
+    def default(
+        cls: ClassOf[SensorToVehicleRotationQuaternion[Any]],
+    ) -> SensorToVehicleRotationQuaternion[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -5929,7 +6030,7 @@ class SensorToVehicleRotationQuaternion(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationQuaternion, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationQuaternion[R], int]:
         q: types.Quatf | None = None
         v = _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_0.read(raw, at)
         at += 1
@@ -5965,7 +6066,7 @@ _AIDING_MEASUREMENT_ENABLE_GROUPS = ((1, ("aiding_source",), False), (2, ("enabl
 
 
 @dataclass(slots=True)
-class AidingMeasurementEnable(Command):
+class AidingMeasurementEnable(Command[R]):
     """Aiding measurement control (0x0D,0x50).
 
     Enables or disables one source of aiding measurements.
@@ -5997,27 +6098,37 @@ class AidingMeasurementEnable(Command):
     """Whether the filter uses the source. Required for `write`."""
 
     @classmethod
-    def write(cls, aiding_source: AidingSource, enable: bool) -> AidingMeasurementEnable:
+    def write(
+        cls: ClassOf[AidingMeasurementEnable[Any]], aiding_source: AidingSource, enable: bool
+    ) -> AidingMeasurementEnable[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, aiding_source=aiding_source, enable=enable)
 
     @classmethod
-    def read(cls, aiding_source: AidingSource) -> AidingMeasurementEnable:
+    def read(
+        cls: ClassOf[AidingMeasurementEnable[Any]], aiding_source: AidingSource
+    ) -> AidingMeasurementEnable[AidingMeasurementEnableResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, aiding_source=aiding_source)
 
     @classmethod
-    def save(cls, aiding_source: AidingSource) -> AidingMeasurementEnable:
+    def save(
+        cls: ClassOf[AidingMeasurementEnable[Any]], aiding_source: AidingSource
+    ) -> AidingMeasurementEnable[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, aiding_source=aiding_source)
 
     @classmethod
-    def load(cls, aiding_source: AidingSource) -> AidingMeasurementEnable:
+    def load(
+        cls: ClassOf[AidingMeasurementEnable[Any]], aiding_source: AidingSource
+    ) -> AidingMeasurementEnable[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, aiding_source=aiding_source)
 
     @classmethod
-    def default(cls, aiding_source: AidingSource) -> AidingMeasurementEnable:
+    def default(
+        cls: ClassOf[AidingMeasurementEnable[Any]], aiding_source: AidingSource
+    ) -> AidingMeasurementEnable[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, aiding_source=aiding_source)
 
@@ -6028,7 +6139,7 @@ class AidingMeasurementEnable(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AidingMeasurementEnable, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[AidingMeasurementEnable[R], int]:
         aiding_source: AidingSource | None = None
         enable: bool | None = None
         v = _AIDING_MEASUREMENT_ENABLE_0.read(raw, at)
@@ -6078,7 +6189,7 @@ _KINEMATIC_CONSTRAINT_GROUPS = (
 
 
 @dataclass(slots=True)
-class KinematicConstraint(Command):
+class KinematicConstraint(Command[R]):
     """Kinematic constraint (0x0D,0x51).
 
     Assumptions about the motion that the filter uses as measurements.
@@ -6110,11 +6221,11 @@ class KinematicConstraint(Command):
 
     @classmethod
     def write(
-        cls,
+        cls: ClassOf[KinematicConstraint[Any]],
         accel_constraint: AccelConstraint,
         velocity_constraint: VelocityConstraint,
         angular_constraint: AngularConstraint,
-    ) -> KinematicConstraint:
+    ) -> KinematicConstraint[None]:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE,
@@ -6124,22 +6235,24 @@ class KinematicConstraint(Command):
         )
 
     @classmethod
-    def read(cls) -> KinematicConstraint:
+    def read(
+        cls: ClassOf[KinematicConstraint[Any]],
+    ) -> KinematicConstraint[KinematicConstraintResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> KinematicConstraint:
+    def save(cls: ClassOf[KinematicConstraint[Any]]) -> KinematicConstraint[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> KinematicConstraint:
+    def load(cls: ClassOf[KinematicConstraint[Any]]) -> KinematicConstraint[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> KinematicConstraint:
+    def default(cls: ClassOf[KinematicConstraint[Any]]) -> KinematicConstraint[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -6150,7 +6263,7 @@ class KinematicConstraint(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[KinematicConstraint, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[KinematicConstraint[R], int]:
         accel_constraint: AccelConstraint | None = None
         velocity_constraint: VelocityConstraint | None = None
         angular_constraint: AngularConstraint | None = None
@@ -6221,7 +6334,7 @@ _INITIALIZATION_CONFIG_GROUPS = (
 
 
 @dataclass(slots=True)
-class InitializationConfig(Command):
+class InitializationConfig(Command[R]):
     """Navigation filter initialization (0x0D,0x52).
 
     Sources and values of the initial attitude, position and velocity of the filter.
@@ -6277,7 +6390,7 @@ class InitializationConfig(Command):
 
     @classmethod
     def write(
-        cls,
+        cls: ClassOf[InitializationConfig[Any]],
         wait_for_run_command: int,
         initial_condition_source: InitialConditionSource,
         auto_heading_alignment_selector: HeadingAlignment,
@@ -6287,7 +6400,7 @@ class InitializationConfig(Command):
         initial_position: types.Vector3f,
         initial_velocity: types.Vector3f,
         reference_frame_selector: ReferenceFrame,
-    ) -> InitializationConfig:
+    ) -> InitializationConfig[None]:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE,
@@ -6303,22 +6416,24 @@ class InitializationConfig(Command):
         )
 
     @classmethod
-    def read(cls) -> InitializationConfig:
+    def read(
+        cls: ClassOf[InitializationConfig[Any]],
+    ) -> InitializationConfig[InitializationConfigResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> InitializationConfig:
+    def save(cls: ClassOf[InitializationConfig[Any]]) -> InitializationConfig[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> InitializationConfig:
+    def load(cls: ClassOf[InitializationConfig[Any]]) -> InitializationConfig[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> InitializationConfig:
+    def default(cls: ClassOf[InitializationConfig[Any]]) -> InitializationConfig[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -6329,7 +6444,7 @@ class InitializationConfig(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[InitializationConfig, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[InitializationConfig[R], int]:
         wait_for_run_command: int | None = None
         initial_condition_source: InitialConditionSource | None = None
         auto_heading_alignment_selector: HeadingAlignment | None = None
@@ -6452,7 +6567,7 @@ _ADAPTIVE_FILTER_OPTIONS_GROUPS = ((1, ("level",), False), (2, ("time_limit",), 
 
 
 @dataclass(slots=True)
-class AdaptiveFilterOptions(Command):
+class AdaptiveFilterOptions(Command[R]):
     """Adaptive filter control (0x0D,0x53).
 
     How the filter adapts to measurements that do not fit its model.
@@ -6483,27 +6598,31 @@ class AdaptiveFilterOptions(Command):
     """
 
     @classmethod
-    def write(cls, level: AdaptiveLevel, time_limit: int) -> AdaptiveFilterOptions:
+    def write(
+        cls: ClassOf[AdaptiveFilterOptions[Any]], level: AdaptiveLevel, time_limit: int
+    ) -> AdaptiveFilterOptions[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, level=level, time_limit=time_limit)
 
     @classmethod
-    def read(cls) -> AdaptiveFilterOptions:
+    def read(
+        cls: ClassOf[AdaptiveFilterOptions[Any]],
+    ) -> AdaptiveFilterOptions[AdaptiveFilterOptionsResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> AdaptiveFilterOptions:
+    def save(cls: ClassOf[AdaptiveFilterOptions[Any]]) -> AdaptiveFilterOptions[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> AdaptiveFilterOptions:
+    def load(cls: ClassOf[AdaptiveFilterOptions[Any]]) -> AdaptiveFilterOptions[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> AdaptiveFilterOptions:
+    def default(cls: ClassOf[AdaptiveFilterOptions[Any]]) -> AdaptiveFilterOptions[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -6514,7 +6633,7 @@ class AdaptiveFilterOptions(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AdaptiveFilterOptions, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[AdaptiveFilterOptions[R], int]:
         level: AdaptiveLevel | None = None
         time_limit: int | None = None
         v = _ADAPTIVE_FILTER_OPTIONS_0.read(raw, at)
@@ -6559,7 +6678,7 @@ _MULTI_ANTENNA_OFFSET_GROUPS = ((1, ("receiver_id",), False), (2, ("antenna_offs
 
 
 @dataclass(slots=True)
-class MultiAntennaOffset(Command):
+class MultiAntennaOffset(Command[R]):
     """GNSS multi-antenna offset (0x0D,0x54).
 
     Position of the antenna of one receiver on devices with several antennas.
@@ -6587,27 +6706,33 @@ class MultiAntennaOffset(Command):
     """
 
     @classmethod
-    def write(cls, receiver_id: int, antenna_offset: types.Vector3f) -> MultiAntennaOffset:
+    def write(
+        cls: ClassOf[MultiAntennaOffset[Any]], receiver_id: int, antenna_offset: types.Vector3f
+    ) -> MultiAntennaOffset[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, receiver_id=receiver_id, antenna_offset=antenna_offset)
 
     @classmethod
-    def read(cls, receiver_id: int) -> MultiAntennaOffset:
+    def read(
+        cls: ClassOf[MultiAntennaOffset[Any]], receiver_id: int
+    ) -> MultiAntennaOffset[MultiAntennaOffsetResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, receiver_id=receiver_id)
 
     @classmethod
-    def save(cls, receiver_id: int) -> MultiAntennaOffset:
+    def save(cls: ClassOf[MultiAntennaOffset[Any]], receiver_id: int) -> MultiAntennaOffset[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, receiver_id=receiver_id)
 
     @classmethod
-    def load(cls, receiver_id: int) -> MultiAntennaOffset:
+    def load(cls: ClassOf[MultiAntennaOffset[Any]], receiver_id: int) -> MultiAntennaOffset[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, receiver_id=receiver_id)
 
     @classmethod
-    def default(cls, receiver_id: int) -> MultiAntennaOffset:
+    def default(
+        cls: ClassOf[MultiAntennaOffset[Any]], receiver_id: int
+    ) -> MultiAntennaOffset[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, receiver_id=receiver_id)
 
@@ -6618,7 +6743,7 @@ class MultiAntennaOffset(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MultiAntennaOffset, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[MultiAntennaOffset[R], int]:
         receiver_id: int | None = None
         antenna_offset: types.Vector3f | None = None
         v = _MULTI_ANTENNA_OFFSET_0.read(raw, at)
@@ -6670,7 +6795,7 @@ _RELATIVE_POSITION_CONFIG_GROUPS = (
 
 
 @dataclass(slots=True)
-class RelativePositionConfig(Command):
+class RelativePositionConfig(Command[R]):
     """Relative position configuration (0x0D,0x55).
 
     Reference point of the relative position that the filter reports.
@@ -6703,11 +6828,11 @@ class RelativePositionConfig(Command):
 
     @classmethod
     def write(
-        cls,
+        cls: ClassOf[RelativePositionConfig[Any]],
         source: RelativePositionSource,
         reference_frame_selector: ReferenceFrame,
         reference_coordinates: types.Vector3d,
-    ) -> RelativePositionConfig:
+    ) -> RelativePositionConfig[None]:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE,
@@ -6717,22 +6842,24 @@ class RelativePositionConfig(Command):
         )
 
     @classmethod
-    def read(cls) -> RelativePositionConfig:
+    def read(
+        cls: ClassOf[RelativePositionConfig[Any]],
+    ) -> RelativePositionConfig[RelativePositionConfigResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> RelativePositionConfig:
+    def save(cls: ClassOf[RelativePositionConfig[Any]]) -> RelativePositionConfig[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> RelativePositionConfig:
+    def load(cls: ClassOf[RelativePositionConfig[Any]]) -> RelativePositionConfig[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> RelativePositionConfig:
+    def default(cls: ClassOf[RelativePositionConfig[Any]]) -> RelativePositionConfig[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -6743,7 +6870,7 @@ class RelativePositionConfig(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[RelativePositionConfig, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[RelativePositionConfig[R], int]:
         source: RelativePositionSource | None = None
         reference_frame_selector: ReferenceFrame | None = None
         reference_coordinates: types.Vector3d | None = None
@@ -6802,7 +6929,7 @@ _REFERENCE_POINT_LEVER_ARM_GROUPS = (
 
 
 @dataclass(slots=True)
-class ReferencePointLeverArm(Command):
+class ReferencePointLeverArm(Command[R]):
     """Reference point lever arm (0x0D,0x56).
 
     Moves the point to which the position and the velocity of the filter refer.
@@ -6835,8 +6962,10 @@ class ReferencePointLeverArm(Command):
 
     @classmethod
     def write(
-        cls, reference_point: ReferencePoint, lever_arm_offset: types.Vector3f
-    ) -> ReferencePointLeverArm:
+        cls: ClassOf[ReferencePointLeverArm[Any]],
+        reference_point: ReferencePoint,
+        lever_arm_offset: types.Vector3f,
+    ) -> ReferencePointLeverArm[None]:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE,
@@ -6845,22 +6974,24 @@ class ReferencePointLeverArm(Command):
         )
 
     @classmethod
-    def read(cls) -> ReferencePointLeverArm:
+    def read(
+        cls: ClassOf[ReferencePointLeverArm[Any]],
+    ) -> ReferencePointLeverArm[ReferencePointLeverArmResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> ReferencePointLeverArm:
+    def save(cls: ClassOf[ReferencePointLeverArm[Any]]) -> ReferencePointLeverArm[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> ReferencePointLeverArm:
+    def load(cls: ClassOf[ReferencePointLeverArm[Any]]) -> ReferencePointLeverArm[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> ReferencePointLeverArm:
+    def default(cls: ClassOf[ReferencePointLeverArm[Any]]) -> ReferencePointLeverArm[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -6871,7 +7002,7 @@ class ReferencePointLeverArm(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ReferencePointLeverArm, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[ReferencePointLeverArm[R], int]:
         reference_point: ReferencePoint | None = None
         lever_arm_offset: types.Vector3f | None = None
         v = _REFERENCE_POINT_LEVER_ARM_0.read(raw, at)
@@ -6915,7 +7046,7 @@ _SPEED_MEASUREMENT_0 = codec.Block("Bfff", "source", "tow", "speed", "speed_unce
 
 
 @dataclass(slots=True)
-class SpeedMeasurement(Command):
+class SpeedMeasurement(Command[None]):
     """Speed measurement (0x0D,0x60).
 
     Gives the filter one measurement of the forward speed of the vehicle (along its x axis).
@@ -6965,7 +7096,7 @@ _SPEED_LEVER_ARM_GROUPS = ((1, ("source",), False), (2, ("lever_arm_offset",), F
 
 
 @dataclass(slots=True)
-class SpeedLeverArm(Command):
+class SpeedLeverArm(Command[R]):
     """Speed measurement lever arm (0x0D,0x61).
 
     Position of the point whose speed is measured, such as the wheel that an odometer is on.
@@ -6995,27 +7126,29 @@ class SpeedLeverArm(Command):
     """
 
     @classmethod
-    def write(cls, lever_arm_offset: types.Vector3f) -> SpeedLeverArm:
+    def write(
+        cls: ClassOf[SpeedLeverArm[Any]], lever_arm_offset: types.Vector3f
+    ) -> SpeedLeverArm[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, source=1, lever_arm_offset=lever_arm_offset)
 
     @classmethod
-    def read(cls) -> SpeedLeverArm:
+    def read(cls: ClassOf[SpeedLeverArm[Any]]) -> SpeedLeverArm[SpeedLeverArmResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, source=1)
 
     @classmethod
-    def save(cls) -> SpeedLeverArm:
+    def save(cls: ClassOf[SpeedLeverArm[Any]]) -> SpeedLeverArm[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, source=1)
 
     @classmethod
-    def load(cls) -> SpeedLeverArm:
+    def load(cls: ClassOf[SpeedLeverArm[Any]]) -> SpeedLeverArm[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, source=1)
 
     @classmethod
-    def default(cls) -> SpeedLeverArm:
+    def default(cls: ClassOf[SpeedLeverArm[Any]]) -> SpeedLeverArm[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, source=1)
 
@@ -7026,7 +7159,7 @@ class SpeedLeverArm(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SpeedLeverArm, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[SpeedLeverArm[R], int]:
         source: int | None = None
         lever_arm_offset: types.Vector3f | None = None
         v = _SPEED_LEVER_ARM_0.read(raw, at)
@@ -7072,7 +7205,7 @@ _VERTICAL_GYRO_CONSTRAINT_CONTROL_GROUPS = ((1, ("enable",), False),)
 
 
 @dataclass(slots=True)
-class VerticalGyroConstraintControl(Command):
+class VerticalGyroConstraintControl(Command[R]):
     """Vertical gyro constraint (0x0D,0x62).
 
     Lets the filter hold pitch and roll by the accelerometers while there is no GNSS.
@@ -7099,27 +7232,37 @@ class VerticalGyroConstraintControl(Command):
     """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
 
     @classmethod
-    def write(cls, enable: int) -> VerticalGyroConstraintControl:
+    def write(
+        cls: ClassOf[VerticalGyroConstraintControl[Any]], enable: int
+    ) -> VerticalGyroConstraintControl[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, enable=enable)
 
     @classmethod
-    def read(cls) -> VerticalGyroConstraintControl:
+    def read(
+        cls: ClassOf[VerticalGyroConstraintControl[Any]],
+    ) -> VerticalGyroConstraintControl[VerticalGyroConstraintControlResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> VerticalGyroConstraintControl:
+    def save(
+        cls: ClassOf[VerticalGyroConstraintControl[Any]],
+    ) -> VerticalGyroConstraintControl[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> VerticalGyroConstraintControl:
+    def load(
+        cls: ClassOf[VerticalGyroConstraintControl[Any]],
+    ) -> VerticalGyroConstraintControl[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> VerticalGyroConstraintControl:
+    def default(
+        cls: ClassOf[VerticalGyroConstraintControl[Any]],
+    ) -> VerticalGyroConstraintControl[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -7130,7 +7273,7 @@ class VerticalGyroConstraintControl(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[VerticalGyroConstraintControl, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[VerticalGyroConstraintControl[R], int]:
         enable: int | None = None
         v = _VERTICAL_GYRO_CONSTRAINT_CONTROL_0.read(raw, at)
         at += 1
@@ -7165,7 +7308,7 @@ _WHEELED_VEHICLE_CONSTRAINT_CONTROL_GROUPS = ((1, ("enable",), False),)
 
 
 @dataclass(slots=True)
-class WheeledVehicleConstraintControl(Command):
+class WheeledVehicleConstraintControl(Command[R]):
     """Wheeled vehicle constraint (0x0D,0x63).
 
     Lets the filter assume that the vehicle moves only along its x axis.
@@ -7192,27 +7335,37 @@ class WheeledVehicleConstraintControl(Command):
     """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
 
     @classmethod
-    def write(cls, enable: int) -> WheeledVehicleConstraintControl:
+    def write(
+        cls: ClassOf[WheeledVehicleConstraintControl[Any]], enable: int
+    ) -> WheeledVehicleConstraintControl[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, enable=enable)
 
     @classmethod
-    def read(cls) -> WheeledVehicleConstraintControl:
+    def read(
+        cls: ClassOf[WheeledVehicleConstraintControl[Any]],
+    ) -> WheeledVehicleConstraintControl[WheeledVehicleConstraintControlResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> WheeledVehicleConstraintControl:
+    def save(
+        cls: ClassOf[WheeledVehicleConstraintControl[Any]],
+    ) -> WheeledVehicleConstraintControl[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> WheeledVehicleConstraintControl:
+    def load(
+        cls: ClassOf[WheeledVehicleConstraintControl[Any]],
+    ) -> WheeledVehicleConstraintControl[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> WheeledVehicleConstraintControl:
+    def default(
+        cls: ClassOf[WheeledVehicleConstraintControl[Any]],
+    ) -> WheeledVehicleConstraintControl[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -7223,7 +7376,7 @@ class WheeledVehicleConstraintControl(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[WheeledVehicleConstraintControl, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[WheeledVehicleConstraintControl[R], int]:
         enable: int | None = None
         v = _WHEELED_VEHICLE_CONSTRAINT_CONTROL_0.read(raw, at)
         at += 1
@@ -7259,7 +7412,7 @@ _GNSS_ANTENNA_CALIBRATION_CONTROL_GROUPS = ((1, ("enable",), False), (2, ("max_o
 
 
 @dataclass(slots=True)
-class GnssAntennaCalibrationControl(Command):
+class GnssAntennaCalibrationControl(Command[R]):
     """GNSS antenna offset calibration (0x0D,0x64).
 
     Lets the filter track the error of the antenna offset.
@@ -7289,27 +7442,37 @@ class GnssAntennaCalibrationControl(Command):
     """
 
     @classmethod
-    def write(cls, enable: int, max_offset: float) -> GnssAntennaCalibrationControl:
+    def write(
+        cls: ClassOf[GnssAntennaCalibrationControl[Any]], enable: int, max_offset: float
+    ) -> GnssAntennaCalibrationControl[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, enable=enable, max_offset=max_offset)
 
     @classmethod
-    def read(cls) -> GnssAntennaCalibrationControl:
+    def read(
+        cls: ClassOf[GnssAntennaCalibrationControl[Any]],
+    ) -> GnssAntennaCalibrationControl[GnssAntennaCalibrationControlResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> GnssAntennaCalibrationControl:
+    def save(
+        cls: ClassOf[GnssAntennaCalibrationControl[Any]],
+    ) -> GnssAntennaCalibrationControl[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> GnssAntennaCalibrationControl:
+    def load(
+        cls: ClassOf[GnssAntennaCalibrationControl[Any]],
+    ) -> GnssAntennaCalibrationControl[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> GnssAntennaCalibrationControl:
+    def default(
+        cls: ClassOf[GnssAntennaCalibrationControl[Any]],
+    ) -> GnssAntennaCalibrationControl[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -7320,7 +7483,7 @@ class GnssAntennaCalibrationControl(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssAntennaCalibrationControl, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GnssAntennaCalibrationControl[R], int]:
         enable: int | None = None
         max_offset: float | None = None
         v = _GNSS_ANTENNA_CALIBRATION_CONTROL_0.read(raw, at)

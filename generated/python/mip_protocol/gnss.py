@@ -9,10 +9,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntFlag
+from typing import Any
 
 from . import codec
 from .errors import Truncated
-from .field import Command, Field, Response, ResponseClasses, Structure
+from .field import ClassOf, Command, Field, R, Response, ResponseClasses, Structure
 from .protocol import FunctionSelector
 
 _RECEIVER_INFO_ENTRY_0 = codec.Block("BB", "receiver_id", "mip_data_descriptor_set")
@@ -324,7 +325,7 @@ class SpartnConfigResponse(Response):
 
 
 @dataclass(slots=True)
-class ReceiverInfo(Command):
+class ReceiverInfo(Command[ReceiverInfoResponse]):
     """Receiver info (0x0E,0x01).
 
     Asks which GNSS receivers the device has.
@@ -364,7 +365,7 @@ _SIGNAL_CONFIG_GROUPS = (
 
 
 @dataclass(slots=True)
-class SignalConfig(Command):
+class SignalConfig(Command[R]):
     """Signal configuration (0x0E,0x02).
 
     GNSS signals that the device uses.
@@ -402,12 +403,12 @@ class SignalConfig(Command):
 
     @classmethod
     def write(
-        cls,
+        cls: ClassOf[SignalConfig[Any]],
         gps_enable: GpsSignals,
         glonass_enable: GlonassSignals,
         galileo_enable: GalileoSignals,
         beidou_enable: BeidouSignals,
-    ) -> SignalConfig:
+    ) -> SignalConfig[None]:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE,
@@ -419,22 +420,22 @@ class SignalConfig(Command):
         )
 
     @classmethod
-    def read(cls) -> SignalConfig:
+    def read(cls: ClassOf[SignalConfig[Any]]) -> SignalConfig[SignalConfigResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> SignalConfig:
+    def save(cls: ClassOf[SignalConfig[Any]]) -> SignalConfig[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> SignalConfig:
+    def load(cls: ClassOf[SignalConfig[Any]]) -> SignalConfig[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> SignalConfig:
+    def default(cls: ClassOf[SignalConfig[Any]]) -> SignalConfig[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -445,7 +446,7 @@ class SignalConfig(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SignalConfig, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[SignalConfig[R], int]:
         gps_enable: GpsSignals | None = None
         glonass_enable: GlonassSignals | None = None
         galileo_enable: GalileoSignals | None = None
@@ -519,7 +520,7 @@ _RTK_DONGLE_CONFIG_GROUPS = ((1, ("enable",), False), (2, ("reserved",), False))
 
 
 @dataclass(slots=True)
-class RtkDongleConfig(Command):
+class RtkDongleConfig(Command[R]):
     """RTK dongle configuration (0x0E,0x10).
 
     Whether the device talks to the RTK dongle that is connected to it.
@@ -546,27 +547,27 @@ class RtkDongleConfig(Command):
     """Reserved: send 0. Required for `write`. Uncertain: What to send; 0 is assumed."""
 
     @classmethod
-    def write(cls, enable: int) -> RtkDongleConfig:
+    def write(cls: ClassOf[RtkDongleConfig[Any]], enable: int) -> RtkDongleConfig[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, enable=enable, reserved=(0, 0, 0))
 
     @classmethod
-    def read(cls) -> RtkDongleConfig:
+    def read(cls: ClassOf[RtkDongleConfig[Any]]) -> RtkDongleConfig[RtkDongleConfigResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> RtkDongleConfig:
+    def save(cls: ClassOf[RtkDongleConfig[Any]]) -> RtkDongleConfig[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> RtkDongleConfig:
+    def load(cls: ClassOf[RtkDongleConfig[Any]]) -> RtkDongleConfig[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> RtkDongleConfig:
+    def default(cls: ClassOf[RtkDongleConfig[Any]]) -> RtkDongleConfig[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -577,7 +578,7 @@ class RtkDongleConfig(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[RtkDongleConfig, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[RtkDongleConfig[R], int]:
         enable: int | None = None
         reserved: tuple[int, int, int] | None = None
         v = _RTK_DONGLE_CONFIG_0.read(raw, at)
@@ -637,7 +638,7 @@ _SPARTN_CONFIG_GROUPS = (
 
 
 @dataclass(slots=True)
-class SpartnConfig(Command):
+class SpartnConfig(Command[R]):
     """SPARTN configuration (0x0E,0x20).
 
     Source and keys of SPARTN corrections.
@@ -684,7 +685,7 @@ class SpartnConfig(Command):
 
     @classmethod
     def write(
-        cls,
+        cls: ClassOf[SpartnConfig[Any]],
         enable: int,
         type: SpartnConnection,
         current_key_tow: int,
@@ -693,7 +694,7 @@ class SpartnConfig(Command):
         next_key_tow: int,
         next_key_week: int,
         next_key: tuple[int, ...],
-    ) -> SpartnConfig:
+    ) -> SpartnConfig[None]:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE,
@@ -708,22 +709,22 @@ class SpartnConfig(Command):
         )
 
     @classmethod
-    def read(cls) -> SpartnConfig:
+    def read(cls: ClassOf[SpartnConfig[Any]]) -> SpartnConfig[SpartnConfigResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> SpartnConfig:
+    def save(cls: ClassOf[SpartnConfig[Any]]) -> SpartnConfig[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> SpartnConfig:
+    def load(cls: ClassOf[SpartnConfig[Any]]) -> SpartnConfig[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> SpartnConfig:
+    def default(cls: ClassOf[SpartnConfig[Any]]) -> SpartnConfig[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -734,7 +735,7 @@ class SpartnConfig(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SpartnConfig, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[SpartnConfig[R], int]:
         enable: int | None = None
         type: SpartnConnection | None = None
         current_key_tow: int | None = None

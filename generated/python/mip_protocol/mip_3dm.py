@@ -10,10 +10,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from enum import IntFlag
+from typing import Any
 
 from . import codec, types
 from .errors import Truncated
-from .field import Command, Field, Response, ResponseClasses, Structure
+from .field import ClassOf, Command, Field, R, Response, ResponseClasses, Structure
 from .protocol import FunctionSelector
 
 _POLL_ENTRY_0 = codec.Block("BH", "descriptor", "reserved")
@@ -3188,7 +3189,7 @@ _POLL_IMU_DATA_0 = codec.Block("BB", "suppress_ack", "num_descriptors")
 
 
 @dataclass(slots=True)
-class PollImuData(Command):
+class PollImuData(Command[None]):
     """Poll IMU Data (0x0C,0x01).
 
     Asks for one sensor data packet (0x80) with the fields listed, in their order.
@@ -3242,7 +3243,7 @@ _POLL_GNSS_DATA_0 = codec.Block("BB", "suppress_ack", "num_descriptors")
 
 
 @dataclass(slots=True)
-class PollGnssData(Command):
+class PollGnssData(Command[None]):
     """Poll GNSS Data (0x0C,0x02).
 
     Asks for one GNSS data packet with the fields listed, in their order.
@@ -3300,7 +3301,7 @@ _POLL_FILTER_DATA_0 = codec.Block("BB", "suppress_ack", "num_descriptors")
 
 
 @dataclass(slots=True)
-class PollFilterData(Command):
+class PollFilterData(Command[None]):
     """Poll Estimation Filter Data (0x0C,0x03).
 
     Asks for one filter data packet (0x82) with the fields listed, in their order.
@@ -3353,7 +3354,7 @@ _POLL_NMEA_DATA_0 = codec.Block("BB", "suppress_ack", "count")
 
 
 @dataclass(slots=True)
-class PollNmeaData(Command):
+class PollNmeaData(Command[None]):
     """Poll NMEA Data (0x0C,0x04).
 
     Asks for the NMEA sentences listed, once.
@@ -3406,7 +3407,7 @@ class PollNmeaData(Command):
 
 
 @dataclass(slots=True)
-class GetImuBaseRate(Command):
+class GetImuBaseRate(Command[GetImuBaseRateResponse]):
     """Get IMU Data Base Rate (0x0C,0x06).
 
     Asks for the rate that the decimations of the IMU message format divide.
@@ -3432,7 +3433,7 @@ class GetImuBaseRate(Command):
 
 
 @dataclass(slots=True)
-class GetGnssBaseRate(Command):
+class GetGnssBaseRate(Command[GetGnssBaseRateResponse]):
     """Get GNSS Data Base Rate (0x0C,0x07).
 
     Asks for the rate that the decimations of the GNSS message format divide.
@@ -3464,7 +3465,7 @@ _IMU_MESSAGE_FORMAT_GROUPS = ((2, ("descriptors",), False),)
 
 
 @dataclass(slots=True)
-class ImuMessageFormat(Command):
+class ImuMessageFormat(Command[R]):
     """IMU Message Format (0x0C,0x08).
 
     Fields of the sensor data packets (0x80), in order, with their decimations.
@@ -3495,27 +3496,29 @@ class ImuMessageFormat(Command):
     """Fields and decimations. Required for `write`."""
 
     @classmethod
-    def write(cls, descriptors: tuple[types.DescriptorRate, ...]) -> ImuMessageFormat:
+    def write(
+        cls: ClassOf[ImuMessageFormat[Any]], descriptors: tuple[types.DescriptorRate, ...]
+    ) -> ImuMessageFormat[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, descriptors=descriptors)
 
     @classmethod
-    def read(cls) -> ImuMessageFormat:
+    def read(cls: ClassOf[ImuMessageFormat[Any]]) -> ImuMessageFormat[ImuMessageFormatResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> ImuMessageFormat:
+    def save(cls: ClassOf[ImuMessageFormat[Any]]) -> ImuMessageFormat[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> ImuMessageFormat:
+    def load(cls: ClassOf[ImuMessageFormat[Any]]) -> ImuMessageFormat[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> ImuMessageFormat:
+    def default(cls: ClassOf[ImuMessageFormat[Any]]) -> ImuMessageFormat[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -3526,7 +3529,7 @@ class ImuMessageFormat(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ImuMessageFormat, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[ImuMessageFormat[R], int]:
         descriptors: tuple[types.DescriptorRate, ...] | None = None
         v = _IMU_MESSAGE_FORMAT_0.read(raw, at)
         at += 1
@@ -3568,7 +3571,7 @@ _GNSS_MESSAGE_FORMAT_GROUPS = ((2, ("descriptors",), False),)
 
 
 @dataclass(slots=True)
-class GnssMessageFormat(Command):
+class GnssMessageFormat(Command[R]):
     """GNSS Message Format (0x0C,0x09).
 
     Fields of the GNSS data packets, in order, with their decimations.
@@ -3599,27 +3602,29 @@ class GnssMessageFormat(Command):
     """Fields and decimations. Required for `write`."""
 
     @classmethod
-    def write(cls, descriptors: tuple[types.DescriptorRate, ...]) -> GnssMessageFormat:
+    def write(
+        cls: ClassOf[GnssMessageFormat[Any]], descriptors: tuple[types.DescriptorRate, ...]
+    ) -> GnssMessageFormat[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, descriptors=descriptors)
 
     @classmethod
-    def read(cls) -> GnssMessageFormat:
+    def read(cls: ClassOf[GnssMessageFormat[Any]]) -> GnssMessageFormat[GnssMessageFormatResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> GnssMessageFormat:
+    def save(cls: ClassOf[GnssMessageFormat[Any]]) -> GnssMessageFormat[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> GnssMessageFormat:
+    def load(cls: ClassOf[GnssMessageFormat[Any]]) -> GnssMessageFormat[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> GnssMessageFormat:
+    def default(cls: ClassOf[GnssMessageFormat[Any]]) -> GnssMessageFormat[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -3630,7 +3635,7 @@ class GnssMessageFormat(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssMessageFormat, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GnssMessageFormat[R], int]:
         descriptors: tuple[types.DescriptorRate, ...] | None = None
         v = _GNSS_MESSAGE_FORMAT_0.read(raw, at)
         at += 1
@@ -3672,7 +3677,7 @@ _FILTER_MESSAGE_FORMAT_GROUPS = ((2, ("descriptors",), False),)
 
 
 @dataclass(slots=True)
-class FilterMessageFormat(Command):
+class FilterMessageFormat(Command[R]):
     """Estimation Filter Message Format (0x0C,0x0A).
 
     Fields of the filter data packets (0x82), in order, with their decimations.
@@ -3703,27 +3708,31 @@ class FilterMessageFormat(Command):
     """Fields and decimations. Required for `write`."""
 
     @classmethod
-    def write(cls, descriptors: tuple[types.DescriptorRate, ...]) -> FilterMessageFormat:
+    def write(
+        cls: ClassOf[FilterMessageFormat[Any]], descriptors: tuple[types.DescriptorRate, ...]
+    ) -> FilterMessageFormat[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, descriptors=descriptors)
 
     @classmethod
-    def read(cls) -> FilterMessageFormat:
+    def read(
+        cls: ClassOf[FilterMessageFormat[Any]],
+    ) -> FilterMessageFormat[FilterMessageFormatResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> FilterMessageFormat:
+    def save(cls: ClassOf[FilterMessageFormat[Any]]) -> FilterMessageFormat[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> FilterMessageFormat:
+    def load(cls: ClassOf[FilterMessageFormat[Any]]) -> FilterMessageFormat[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> FilterMessageFormat:
+    def default(cls: ClassOf[FilterMessageFormat[Any]]) -> FilterMessageFormat[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -3734,7 +3743,7 @@ class FilterMessageFormat(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[FilterMessageFormat, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[FilterMessageFormat[R], int]:
         descriptors: tuple[types.DescriptorRate, ...] | None = None
         v = _FILTER_MESSAGE_FORMAT_0.read(raw, at)
         at += 1
@@ -3771,7 +3780,7 @@ class FilterMessageFormat(Command):
 
 
 @dataclass(slots=True)
-class GetFilterBaseRate(Command):
+class GetFilterBaseRate(Command[GetFilterBaseRateResponse]):
     """Get Estimation Filter Data Base Rate (0x0C,0x0B).
 
     Asks for the rate that the decimations of the estimation filter message format divide.
@@ -3802,7 +3811,7 @@ _NMEA_MESSAGE_FORMAT_GROUPS = ((2, ("format_entries",), False),)
 
 
 @dataclass(slots=True)
-class NmeaMessageFormat(Command):
+class NmeaMessageFormat(Command[R]):
     """NMEA Message Format (0x0C,0x0C).
 
     NMEA sentences that the device streams.
@@ -3831,27 +3840,29 @@ class NmeaMessageFormat(Command):
     """Sentences to stream. Required for `write`."""
 
     @classmethod
-    def write(cls, format_entries: tuple[types.NmeaMessage, ...]) -> NmeaMessageFormat:
+    def write(
+        cls: ClassOf[NmeaMessageFormat[Any]], format_entries: tuple[types.NmeaMessage, ...]
+    ) -> NmeaMessageFormat[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, format_entries=format_entries)
 
     @classmethod
-    def read(cls) -> NmeaMessageFormat:
+    def read(cls: ClassOf[NmeaMessageFormat[Any]]) -> NmeaMessageFormat[NmeaMessageFormatResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> NmeaMessageFormat:
+    def save(cls: ClassOf[NmeaMessageFormat[Any]]) -> NmeaMessageFormat[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> NmeaMessageFormat:
+    def load(cls: ClassOf[NmeaMessageFormat[Any]]) -> NmeaMessageFormat[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> NmeaMessageFormat:
+    def default(cls: ClassOf[NmeaMessageFormat[Any]]) -> NmeaMessageFormat[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -3862,7 +3873,7 @@ class NmeaMessageFormat(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[NmeaMessageFormat, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[NmeaMessageFormat[R], int]:
         format_entries: tuple[types.NmeaMessage, ...] | None = None
         v = _NMEA_MESSAGE_FORMAT_0.read(raw, at)
         at += 1
@@ -3904,7 +3915,7 @@ _POLL_DATA_0 = codec.Block("BBB", "descriptor_set", "suppress_ack", "num_descrip
 
 
 @dataclass(slots=True)
-class PollData(Command):
+class PollData(Command[None]):
     """Poll Data (0x0C,0x0D).
 
     Asks for one data packet of the descriptor set with the fields listed, in their order.
@@ -3963,7 +3974,7 @@ _GET_BASE_RATE_0 = codec.Block("B", "descriptor_set")
 
 
 @dataclass(slots=True)
-class GetBaseRate(Command):
+class GetBaseRate(Command[GetBaseRateResponse]):
     """Get Data Base Rate (0x0C,0x0E).
 
     Asks for the rate that the decimations of a descriptor set divide.
@@ -4001,7 +4012,7 @@ _MESSAGE_FORMAT_GROUPS = ((1, ("descriptor_set",), False), (3, ("descriptors",),
 
 
 @dataclass(slots=True)
-class MessageFormat(Command):
+class MessageFormat(Command[R]):
     """Message Format (0x0C,0x0F).
 
     Fields of the data packets of a descriptor set, in order, with their decimations.
@@ -4034,28 +4045,32 @@ class MessageFormat(Command):
 
     @classmethod
     def write(
-        cls, descriptor_set: int, descriptors: tuple[types.DescriptorRate, ...]
-    ) -> MessageFormat:
+        cls: ClassOf[MessageFormat[Any]],
+        descriptor_set: int,
+        descriptors: tuple[types.DescriptorRate, ...],
+    ) -> MessageFormat[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, descriptor_set=descriptor_set, descriptors=descriptors)
 
     @classmethod
-    def read(cls, descriptor_set: int) -> MessageFormat:
+    def read(
+        cls: ClassOf[MessageFormat[Any]], descriptor_set: int
+    ) -> MessageFormat[MessageFormatResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, descriptor_set=descriptor_set)
 
     @classmethod
-    def save(cls, descriptor_set: int) -> MessageFormat:
+    def save(cls: ClassOf[MessageFormat[Any]], descriptor_set: int) -> MessageFormat[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, descriptor_set=descriptor_set)
 
     @classmethod
-    def load(cls, descriptor_set: int) -> MessageFormat:
+    def load(cls: ClassOf[MessageFormat[Any]], descriptor_set: int) -> MessageFormat[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, descriptor_set=descriptor_set)
 
     @classmethod
-    def default(cls, descriptor_set: int) -> MessageFormat:
+    def default(cls: ClassOf[MessageFormat[Any]], descriptor_set: int) -> MessageFormat[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, descriptor_set=descriptor_set)
 
@@ -4066,7 +4081,7 @@ class MessageFormat(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MessageFormat, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[MessageFormat[R], int]:
         descriptor_set: int | None = None
         descriptors: tuple[types.DescriptorRate, ...] | None = None
         v = _MESSAGE_FORMAT_0.read(raw, at)
@@ -4115,7 +4130,7 @@ _FACTORY_STREAMING_0 = codec.Block("BB", "action", "reserved")
 
 
 @dataclass(slots=True)
-class FactoryStreaming(Command):
+class FactoryStreaming(Command[None]):
     """Factory Streaming (0x0C,0x10).
 
     Sets all message formats to those that technical support wants to have recorded.
@@ -4155,7 +4170,7 @@ _DATA_STREAM_CONTROL_GROUPS = ((1, ("descriptor_set",), False), (2, ("enable",),
 
 
 @dataclass(slots=True)
-class DataStreamControl(Command):
+class DataStreamControl(Command[R]):
     """Data Stream Control (0x0C,0x11).
 
     Switches a data stream on or off.
@@ -4196,27 +4211,33 @@ class DataStreamControl(Command):
     """Whether the stream is sent. Default: true. Required for `write`."""
 
     @classmethod
-    def write(cls, descriptor_set: int, enable: bool) -> DataStreamControl:
+    def write(
+        cls: ClassOf[DataStreamControl[Any]], descriptor_set: int, enable: bool
+    ) -> DataStreamControl[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, descriptor_set=descriptor_set, enable=enable)
 
     @classmethod
-    def read(cls, descriptor_set: int) -> DataStreamControl:
+    def read(
+        cls: ClassOf[DataStreamControl[Any]], descriptor_set: int
+    ) -> DataStreamControl[DataStreamControlResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, descriptor_set=descriptor_set)
 
     @classmethod
-    def save(cls, descriptor_set: int) -> DataStreamControl:
+    def save(cls: ClassOf[DataStreamControl[Any]], descriptor_set: int) -> DataStreamControl[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, descriptor_set=descriptor_set)
 
     @classmethod
-    def load(cls, descriptor_set: int) -> DataStreamControl:
+    def load(cls: ClassOf[DataStreamControl[Any]], descriptor_set: int) -> DataStreamControl[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, descriptor_set=descriptor_set)
 
     @classmethod
-    def default(cls, descriptor_set: int) -> DataStreamControl:
+    def default(
+        cls: ClassOf[DataStreamControl[Any]], descriptor_set: int
+    ) -> DataStreamControl[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, descriptor_set=descriptor_set)
 
@@ -4227,7 +4248,7 @@ class DataStreamControl(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[DataStreamControl, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[DataStreamControl[R], int]:
         descriptor_set: int | None = None
         enable: bool | None = None
         v = _DATA_STREAM_CONTROL_0.read(raw, at)
@@ -4272,7 +4293,7 @@ _CONSTELLATION_SETTINGS_GROUPS = ((1, ("max_channels",), False), (3, ("settings"
 
 
 @dataclass(slots=True)
-class ConstellationSettings(Command):
+class ConstellationSettings(Command[R]):
     """Constellation Settings (0x0C,0x21).
 
     Constellations that the GNSS receiver tracks, and how its tracking channels are shared.
@@ -4313,28 +4334,32 @@ class ConstellationSettings(Command):
 
     @classmethod
     def write(
-        cls, max_channels: int, settings: tuple[ConstellationSettingsEntry, ...]
-    ) -> ConstellationSettings:
+        cls: ClassOf[ConstellationSettings[Any]],
+        max_channels: int,
+        settings: tuple[ConstellationSettingsEntry, ...],
+    ) -> ConstellationSettings[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, max_channels=max_channels, settings=settings)
 
     @classmethod
-    def read(cls) -> ConstellationSettings:
+    def read(
+        cls: ClassOf[ConstellationSettings[Any]],
+    ) -> ConstellationSettings[ConstellationSettingsResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> ConstellationSettings:
+    def save(cls: ClassOf[ConstellationSettings[Any]]) -> ConstellationSettings[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> ConstellationSettings:
+    def load(cls: ClassOf[ConstellationSettings[Any]]) -> ConstellationSettings[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> ConstellationSettings:
+    def default(cls: ClassOf[ConstellationSettings[Any]]) -> ConstellationSettings[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -4345,7 +4370,7 @@ class ConstellationSettings(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ConstellationSettings, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[ConstellationSettings[R], int]:
         max_channels: int | None = None
         settings: tuple[ConstellationSettingsEntry, ...] | None = None
         v = _CONSTELLATION_SETTINGS_0.read(raw, at)
@@ -4400,7 +4425,7 @@ _GNSS_SBAS_SETTINGS_GROUPS = (
 
 
 @dataclass(slots=True)
-class GnssSbasSettings(Command):
+class GnssSbasSettings(Command[R]):
     """GNSS SBAS Settings (0x0C,0x22).
 
     How the GNSS receivers use satellite based augmentation.
@@ -4438,8 +4463,11 @@ class GnssSbasSettings(Command):
 
     @classmethod
     def write(
-        cls, enable_sbas: int, sbas_options: SbasOptions, included_prns: tuple[int, ...]
-    ) -> GnssSbasSettings:
+        cls: ClassOf[GnssSbasSettings[Any]],
+        enable_sbas: int,
+        sbas_options: SbasOptions,
+        included_prns: tuple[int, ...],
+    ) -> GnssSbasSettings[None]:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE,
@@ -4449,22 +4477,22 @@ class GnssSbasSettings(Command):
         )
 
     @classmethod
-    def read(cls) -> GnssSbasSettings:
+    def read(cls: ClassOf[GnssSbasSettings[Any]]) -> GnssSbasSettings[GnssSbasSettingsResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> GnssSbasSettings:
+    def save(cls: ClassOf[GnssSbasSettings[Any]]) -> GnssSbasSettings[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> GnssSbasSettings:
+    def load(cls: ClassOf[GnssSbasSettings[Any]]) -> GnssSbasSettings[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> GnssSbasSettings:
+    def default(cls: ClassOf[GnssSbasSettings[Any]]) -> GnssSbasSettings[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -4475,7 +4503,7 @@ class GnssSbasSettings(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssSbasSettings, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GnssSbasSettings[R], int]:
         enable_sbas: int | None = None
         sbas_options: SbasOptions | None = None
         included_prns: tuple[int, ...] | None = None
@@ -4537,7 +4565,7 @@ _GNSS_ASSISTED_FIX_GROUPS = ((1, ("option",), False), (2, ("flags",), False))
 
 
 @dataclass(slots=True)
-class GnssAssistedFix(Command):
+class GnssAssistedFix(Command[R]):
     """GNSS Assisted Fix (0x0C,0x23).
 
     Whether the GNSS receiver keeps the data of its last fix to start from at the next power-up.
@@ -4575,27 +4603,29 @@ class GnssAssistedFix(Command):
     """
 
     @classmethod
-    def write(cls, option: AssistedFixOption) -> GnssAssistedFix:
+    def write(
+        cls: ClassOf[GnssAssistedFix[Any]], option: AssistedFixOption
+    ) -> GnssAssistedFix[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, option=option, flags=255)
 
     @classmethod
-    def read(cls) -> GnssAssistedFix:
+    def read(cls: ClassOf[GnssAssistedFix[Any]]) -> GnssAssistedFix[GnssAssistedFixResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> GnssAssistedFix:
+    def save(cls: ClassOf[GnssAssistedFix[Any]]) -> GnssAssistedFix[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> GnssAssistedFix:
+    def load(cls: ClassOf[GnssAssistedFix[Any]]) -> GnssAssistedFix[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> GnssAssistedFix:
+    def default(cls: ClassOf[GnssAssistedFix[Any]]) -> GnssAssistedFix[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -4606,7 +4636,7 @@ class GnssAssistedFix(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssAssistedFix, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GnssAssistedFix[R], int]:
         option: AssistedFixOption | None = None
         flags: int | None = None
         v = _GNSS_ASSISTED_FIX_0.read(raw, at)
@@ -4656,7 +4686,7 @@ _GNSS_TIME_ASSISTANCE_GROUPS = (
 
 
 @dataclass(slots=True)
-class GnssTimeAssistance(Command):
+class GnssTimeAssistance(Command[R]):
     """GNSS Time Assistance (0x0C,0x24).
 
     Tells the GNSS receiver the present GPS time.
@@ -4686,12 +4716,16 @@ class GnssTimeAssistance(Command):
     """Accuracy of the time. Unit: s. Required for `write`."""
 
     @classmethod
-    def write(cls, tow: float, week_number: int, accuracy: float) -> GnssTimeAssistance:
+    def write(
+        cls: ClassOf[GnssTimeAssistance[Any]], tow: float, week_number: int, accuracy: float
+    ) -> GnssTimeAssistance[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, tow=tow, week_number=week_number, accuracy=accuracy)
 
     @classmethod
-    def read(cls) -> GnssTimeAssistance:
+    def read(
+        cls: ClassOf[GnssTimeAssistance[Any]],
+    ) -> GnssTimeAssistance[GnssTimeAssistanceResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
@@ -4702,7 +4736,7 @@ class GnssTimeAssistance(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssTimeAssistance, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GnssTimeAssistance[R], int]:
         tow: float | None = None
         week_number: int | None = None
         accuracy: float | None = None
@@ -4755,7 +4789,7 @@ _PPS_SOURCE_CONTROL_GROUPS = ((1, ("source",), False),)
 
 
 @dataclass(slots=True)
-class PpsSourceControl(Command):
+class PpsSourceControl(Command[R]):
     """PPS Source Control (0x0C,0x28).
 
     Where the device takes its pulse per second from.
@@ -4787,27 +4821,27 @@ class PpsSourceControl(Command):
     """
 
     @classmethod
-    def write(cls, source: PpsSource) -> PpsSourceControl:
+    def write(cls: ClassOf[PpsSourceControl[Any]], source: PpsSource) -> PpsSourceControl[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, source=source)
 
     @classmethod
-    def read(cls) -> PpsSourceControl:
+    def read(cls: ClassOf[PpsSourceControl[Any]]) -> PpsSourceControl[PpsSourceControlResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> PpsSourceControl:
+    def save(cls: ClassOf[PpsSourceControl[Any]]) -> PpsSourceControl[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> PpsSourceControl:
+    def load(cls: ClassOf[PpsSourceControl[Any]]) -> PpsSourceControl[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> PpsSourceControl:
+    def default(cls: ClassOf[PpsSourceControl[Any]]) -> PpsSourceControl[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -4818,7 +4852,7 @@ class PpsSourceControl(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[PpsSourceControl, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[PpsSourceControl[R], int]:
         source: PpsSource | None = None
         v = _PPS_SOURCE_CONTROL_0.read(raw, at)
         at += 1
@@ -4851,7 +4885,7 @@ _GET_EVENT_SUPPORT_0 = codec.Block("B", "query")
 
 
 @dataclass(slots=True)
-class GetEventSupport(Command):
+class GetEventSupport(Command[GetEventSupportResponse]):
     """Get Supported Events (0x0C,0x2A).
 
     Asks which types of event triggers or actions there are and how many of each.
@@ -4889,7 +4923,7 @@ _EVENT_CONTROL_GROUPS = ((1, ("instance",), False), (2, ("mode",), False))
 
 
 @dataclass(slots=True)
-class EventControl(Command):
+class EventControl(Command[R]):
     """Event Control (0x0C,0x2B).
 
     Enables, disables or tests an event trigger.
@@ -4918,27 +4952,29 @@ class EventControl(Command):
     """New mode. Default: `types.EventTriggerMode.DISABLED`. Required for `write`."""
 
     @classmethod
-    def write(cls, instance: int, mode: types.EventTriggerMode) -> EventControl:
+    def write(
+        cls: ClassOf[EventControl[Any]], instance: int, mode: types.EventTriggerMode
+    ) -> EventControl[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, instance=instance, mode=mode)
 
     @classmethod
-    def read(cls, instance: int) -> EventControl:
+    def read(cls: ClassOf[EventControl[Any]], instance: int) -> EventControl[EventControlResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, instance=instance)
 
     @classmethod
-    def save(cls, instance: int) -> EventControl:
+    def save(cls: ClassOf[EventControl[Any]], instance: int) -> EventControl[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, instance=instance)
 
     @classmethod
-    def load(cls, instance: int) -> EventControl:
+    def load(cls: ClassOf[EventControl[Any]], instance: int) -> EventControl[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, instance=instance)
 
     @classmethod
-    def default(cls, instance: int) -> EventControl:
+    def default(cls: ClassOf[EventControl[Any]], instance: int) -> EventControl[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, instance=instance)
 
@@ -4949,7 +4985,7 @@ class EventControl(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EventControl, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[EventControl[R], int]:
         instance: int | None = None
         mode: types.EventTriggerMode | None = None
         v = _EVENT_CONTROL_0.read(raw, at)
@@ -4991,7 +5027,7 @@ _GET_EVENT_TRIGGER_STATUS_0 = codec.Block("B", "requested_count")
 
 
 @dataclass(slots=True)
-class GetEventTriggerStatus(Command):
+class GetEventTriggerStatus(Command[GetEventTriggerStatusResponse]):
     """Get Event Trigger Status (0x0C,0x2C).
 
     Asks for the type and the state of event triggers.
@@ -5038,7 +5074,7 @@ _GET_EVENT_ACTION_STATUS_0 = codec.Block("B", "requested_count")
 
 
 @dataclass(slots=True)
-class GetEventActionStatus(Command):
+class GetEventActionStatus(Command[GetEventActionStatusResponse]):
     """Get Event Action Status (0x0C,0x2D).
 
     Asks for the type and the trigger of event actions.
@@ -5092,7 +5128,7 @@ _EVENT_TRIGGER_CONFIG_GROUPS = (
 
 
 @dataclass(slots=True)
-class EventTriggerConfig(Command):
+class EventTriggerConfig(Command[R]):
     """Event Trigger Configuration (0x0C,0x2E).
 
     Kind and condition of an event trigger.
@@ -5132,34 +5168,36 @@ class EventTriggerConfig(Command):
 
     @classmethod
     def write(
-        cls,
+        cls: ClassOf[EventTriggerConfig[Any]],
         instance: int,
         type: types.EventTriggerType,
         parameters: types.EventTriggerGpio
         | types.EventTriggerThreshold
         | types.EventTriggerCombination
         | None,
-    ) -> EventTriggerConfig:
+    ) -> EventTriggerConfig[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, instance=instance, type=type, parameters=parameters)
 
     @classmethod
-    def read(cls, instance: int) -> EventTriggerConfig:
+    def read(
+        cls: ClassOf[EventTriggerConfig[Any]], instance: int
+    ) -> EventTriggerConfig[EventTriggerConfigResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, instance=instance)
 
     @classmethod
-    def save(cls, instance: int) -> EventTriggerConfig:
+    def save(cls: ClassOf[EventTriggerConfig[Any]], instance: int) -> EventTriggerConfig[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, instance=instance)
 
     @classmethod
-    def load(cls, instance: int) -> EventTriggerConfig:
+    def load(cls: ClassOf[EventTriggerConfig[Any]], instance: int) -> EventTriggerConfig[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, instance=instance)
 
     @classmethod
-    def default(cls, instance: int) -> EventTriggerConfig:
+    def default(cls: ClassOf[EventTriggerConfig[Any]], instance: int) -> EventTriggerConfig[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, instance=instance)
 
@@ -5170,7 +5208,7 @@ class EventTriggerConfig(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EventTriggerConfig, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[EventTriggerConfig[R], int]:
         instance: int | None = None
         type: types.EventTriggerType | None = None
         parameters: (
@@ -5251,7 +5289,7 @@ _EVENT_ACTION_CONFIG_GROUPS = (
 
 
 @dataclass(slots=True)
-class EventActionConfig(Command):
+class EventActionConfig(Command[R]):
     """Event Action Configuration (0x0C,0x2F).
 
     Trigger and effect of an event action.
@@ -5290,12 +5328,12 @@ class EventActionConfig(Command):
 
     @classmethod
     def write(
-        cls,
+        cls: ClassOf[EventActionConfig[Any]],
         instance: int,
         trigger: int,
         type: types.EventActionType,
         parameters: types.EventActionGpio | types.EventActionMessage | None,
-    ) -> EventActionConfig:
+    ) -> EventActionConfig[None]:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE,
@@ -5306,22 +5344,24 @@ class EventActionConfig(Command):
         )
 
     @classmethod
-    def read(cls, instance: int) -> EventActionConfig:
+    def read(
+        cls: ClassOf[EventActionConfig[Any]], instance: int
+    ) -> EventActionConfig[EventActionConfigResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, instance=instance)
 
     @classmethod
-    def save(cls, instance: int) -> EventActionConfig:
+    def save(cls: ClassOf[EventActionConfig[Any]], instance: int) -> EventActionConfig[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, instance=instance)
 
     @classmethod
-    def load(cls, instance: int) -> EventActionConfig:
+    def load(cls: ClassOf[EventActionConfig[Any]], instance: int) -> EventActionConfig[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, instance=instance)
 
     @classmethod
-    def default(cls, instance: int) -> EventActionConfig:
+    def default(cls: ClassOf[EventActionConfig[Any]], instance: int) -> EventActionConfig[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, instance=instance)
 
@@ -5332,7 +5372,7 @@ class EventActionConfig(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[EventActionConfig, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[EventActionConfig[R], int]:
         instance: int | None = None
         trigger: int | None = None
         type: types.EventActionType | None = None
@@ -5402,7 +5442,7 @@ _DEVICE_SETTINGS_0 = codec.Block("B", "function")
 
 
 @dataclass(slots=True)
-class DeviceSettings(Command):
+class DeviceSettings(Command[None]):
     """Device Start Up Settings (0x0C,0x30).
 
     Saves, loads or resets all settings of the device at once.
@@ -5466,7 +5506,7 @@ _SENSOR_TO_VEHICLE_TRANSFORM_EULER_GROUPS = (
 
 
 @dataclass(slots=True)
-class SensorToVehicleTransformEuler(Command):
+class SensorToVehicleTransformEuler(Command[R]):
     """Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31).
 
     Mounting of the sensor in the vehicle as Euler angles.
@@ -5503,27 +5543,37 @@ class SensorToVehicleTransformEuler(Command):
     """Rotation about the z axis. Unit: rad. Required for `write`."""
 
     @classmethod
-    def write(cls, roll: float, pitch: float, yaw: float) -> SensorToVehicleTransformEuler:
+    def write(
+        cls: ClassOf[SensorToVehicleTransformEuler[Any]], roll: float, pitch: float, yaw: float
+    ) -> SensorToVehicleTransformEuler[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, roll=roll, pitch=pitch, yaw=yaw)
 
     @classmethod
-    def read(cls) -> SensorToVehicleTransformEuler:
+    def read(
+        cls: ClassOf[SensorToVehicleTransformEuler[Any]],
+    ) -> SensorToVehicleTransformEuler[SensorToVehicleTransformEulerResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> SensorToVehicleTransformEuler:
+    def save(
+        cls: ClassOf[SensorToVehicleTransformEuler[Any]],
+    ) -> SensorToVehicleTransformEuler[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> SensorToVehicleTransformEuler:
+    def load(
+        cls: ClassOf[SensorToVehicleTransformEuler[Any]],
+    ) -> SensorToVehicleTransformEuler[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> SensorToVehicleTransformEuler:
+    def default(
+        cls: ClassOf[SensorToVehicleTransformEuler[Any]],
+    ) -> SensorToVehicleTransformEuler[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -5534,7 +5584,7 @@ class SensorToVehicleTransformEuler(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleTransformEuler, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleTransformEuler[R], int]:
         roll: float | None = None
         pitch: float | None = None
         yaw: float | None = None
@@ -5587,7 +5637,7 @@ _SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_GROUPS = ((1, ("q",), False),)
 
 
 @dataclass(slots=True)
-class SensorToVehicleTransformQuaternion(Command):
+class SensorToVehicleTransformQuaternion(Command[R]):
     """Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32).
 
     Mounting of the sensor in the vehicle as a quaternion.
@@ -5620,27 +5670,37 @@ class SensorToVehicleTransformQuaternion(Command):
     """
 
     @classmethod
-    def write(cls, q: types.Quatf) -> SensorToVehicleTransformQuaternion:
+    def write(
+        cls: ClassOf[SensorToVehicleTransformQuaternion[Any]], q: types.Quatf
+    ) -> SensorToVehicleTransformQuaternion[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, q=q)
 
     @classmethod
-    def read(cls) -> SensorToVehicleTransformQuaternion:
+    def read(
+        cls: ClassOf[SensorToVehicleTransformQuaternion[Any]],
+    ) -> SensorToVehicleTransformQuaternion[SensorToVehicleTransformQuaternionResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> SensorToVehicleTransformQuaternion:
+    def save(
+        cls: ClassOf[SensorToVehicleTransformQuaternion[Any]],
+    ) -> SensorToVehicleTransformQuaternion[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> SensorToVehicleTransformQuaternion:
+    def load(
+        cls: ClassOf[SensorToVehicleTransformQuaternion[Any]],
+    ) -> SensorToVehicleTransformQuaternion[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> SensorToVehicleTransformQuaternion:
+    def default(
+        cls: ClassOf[SensorToVehicleTransformQuaternion[Any]],
+    ) -> SensorToVehicleTransformQuaternion[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -5651,7 +5711,7 @@ class SensorToVehicleTransformQuaternion(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleTransformQuaternion, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleTransformQuaternion[R], int]:
         q: types.Quatf | None = None
         v = _SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_0.read(raw, at)
         at += 1
@@ -5686,7 +5746,7 @@ _SENSOR_TO_VEHICLE_TRANSFORM_DCM_GROUPS = ((1, ("dcm",), False),)
 
 
 @dataclass(slots=True)
-class SensorToVehicleTransformDcm(Command):
+class SensorToVehicleTransformDcm(Command[R]):
     """Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33).
 
     Mounting of the sensor in the vehicle as a direction cosine matrix.
@@ -5717,27 +5777,33 @@ class SensorToVehicleTransformDcm(Command):
     """
 
     @classmethod
-    def write(cls, dcm: types.Matrix3f) -> SensorToVehicleTransformDcm:
+    def write(
+        cls: ClassOf[SensorToVehicleTransformDcm[Any]], dcm: types.Matrix3f
+    ) -> SensorToVehicleTransformDcm[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, dcm=dcm)
 
     @classmethod
-    def read(cls) -> SensorToVehicleTransformDcm:
+    def read(
+        cls: ClassOf[SensorToVehicleTransformDcm[Any]],
+    ) -> SensorToVehicleTransformDcm[SensorToVehicleTransformDcmResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> SensorToVehicleTransformDcm:
+    def save(cls: ClassOf[SensorToVehicleTransformDcm[Any]]) -> SensorToVehicleTransformDcm[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> SensorToVehicleTransformDcm:
+    def load(cls: ClassOf[SensorToVehicleTransformDcm[Any]]) -> SensorToVehicleTransformDcm[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> SensorToVehicleTransformDcm:
+    def default(
+        cls: ClassOf[SensorToVehicleTransformDcm[Any]],
+    ) -> SensorToVehicleTransformDcm[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -5748,7 +5814,7 @@ class SensorToVehicleTransformDcm(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleTransformDcm, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleTransformDcm[R], int]:
         dcm: types.Matrix3f | None = None
         v = _SENSOR_TO_VEHICLE_TRANSFORM_DCM_0.read(raw, at)
         at += 1
@@ -5783,7 +5849,7 @@ _ACCEL_BIAS_GROUPS = ((1, ("bias",), False),)
 
 
 @dataclass(slots=True)
-class AccelBias(Command):
+class AccelBias(Command[R]):
     """Accelerometer Bias Configuration (0x0C,0x37).
 
     Bias that is subtracted from the scaled acceleration.
@@ -5812,32 +5878,32 @@ class AccelBias(Command):
     """
 
     @classmethod
-    def write(cls, bias: types.Vector3f) -> AccelBias:
+    def write(cls: ClassOf[AccelBias[Any]], bias: types.Vector3f) -> AccelBias[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, bias=bias)
 
     @classmethod
-    def read(cls) -> AccelBias:
+    def read(cls: ClassOf[AccelBias[Any]]) -> AccelBias[AccelBiasResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> AccelBias:
+    def save(cls: ClassOf[AccelBias[Any]]) -> AccelBias[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> AccelBias:
+    def load(cls: ClassOf[AccelBias[Any]]) -> AccelBias[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> AccelBias:
+    def default(cls: ClassOf[AccelBias[Any]]) -> AccelBias[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @classmethod
-    def apply(cls, bias: types.Vector3f) -> AccelBias:
+    def apply(cls: ClassOf[AccelBias[Any]], bias: types.Vector3f) -> AccelBias[None]:
         """Apply the new setting and send no acknowledge (5-series devices)."""
         return cls(FunctionSelector.APPLY, bias=bias)
 
@@ -5852,7 +5918,7 @@ class AccelBias(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[AccelBias, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[AccelBias[R], int]:
         bias: types.Vector3f | None = None
         v = _ACCEL_BIAS_0.read(raw, at)
         at += 1
@@ -5887,7 +5953,7 @@ _GYRO_BIAS_GROUPS = ((1, ("bias",), False),)
 
 
 @dataclass(slots=True)
-class GyroBias(Command):
+class GyroBias(Command[R]):
     """Gyroscope Bias Configuration (0x0C,0x38).
 
     Bias that is subtracted from the scaled angular rate.
@@ -5918,32 +5984,32 @@ class GyroBias(Command):
     """
 
     @classmethod
-    def write(cls, bias: types.Vector3f) -> GyroBias:
+    def write(cls: ClassOf[GyroBias[Any]], bias: types.Vector3f) -> GyroBias[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, bias=bias)
 
     @classmethod
-    def read(cls) -> GyroBias:
+    def read(cls: ClassOf[GyroBias[Any]]) -> GyroBias[GyroBiasResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> GyroBias:
+    def save(cls: ClassOf[GyroBias[Any]]) -> GyroBias[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> GyroBias:
+    def load(cls: ClassOf[GyroBias[Any]]) -> GyroBias[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> GyroBias:
+    def default(cls: ClassOf[GyroBias[Any]]) -> GyroBias[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @classmethod
-    def apply(cls, bias: types.Vector3f) -> GyroBias:
+    def apply(cls: ClassOf[GyroBias[Any]], bias: types.Vector3f) -> GyroBias[None]:
         """Apply the new setting and send no acknowledge (5-series devices)."""
         return cls(FunctionSelector.APPLY, bias=bias)
 
@@ -5958,7 +6024,7 @@ class GyroBias(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GyroBias, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GyroBias[R], int]:
         bias: types.Vector3f | None = None
         v = _GYRO_BIAS_0.read(raw, at)
         at += 1
@@ -5991,7 +6057,7 @@ _CAPTURE_GYRO_BIAS_0 = codec.Block("H", "averaging_time_ms")
 
 
 @dataclass(slots=True)
-class CaptureGyroBias(Command):
+class CaptureGyroBias(Command[GyroBiasResponse]):
     """Capture Gyroscope Bias (0x0C,0x39).
 
     Averages the angular rate of the device at rest and takes the result as the gyroscope bias.
@@ -6036,7 +6102,7 @@ _MAG_HARD_IRON_OFFSET_GROUPS = ((1, ("offset",), False),)
 
 
 @dataclass(slots=True)
-class MagHardIronOffset(Command):
+class MagHardIronOffset(Command[R]):
     """Magnetometer Hard Iron Offset (0x0C,0x3A).
 
     Offset that corrects the scaled magnetic field for hard iron.
@@ -6071,32 +6137,36 @@ class MagHardIronOffset(Command):
     """
 
     @classmethod
-    def write(cls, offset: types.Vector3f) -> MagHardIronOffset:
+    def write(
+        cls: ClassOf[MagHardIronOffset[Any]], offset: types.Vector3f
+    ) -> MagHardIronOffset[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, offset=offset)
 
     @classmethod
-    def read(cls) -> MagHardIronOffset:
+    def read(cls: ClassOf[MagHardIronOffset[Any]]) -> MagHardIronOffset[MagHardIronOffsetResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> MagHardIronOffset:
+    def save(cls: ClassOf[MagHardIronOffset[Any]]) -> MagHardIronOffset[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> MagHardIronOffset:
+    def load(cls: ClassOf[MagHardIronOffset[Any]]) -> MagHardIronOffset[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> MagHardIronOffset:
+    def default(cls: ClassOf[MagHardIronOffset[Any]]) -> MagHardIronOffset[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @classmethod
-    def apply(cls, offset: types.Vector3f) -> MagHardIronOffset:
+    def apply(
+        cls: ClassOf[MagHardIronOffset[Any]], offset: types.Vector3f
+    ) -> MagHardIronOffset[None]:
         """Apply the new setting and send no acknowledge (5-series devices)."""
         return cls(FunctionSelector.APPLY, offset=offset)
 
@@ -6111,7 +6181,7 @@ class MagHardIronOffset(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagHardIronOffset, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[MagHardIronOffset[R], int]:
         offset: types.Vector3f | None = None
         v = _MAG_HARD_IRON_OFFSET_0.read(raw, at)
         at += 1
@@ -6146,7 +6216,7 @@ _MAG_SOFT_IRON_MATRIX_GROUPS = ((1, ("matrix",), False),)
 
 
 @dataclass(slots=True)
-class MagSoftIronMatrix(Command):
+class MagSoftIronMatrix(Command[R]):
     """Magnetometer Soft Iron Matrix (0x0C,0x3B).
 
     Matrix that corrects the scaled magnetic field for soft iron.
@@ -6179,32 +6249,36 @@ class MagSoftIronMatrix(Command):
     """
 
     @classmethod
-    def write(cls, matrix: types.Matrix3f) -> MagSoftIronMatrix:
+    def write(
+        cls: ClassOf[MagSoftIronMatrix[Any]], matrix: types.Matrix3f
+    ) -> MagSoftIronMatrix[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, matrix=matrix)
 
     @classmethod
-    def read(cls) -> MagSoftIronMatrix:
+    def read(cls: ClassOf[MagSoftIronMatrix[Any]]) -> MagSoftIronMatrix[MagSoftIronMatrixResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> MagSoftIronMatrix:
+    def save(cls: ClassOf[MagSoftIronMatrix[Any]]) -> MagSoftIronMatrix[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> MagSoftIronMatrix:
+    def load(cls: ClassOf[MagSoftIronMatrix[Any]]) -> MagSoftIronMatrix[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> MagSoftIronMatrix:
+    def default(cls: ClassOf[MagSoftIronMatrix[Any]]) -> MagSoftIronMatrix[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
     @classmethod
-    def apply(cls, matrix: types.Matrix3f) -> MagSoftIronMatrix:
+    def apply(
+        cls: ClassOf[MagSoftIronMatrix[Any]], matrix: types.Matrix3f
+    ) -> MagSoftIronMatrix[None]:
         """Apply the new setting and send no acknowledge (5-series devices)."""
         return cls(FunctionSelector.APPLY, matrix=matrix)
 
@@ -6219,7 +6293,7 @@ class MagSoftIronMatrix(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[MagSoftIronMatrix, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[MagSoftIronMatrix[R], int]:
         matrix: types.Matrix3f | None = None
         v = _MAG_SOFT_IRON_MATRIX_0.read(raw, at)
         at += 1
@@ -6254,7 +6328,7 @@ _CONING_SCULLING_ENABLE_GROUPS = ((1, ("enable",), False),)
 
 
 @dataclass(slots=True)
-class ConingScullingEnable(Command):
+class ConingScullingEnable(Command[R]):
     """Coning and Sculling Enable (0x0C,0x3E).
 
     Switches the compensation of coning and sculling on or off.
@@ -6279,27 +6353,29 @@ class ConingScullingEnable(Command):
     """Whether the compensation is on. Default: true. Required for `write`."""
 
     @classmethod
-    def write(cls, enable: bool) -> ConingScullingEnable:
+    def write(cls: ClassOf[ConingScullingEnable[Any]], enable: bool) -> ConingScullingEnable[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, enable=enable)
 
     @classmethod
-    def read(cls) -> ConingScullingEnable:
+    def read(
+        cls: ClassOf[ConingScullingEnable[Any]],
+    ) -> ConingScullingEnable[ConingScullingEnableResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> ConingScullingEnable:
+    def save(cls: ClassOf[ConingScullingEnable[Any]]) -> ConingScullingEnable[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> ConingScullingEnable:
+    def load(cls: ClassOf[ConingScullingEnable[Any]]) -> ConingScullingEnable[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> ConingScullingEnable:
+    def default(cls: ClassOf[ConingScullingEnable[Any]]) -> ConingScullingEnable[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -6310,7 +6386,7 @@ class ConingScullingEnable(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ConingScullingEnable, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[ConingScullingEnable[R], int]:
         enable: bool | None = None
         v = _CONING_SCULLING_ENABLE_0.read(raw, at)
         at += 1
@@ -6345,7 +6421,7 @@ _UART_BAUD_RATE_GROUPS = ((1, ("baud",), False),)
 
 
 @dataclass(slots=True)
-class UartBaudRate(Command):
+class UartBaudRate(Command[R]):
     """UART Baud Rate (0x0C,0x40).
 
     Baud rate of the main port.
@@ -6379,27 +6455,27 @@ class UartBaudRate(Command):
     """
 
     @classmethod
-    def write(cls, baud: int) -> UartBaudRate:
+    def write(cls: ClassOf[UartBaudRate[Any]], baud: int) -> UartBaudRate[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, baud=baud)
 
     @classmethod
-    def read(cls) -> UartBaudRate:
+    def read(cls: ClassOf[UartBaudRate[Any]]) -> UartBaudRate[UartBaudRateResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> UartBaudRate:
+    def save(cls: ClassOf[UartBaudRate[Any]]) -> UartBaudRate[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> UartBaudRate:
+    def load(cls: ClassOf[UartBaudRate[Any]]) -> UartBaudRate[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> UartBaudRate:
+    def default(cls: ClassOf[UartBaudRate[Any]]) -> UartBaudRate[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -6410,7 +6486,7 @@ class UartBaudRate(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[UartBaudRate, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[UartBaudRate[R], int]:
         baud: int | None = None
         v = _UART_BAUD_RATE_0.read(raw, at)
         at += 1
@@ -6453,7 +6529,7 @@ _GPIO_CONFIG_GROUPS = (
 
 
 @dataclass(slots=True)
-class GpioConfig(Command):
+class GpioConfig(Command[R]):
     """GPIO Configuration (0x0C,0x41).
 
     What a GPIO pin is used for.
@@ -6498,30 +6574,34 @@ class GpioConfig(Command):
 
     @classmethod
     def write(
-        cls, pin: int, feature: types.GpioFeature, behavior: int, pin_mode: types.GpioPinMode
-    ) -> GpioConfig:
+        cls: ClassOf[GpioConfig[Any]],
+        pin: int,
+        feature: types.GpioFeature,
+        behavior: int,
+        pin_mode: types.GpioPinMode,
+    ) -> GpioConfig[None]:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE, pin=pin, feature=feature, behavior=behavior, pin_mode=pin_mode
         )
 
     @classmethod
-    def read(cls, pin: int) -> GpioConfig:
+    def read(cls: ClassOf[GpioConfig[Any]], pin: int) -> GpioConfig[GpioConfigResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, pin=pin)
 
     @classmethod
-    def save(cls, pin: int) -> GpioConfig:
+    def save(cls: ClassOf[GpioConfig[Any]], pin: int) -> GpioConfig[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, pin=pin)
 
     @classmethod
-    def load(cls, pin: int) -> GpioConfig:
+    def load(cls: ClassOf[GpioConfig[Any]], pin: int) -> GpioConfig[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, pin=pin)
 
     @classmethod
-    def default(cls, pin: int) -> GpioConfig:
+    def default(cls: ClassOf[GpioConfig[Any]], pin: int) -> GpioConfig[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, pin=pin)
 
@@ -6532,7 +6612,7 @@ class GpioConfig(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GpioConfig, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GpioConfig[R], int]:
         pin: int | None = None
         feature: types.GpioFeature | None = None
         behavior: int | None = None
@@ -6595,7 +6675,7 @@ _GPIO_STATE_GROUPS = ((1, ("pin",), False), (2, ("state",), False))
 
 
 @dataclass(slots=True)
-class GpioState(Command):
+class GpioState(Command[R]):
     """GPIO State (0x0C,0x42).
 
     Sets or reads the state of a GPIO pin.
@@ -6625,12 +6705,12 @@ class GpioState(Command):
     """True is high. Required for `write`."""
 
     @classmethod
-    def write(cls, pin: int, state: bool) -> GpioState:
+    def write(cls: ClassOf[GpioState[Any]], pin: int, state: bool) -> GpioState[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, pin=pin, state=state)
 
     @classmethod
-    def read(cls, pin: int) -> GpioState:
+    def read(cls: ClassOf[GpioState[Any]], pin: int) -> GpioState[GpioStateResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, pin=pin)
 
@@ -6641,7 +6721,7 @@ class GpioState(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GpioState, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GpioState[R], int]:
         pin: int | None = None
         state: bool | None = None
         v = _GPIO_STATE_0.read(raw, at)
@@ -6691,7 +6771,7 @@ _ODOMETER_CONFIG_GROUPS = (
 
 
 @dataclass(slots=True)
-class OdometerConfig(Command):
+class OdometerConfig(Command[R]):
     """Odometer Configuration (0x0C,0x43).
 
     Input from a wheel encoder.
@@ -6722,27 +6802,29 @@ class OdometerConfig(Command):
     """Relative uncertainty of the scaling, 1 sigma. Unit: 1. Required for `write`."""
 
     @classmethod
-    def write(cls, mode: OdometerMode, scaling: float, uncertainty: float) -> OdometerConfig:
+    def write(
+        cls: ClassOf[OdometerConfig[Any]], mode: OdometerMode, scaling: float, uncertainty: float
+    ) -> OdometerConfig[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, mode=mode, scaling=scaling, uncertainty=uncertainty)
 
     @classmethod
-    def read(cls) -> OdometerConfig:
+    def read(cls: ClassOf[OdometerConfig[Any]]) -> OdometerConfig[OdometerConfigResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> OdometerConfig:
+    def save(cls: ClassOf[OdometerConfig[Any]]) -> OdometerConfig[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> OdometerConfig:
+    def load(cls: ClassOf[OdometerConfig[Any]]) -> OdometerConfig[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> OdometerConfig:
+    def default(cls: ClassOf[OdometerConfig[Any]]) -> OdometerConfig[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -6753,7 +6835,7 @@ class OdometerConfig(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[OdometerConfig, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[OdometerConfig[R], int]:
         mode: OdometerMode | None = None
         scaling: float | None = None
         uncertainty: float | None = None
@@ -6816,7 +6898,7 @@ _IMU_LOW_PASS_FILTER_GROUPS = (
 
 
 @dataclass(slots=True)
-class ImuLowPassFilter(Command):
+class ImuLowPassFilter(Command[R]):
     """Advanced Low-Pass Filter Settings (0x0C,0x50).
 
     Low-pass filter of one quantity of the sensor data.
@@ -6868,8 +6950,12 @@ class ImuLowPassFilter(Command):
 
     @classmethod
     def write(
-        cls, target_descriptor: int, enable: bool, manual: bool, frequency: int
-    ) -> ImuLowPassFilter:
+        cls: ClassOf[ImuLowPassFilter[Any]],
+        target_descriptor: int,
+        enable: bool,
+        manual: bool,
+        frequency: int,
+    ) -> ImuLowPassFilter[None]:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE,
@@ -6881,22 +6967,26 @@ class ImuLowPassFilter(Command):
         )
 
     @classmethod
-    def read(cls, target_descriptor: int) -> ImuLowPassFilter:
+    def read(
+        cls: ClassOf[ImuLowPassFilter[Any]], target_descriptor: int
+    ) -> ImuLowPassFilter[ImuLowPassFilterResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, target_descriptor=target_descriptor)
 
     @classmethod
-    def save(cls, target_descriptor: int) -> ImuLowPassFilter:
+    def save(cls: ClassOf[ImuLowPassFilter[Any]], target_descriptor: int) -> ImuLowPassFilter[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, target_descriptor=target_descriptor)
 
     @classmethod
-    def load(cls, target_descriptor: int) -> ImuLowPassFilter:
+    def load(cls: ClassOf[ImuLowPassFilter[Any]], target_descriptor: int) -> ImuLowPassFilter[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, target_descriptor=target_descriptor)
 
     @classmethod
-    def default(cls, target_descriptor: int) -> ImuLowPassFilter:
+    def default(
+        cls: ClassOf[ImuLowPassFilter[Any]], target_descriptor: int
+    ) -> ImuLowPassFilter[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, target_descriptor=target_descriptor)
 
@@ -6907,7 +6997,7 @@ class ImuLowPassFilter(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ImuLowPassFilter, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[ImuLowPassFilter[R], int]:
         target_descriptor: int | None = None
         enable: bool | None = None
         manual: bool | None = None
@@ -6986,7 +7076,7 @@ _COMPLEMENTARY_FILTER_GROUPS = (
 
 
 @dataclass(slots=True)
-class ComplementaryFilter(Command):
+class ComplementaryFilter(Command[R]):
     """Complementary Filter Configuration (0x0C,0x51).
 
     Corrections of the complementary filter, which makes attitudes apart from the estimation filter.
@@ -7037,12 +7127,12 @@ class ComplementaryFilter(Command):
 
     @classmethod
     def write(
-        cls,
+        cls: ClassOf[ComplementaryFilter[Any]],
         pitch_roll_enable: bool,
         heading_enable: bool,
         pitch_roll_time_constant: float,
         heading_time_constant: float,
-    ) -> ComplementaryFilter:
+    ) -> ComplementaryFilter[None]:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE,
@@ -7053,22 +7143,24 @@ class ComplementaryFilter(Command):
         )
 
     @classmethod
-    def read(cls) -> ComplementaryFilter:
+    def read(
+        cls: ClassOf[ComplementaryFilter[Any]],
+    ) -> ComplementaryFilter[ComplementaryFilterResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> ComplementaryFilter:
+    def save(cls: ClassOf[ComplementaryFilter[Any]]) -> ComplementaryFilter[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> ComplementaryFilter:
+    def load(cls: ClassOf[ComplementaryFilter[Any]]) -> ComplementaryFilter[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> ComplementaryFilter:
+    def default(cls: ClassOf[ComplementaryFilter[Any]]) -> ComplementaryFilter[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -7079,7 +7171,7 @@ class ComplementaryFilter(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ComplementaryFilter, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[ComplementaryFilter[R], int]:
         pitch_roll_enable: bool | None = None
         heading_enable: bool | None = None
         pitch_roll_time_constant: float | None = None
@@ -7148,7 +7240,7 @@ _SENSOR_RANGE_GROUPS = ((1, ("sensor",), False), (2, ("setting",), False))
 
 
 @dataclass(slots=True)
-class SensorRange(Command):
+class SensorRange(Command[R]):
     """Sensor Range (0x0C,0x52).
 
     Measuring range of a sensor.
@@ -7177,27 +7269,31 @@ class SensorRange(Command):
     """Number of the range. Required for `write`."""
 
     @classmethod
-    def write(cls, sensor: SensorRangeType, setting: int) -> SensorRange:
+    def write(
+        cls: ClassOf[SensorRange[Any]], sensor: SensorRangeType, setting: int
+    ) -> SensorRange[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, sensor=sensor, setting=setting)
 
     @classmethod
-    def read(cls, sensor: SensorRangeType) -> SensorRange:
+    def read(
+        cls: ClassOf[SensorRange[Any]], sensor: SensorRangeType
+    ) -> SensorRange[SensorRangeResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, sensor=sensor)
 
     @classmethod
-    def save(cls, sensor: SensorRangeType) -> SensorRange:
+    def save(cls: ClassOf[SensorRange[Any]], sensor: SensorRangeType) -> SensorRange[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, sensor=sensor)
 
     @classmethod
-    def load(cls, sensor: SensorRangeType) -> SensorRange:
+    def load(cls: ClassOf[SensorRange[Any]], sensor: SensorRangeType) -> SensorRange[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, sensor=sensor)
 
     @classmethod
-    def default(cls, sensor: SensorRangeType) -> SensorRange:
+    def default(cls: ClassOf[SensorRange[Any]], sensor: SensorRangeType) -> SensorRange[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, sensor=sensor)
 
@@ -7208,7 +7304,7 @@ class SensorRange(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SensorRange, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorRange[R], int]:
         sensor: SensorRangeType | None = None
         setting: int | None = None
         v = _SENSOR_RANGE_0.read(raw, at)
@@ -7250,7 +7346,7 @@ _GET_CALIBRATED_SENSOR_RANGES_0 = codec.Block("B", "sensor")
 
 
 @dataclass(slots=True)
-class GetCalibratedSensorRanges(Command):
+class GetCalibratedSensorRanges(Command[GetCalibratedSensorRangesResponse]):
     """Get Calibrated Sensor Ranges (0x0C,0x53).
 
     Asks for the ranges that a sensor supports.
@@ -7298,7 +7394,7 @@ _LOW_PASS_FILTER_GROUPS = (
 
 
 @dataclass(slots=True)
-class LowPassFilter(Command):
+class LowPassFilter(Command[R]):
     """Low-Pass Anti-Aliasing Filter (0x0C,0x54).
 
     Low-pass filter of a data field.
@@ -7338,13 +7434,13 @@ class LowPassFilter(Command):
 
     @classmethod
     def write(
-        cls,
+        cls: ClassOf[LowPassFilter[Any]],
         descriptor_set: int,
         field_descriptor: int,
         enable: bool,
         manual: bool,
         frequency: float,
-    ) -> LowPassFilter:
+    ) -> LowPassFilter[None]:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE,
@@ -7356,28 +7452,36 @@ class LowPassFilter(Command):
         )
 
     @classmethod
-    def read(cls, descriptor_set: int, field_descriptor: int) -> LowPassFilter:
+    def read(
+        cls: ClassOf[LowPassFilter[Any]], descriptor_set: int, field_descriptor: int
+    ) -> LowPassFilter[LowPassFilterResponse]:
         """Send the current setting back in a response."""
         return cls(
             FunctionSelector.READ, descriptor_set=descriptor_set, field_descriptor=field_descriptor
         )
 
     @classmethod
-    def save(cls, descriptor_set: int, field_descriptor: int) -> LowPassFilter:
+    def save(
+        cls: ClassOf[LowPassFilter[Any]], descriptor_set: int, field_descriptor: int
+    ) -> LowPassFilter[None]:
         """Save the current setting to non-volatile memory."""
         return cls(
             FunctionSelector.SAVE, descriptor_set=descriptor_set, field_descriptor=field_descriptor
         )
 
     @classmethod
-    def load(cls, descriptor_set: int, field_descriptor: int) -> LowPassFilter:
+    def load(
+        cls: ClassOf[LowPassFilter[Any]], descriptor_set: int, field_descriptor: int
+    ) -> LowPassFilter[None]:
         """Load the saved setting."""
         return cls(
             FunctionSelector.LOAD, descriptor_set=descriptor_set, field_descriptor=field_descriptor
         )
 
     @classmethod
-    def default(cls, descriptor_set: int, field_descriptor: int) -> LowPassFilter:
+    def default(
+        cls: ClassOf[LowPassFilter[Any]], descriptor_set: int, field_descriptor: int
+    ) -> LowPassFilter[None]:
         """Load the factory default setting."""
         return cls(
             FunctionSelector.DEFAULT,
@@ -7392,7 +7496,7 @@ class LowPassFilter(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[LowPassFilter, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[LowPassFilter[R], int]:
         descriptor_set: int | None = None
         field_descriptor: int | None = None
         enable: bool | None = None
@@ -7461,7 +7565,18 @@ _DEVICE_STATUS_0 = codec.Block("HB", "model_number", "status_selector")
 
 
 @dataclass(slots=True)
-class DeviceStatus(Command):
+class DeviceStatus(
+    Command[
+        DeviceStatusBasicResponse
+        | DeviceStatusBasicWithoutStateResponse
+        | DeviceStatusDiagnosticResponse
+        | DeviceStatusDiagnosticGnssResponse
+        | DeviceStatusDiagnosticGq4_45Response
+        | DeviceStatusDiagnosticRq1_45Response
+        | DeviceStatusDiagnosticGx4Response
+        | DeviceStatusDiagnosticImuResponse
+    ]
+):
     """Device Status (0x0C,0x64).
 
     Asks for the state of the device, in short or with counters.

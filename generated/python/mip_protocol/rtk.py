@@ -12,10 +12,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntFlag
+from typing import Any
 
 from . import codec, types
 from .errors import Truncated
-from .field import Command, Field, Response, ResponseClasses
+from .field import ClassOf, Command, Field, R, Response, ResponseClasses
 from .protocol import FunctionSelector
 
 
@@ -368,7 +369,7 @@ class ServiceStatusResponse(Response):
 
 
 @dataclass(slots=True)
-class GetStatusFlags(Command):
+class GetStatusFlags(Command[GetStatusFlagsResponse]):
     """Get status flags (0x0F,0x01).
 
     Asks for the state of the modem and of the corrections.
@@ -396,7 +397,7 @@ class GetStatusFlags(Command):
 
 
 @dataclass(slots=True)
-class GetImei(Command):
+class GetImei(Command[GetImeiResponse]):
     """Get IMEI (0x0F,0x02).
 
     Asks for the identity of the modem.
@@ -422,7 +423,7 @@ class GetImei(Command):
 
 
 @dataclass(slots=True)
-class GetImsi(Command):
+class GetImsi(Command[GetImsiResponse]):
     """Get IMSI (0x0F,0x03).
 
     Asks for the identity of the subscriber.
@@ -448,7 +449,7 @@ class GetImsi(Command):
 
 
 @dataclass(slots=True)
-class GetIccid(Command):
+class GetIccid(Command[GetIccidResponse]):
     """Get ICCID (0x0F,0x04).
 
     Asks for the number of the SIM card.
@@ -474,7 +475,7 @@ class GetIccid(Command):
 
 
 @dataclass(slots=True)
-class GetRssi(Command):
+class GetRssi(Command[GetRssiResponse]):
     """Get RSSI (0x0F,0x05).
 
     Asks for the strength of the cellular signal.
@@ -505,7 +506,7 @@ _CONNECTED_DEVICE_TYPE_GROUPS = ((1, ("device_type",), False),)
 
 
 @dataclass(slots=True)
-class ConnectedDeviceType(Command):
+class ConnectedDeviceType(Command[R]):
     """Connected device type (0x0F,0x06).
 
     The device that the modem serves.
@@ -530,27 +531,31 @@ class ConnectedDeviceType(Command):
     """Type of the device. Required for `write`."""
 
     @classmethod
-    def write(cls, device_type: ConnectedDevice) -> ConnectedDeviceType:
+    def write(
+        cls: ClassOf[ConnectedDeviceType[Any]], device_type: ConnectedDevice
+    ) -> ConnectedDeviceType[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, device_type=device_type)
 
     @classmethod
-    def read(cls) -> ConnectedDeviceType:
+    def read(
+        cls: ClassOf[ConnectedDeviceType[Any]],
+    ) -> ConnectedDeviceType[ConnectedDeviceTypeResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> ConnectedDeviceType:
+    def save(cls: ClassOf[ConnectedDeviceType[Any]]) -> ConnectedDeviceType[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> ConnectedDeviceType:
+    def load(cls: ClassOf[ConnectedDeviceType[Any]]) -> ConnectedDeviceType[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> ConnectedDeviceType:
+    def default(cls: ClassOf[ConnectedDeviceType[Any]]) -> ConnectedDeviceType[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -561,7 +566,7 @@ class ConnectedDeviceType(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ConnectedDeviceType, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[ConnectedDeviceType[R], int]:
         device_type: ConnectedDevice | None = None
         v = _CONNECTED_DEVICE_TYPE_0.read(raw, at)
         at += 1
@@ -591,7 +596,7 @@ class ConnectedDeviceType(Command):
 
 
 @dataclass(slots=True)
-class GetActivationCode(Command):
+class GetActivationCode(Command[GetActivationCodeResponse]):
     """Get activation code (0x0F,0x07).
 
     Asks for the activation code.
@@ -617,7 +622,7 @@ class GetActivationCode(Command):
 
 
 @dataclass(slots=True)
-class GetModemFirmwareVersion(Command):
+class GetModemFirmwareVersion(Command[GetModemFirmwareVersionResponse]):
     """Get modem firmware version (0x0F,0x08).
 
     Asks for the firmware version of the cellular modem.
@@ -646,7 +651,7 @@ _SERVICE_STATUS_0 = codec.Block("II", "reserved1", "reserved2")
 
 
 @dataclass(slots=True)
-class ServiceStatus(Command):
+class ServiceStatus(Command[ServiceStatusResponse]):
     """Service status (0x0F,0x0A).
 
     Asks a correction server about the connection, and so keeps it open.
@@ -687,7 +692,7 @@ _ERASE_STORAGE_0 = codec.Block("B", "media")
 
 
 @dataclass(slots=True)
-class EraseStorage(Command):
+class EraseStorage(Command[None]):
     """Erase storage (0x0F,0x20).
 
     Erases a storage medium down to its raw state.
@@ -726,7 +731,7 @@ _LED_CONTROL_0 = codec.Block(
 
 
 @dataclass(slots=True)
-class LedControl(Command):
+class LedControl(Command[None]):
     """LED control (0x0F,0x21).
 
     Colours and pattern of the LED.
@@ -773,7 +778,7 @@ class LedControl(Command):
 
 
 @dataclass(slots=True)
-class ModemHardReset(Command):
+class ModemHardReset(Command[None]):
     """Modem hard reset (0x0F,0x22).
 
     Clears the flash memory of the modem.

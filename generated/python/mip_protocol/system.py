@@ -9,10 +9,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntFlag
+from typing import Any
 
 from . import codec
 from .errors import Truncated
-from .field import Command, Field, Response, ResponseClasses
+from .field import ClassOf, Command, Field, R, Response, ResponseClasses
 from .protocol import FunctionSelector
 
 
@@ -153,7 +154,7 @@ _INTERFACE_CONTROL_GROUPS = (
 
 
 @dataclass(slots=True)
-class InterfaceControl(Command):
+class InterfaceControl(Command[R]):
     """Interface control (0x7F,0x02).
 
     Protocols that a port takes in and gives out.
@@ -189,11 +190,11 @@ class InterfaceControl(Command):
 
     @classmethod
     def write(
-        cls,
+        cls: ClassOf[InterfaceControl[Any]],
         port: CommInterface,
         protocols_incoming: CommProtocols,
         protocols_outgoing: CommProtocols,
-    ) -> InterfaceControl:
+    ) -> InterfaceControl[None]:
         """Apply the new setting."""
         return cls(
             FunctionSelector.WRITE,
@@ -203,22 +204,24 @@ class InterfaceControl(Command):
         )
 
     @classmethod
-    def read(cls, port: CommInterface) -> InterfaceControl:
+    def read(
+        cls: ClassOf[InterfaceControl[Any]], port: CommInterface
+    ) -> InterfaceControl[InterfaceControlResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, port=port)
 
     @classmethod
-    def save(cls, port: CommInterface) -> InterfaceControl:
+    def save(cls: ClassOf[InterfaceControl[Any]], port: CommInterface) -> InterfaceControl[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, port=port)
 
     @classmethod
-    def load(cls, port: CommInterface) -> InterfaceControl:
+    def load(cls: ClassOf[InterfaceControl[Any]], port: CommInterface) -> InterfaceControl[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, port=port)
 
     @classmethod
-    def default(cls, port: CommInterface) -> InterfaceControl:
+    def default(cls: ClassOf[InterfaceControl[Any]], port: CommInterface) -> InterfaceControl[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, port=port)
 
@@ -229,7 +232,7 @@ class InterfaceControl(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[InterfaceControl, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[InterfaceControl[R], int]:
         port: CommInterface | None = None
         protocols_incoming: CommProtocols | None = None
         protocols_outgoing: CommProtocols | None = None
@@ -282,7 +285,7 @@ _COMM_MODE_GROUPS = ((1, ("mode",), False),)
 
 
 @dataclass(slots=True)
-class CommMode(Command):
+class CommMode(Command[R]):
     """Communication mode (0x7F,0x10).
 
     Switches the port between the device and one of the sensors inside it.
@@ -312,27 +315,27 @@ class CommMode(Command):
     """
 
     @classmethod
-    def write(cls, mode: ProtocolMode) -> CommMode:
+    def write(cls: ClassOf[CommMode[Any]], mode: ProtocolMode) -> CommMode[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, mode=mode)
 
     @classmethod
-    def read(cls) -> CommMode:
+    def read(cls: ClassOf[CommMode[Any]]) -> CommMode[CommModeResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> CommMode:
+    def save(cls: ClassOf[CommMode[Any]]) -> CommMode[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> CommMode:
+    def load(cls: ClassOf[CommMode[Any]]) -> CommMode[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> CommMode:
+    def default(cls: ClassOf[CommMode[Any]]) -> CommMode[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -343,7 +346,7 @@ class CommMode(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[CommMode, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[CommMode[R], int]:
         mode: ProtocolMode | None = None
         v = _COMM_MODE_0.read(raw, at)
         at += 1

@@ -69,6 +69,9 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "groups": members.groups,
         "answered": members.answered,
         "expected": lambda f: members.expected(f, model),
+        "answer": lambda call, f: members.answer(call, f, model),
+        "answers": lambda f: members.answers(f, model),
+        "silencers": lambda f: members.silencers(f, model),
         "matches": lambda f: members.matches(f, model),
         # codecs
         "plan": steps.plan,

@@ -166,6 +166,29 @@ def expected(f: m.Field, model: m.Model) -> list[tuple[str, list[str]]]:
     return found if any(condition != "True" for condition, _ in found) else []
 
 
+def answer(call: m.Call, f: m.Field, model: m.Model) -> str:
+    """The type of what a client gets for a command sent in this way: a response, one of several, or None."""
+    replies = [r for r in model.replies(f) if not r.functions or call.function in r.functions]
+    layouts = dict.fromkeys(reference(layout, home(f)) for r in replies for layout in r.layouts)
+    return " | ".join(layouts) or "None"
+
+
+def answers(f: m.Field, model: m.Model) -> str:
+    """The same for a command however it is sent; empty if that depends on the function."""
+    found = {answer(call, f, model) for call in f.calls}
+    return found.pop() if len(found) == 1 else ""
+
+
+def silencers(f: m.Field, model: m.Model) -> list[tuple[int, int, str, int]]:
+    """The settings that keep the device from acknowledging a command: set, descriptor, member and value."""
+    found = []
+    for c in f.silenced_by:
+        setting = model.field(c.command or "")
+        assert setting is not None
+        found.append((setting.set, setting.descriptor, member(c.parameter), c.value))
+    return found
+
+
 def matches(f: m.Field, model: m.Model) -> str:
     """Whether `data` can be those of a field, as a condition; empty if any can."""
     sizes = model.sizes(f)

@@ -13,18 +13,18 @@ from .protocol import VERSION
 
 #: Command -> its module, with `add_arguments(parser)` and `run(options)`, and what it does.
 COMMANDS = {
-    "dump": ("tools.dump", "show packets with names, values and units"),
-    "info": ("tools.info", "say what is in a log: types, rates, gaps, damage"),
-    "export": ("tools.export", "write a log as a table: csv, jsonl, npz, parquet, arrow"),
-    "plot": ("tools.plot", "draw values of a log over time"),
-    "cut": ("tools.cut", "copy a part of a log"),
-    "record": ("tools.record", "write what a device sends to a file"),
-    "monitor": ("tools.monitor", "show the latest values of a device, live"),
-    "send": ("tools.send", "send a command and show the answer"),
-    "fields": ("tools.fields", "look up fields: bytes, values, units, devices"),
-    "bandwidth": ("tools.bandwidth", "compute the baud rate that streams need"),
+    "dump": ("cli.dump", "show packets with names, values and units"),
+    "info": ("cli.info", "say what is in a log: types, rates, gaps, damage"),
+    "export": ("cli.export", "write a log as a table: csv, jsonl, npz, parquet, arrow"),
+    "plot": ("cli.plot", "draw values of a log over time"),
+    "cut": ("cli.cut", "copy a part of a log"),
+    "record": ("cli.record", "write what a device sends to a file"),
+    "monitor": ("cli.monitor", "show the latest values of a device, live"),
+    "send": ("cli.send", "send a command and show the answer"),
+    "fields": ("cli.fields", "look up fields: bytes, values, units, devices"),
+    "bandwidth": ("cli.bandwidth", "compute the baud rate that streams need"),
     "simulate": ("simulator.command", "run a virtual device, on a pseudo-terminal or TCP"),
-    "completion": ("tools.completion", "print a script that completes commands in a shell"),
+    "completion": ("cli.completion", "print a script that completes commands in a shell"),
 }
 
 EPILOG = """\

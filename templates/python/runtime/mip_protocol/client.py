@@ -21,6 +21,7 @@ from .field import Command, Response
 from .packet import Packet, PacketBuilder, RawField
 from .parser import Parser
 from .protocol import Acknowledge
+from .splitter import Splitter
 from .types import AckCode
 
 
@@ -64,7 +65,19 @@ class Received:
         return tuple(f for i, f in enumerate(_fields(self.packet)[0]) if i not in self.taken)
 
 
-Event = Answer | TimedOut | Received
+@dataclass(frozen=True)
+class Skipped:
+    """Bytes between packets: NMEA sentences, noise, packets with a wrong checksum.
+
+    Events of this kind come only from `Client(skipped=True)`, in order with those of packets.
+    """
+
+    data: bytes
+
+
+#: How a command ends.
+Outcome = Answer | TimedOut
+Event = Outcome | Received | Skipped
 
 
 @dataclass
@@ -77,10 +90,13 @@ class _Pending:
 class Client:
     """Tracks the commands that wait for an answer. Data between the answers pass through."""
 
-    def __init__(self, timeout: float = 1.0) -> None:
-        """`timeout`: seconds until a command is given up; longer for commands that take longer."""
+    def __init__(self, timeout: float = 1.0, skipped: bool = False) -> None:
+        """`timeout`: seconds until a command is given up; longer for commands that take longer.
+
+        `skipped`: the bytes between packets are events, too.
+        """
         self._timeout = timeout
-        self._parser = Parser()
+        self._parser: Parser | Splitter = Splitter() if skipped else Parser()
         self._pending: list[_Pending] = []
 
     @property
@@ -93,8 +109,10 @@ class Client:
         """Bytes received that belong to no packet."""
         return self._parser.skipped
 
-    def send(self, *commands: Command, now: float) -> bytes:
+    def send(self, *commands: Command, now: float, timeout: float | None = None) -> bytes:
         """The bytes to send: one packet with these commands, all of one descriptor set.
+
+        `timeout`: seconds for these, whatever the commands take otherwise.
 
         Raises EncodeError, and waits for no answer, if they do not fit into one packet.
         """
@@ -109,7 +127,7 @@ class Client:
             builder.add(command.DESCRIPTOR, command.encode())
         for command in commands:
             if command.answered:
-                wait = max(self._timeout, command.TIMEOUT or 0.0)
+                wait = max(self._timeout, command.TIMEOUT or 0.0) if timeout is None else timeout
                 self._pending.append(_Pending(command, command.expected, now + wait))
         return bytes(builder.build())
 
@@ -120,6 +138,16 @@ class Client:
     def flush(self, now: float) -> list[Event]:
         """Gives up an incomplete packet, as at the end of a file, and searches the bytes in it."""
         return self._events(self._parser.flush()) + self.poll(now)
+
+    def look_behind(self, now: float) -> list[Event]:
+        """Gives up an incomplete packet only if whole ones are behind its first bytes: it was noise.
+
+        To be called when nothing has come for a while. A packet that comes slowly is kept.
+        """
+        events: list[Event] = []
+        while packets := self._parser.look_behind():
+            events += self._events(packets)
+        return events + self.poll(now)
 
     @property
     def deadline(self) -> float | None:
@@ -147,8 +175,11 @@ class Client:
         self._pending = [p for p in self._pending if p.deadline > now]
         return events
 
-    def _events(self, packets: Iterable[Packet]) -> list[Event]:
-        return [event for packet in packets for event in self._taken(packet)]
+    def _events(self, found: Iterable[Packet | bytes]) -> list[Event]:
+        events: list[Event] = []
+        for item in found:
+            events += [Skipped(item)] if isinstance(item, bytes) else self._taken(item)
+        return events
 
     def _taken(self, packet: Packet) -> list[Event]:
         """The answers in a packet, and the packet itself if it holds other fields."""

@@ -1,6 +1,14 @@
-"""Exceptions. All but `Failure` are `MipError`, which is a `ValueError`."""
+"""Exceptions. All but `Failure` and `MissingExtra` are `MipError`, which is a `ValueError`."""
 
 from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from .client import Outcome
+    from .field import Command
+    from .types import AckCode
 
 
 class MipError(ValueError):
@@ -55,6 +63,55 @@ class UnknownName(MipError, LookupError):
 
     def __str__(self) -> str:
         return self.detail
+
+
+class Refused(MipError):
+    """The device has refused a command: `code` says why.
+
+    `outcomes`: what became of each command of the same packet, as `Device.exchange` gives it.
+    """
+
+    def __init__(
+        self, command: Command, code: AckCode, outcomes: Sequence[Outcome | None] = ()
+    ) -> None:
+        super().__init__("refused", f"{command.NAME}: {code.name} ({int(code)})")
+        self.command = command
+        self.code = code
+        self.outcomes = tuple(outcomes)
+
+
+class NoAnswer(MipError, TimeoutError):
+    """The device has not answered a command in time; perhaps it has carried it out."""
+
+    def __init__(self, command: Command, outcomes: Sequence[Outcome | None] = ()) -> None:
+        super().__init__("no_answer", f"the device has not answered {command.NAME} in time")
+        self.args = (command, outcomes)
+        self.command = command
+        self.outcomes = tuple(outcomes)
+
+
+class PortClosed(MipError, ConnectionError):
+    """The port of a device is closed, or its other end is gone."""
+
+    def __init__(self, why: str) -> None:
+        super().__init__("closed", why)
+        self.args = (why,)
+
+
+class NoDevice(MipError, ConnectionError):
+    """No device answers at a port, whatever the baud rate."""
+
+    def __init__(self, why: str) -> None:
+        super().__init__("no_device", why)
+        self.args = (why,)
+
+
+class MissingExtra(ImportError):
+    """A package that only an extra of this one brings is not installed."""
+
+    def __init__(self, package: str, extra: str) -> None:
+        super().__init__(f"{package} is missing; pip install 'mip-protocol[{extra}]'")
+        self.args = (package, extra)
 
 
 class Failure(Exception):

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, ClassVar, TypeAlias, TypeVar
+from typing import TYPE_CHECKING, ClassVar, Generic, TypeAlias, TypeVar
 
 from .described import Described
 from .errors import DecodeError
 from .packet import Packet, PacketBuilder, RawField
 
 if TYPE_CHECKING:
+    # Checkers know defaults of type variables in every version of Python.
+    from typing_extensions import TypeVar as TypeVarWithDefault
+
     from .info import FieldInfo
 
 F = TypeVar("F", bound="Field")
@@ -89,15 +92,29 @@ class Response(Field):
 
 #: For where a field's own member is called `type`.
 ResponseClasses: TypeAlias = "tuple[type[Response], ...]"
+ClassOf: TypeAlias = "type[F]"
 
 
-class Command(Field):
-    """Is acknowledged by the device, with a response or without."""
+#: What a client gets for a command: its response, or None.
+if TYPE_CHECKING:
+    R = TypeVarWithDefault("R", bound="Response | None", covariant=True, default="Response | None")
+else:
+    R = TypeVar("R", bound="Response | None", covariant=True)
+
+
+class Command(Field, Generic[R]):
+    """Is acknowledged by the device, with a response or without.
+
+    `Command[R]` is one that gets a response of type R, or None.
+    """
 
     __slots__ = ()
 
     RESPONSES: ClassVar[tuple[type[Response], ...]] = ()
     TIMEOUT: ClassVar[float | None] = None  # seconds, if the device may take longer than usual
+    #: Settings of the device with which it does not acknowledge the command: set and descriptor of
+    #: the command that sets it, the parameter and its value.
+    SILENCED_BY: ClassVar[tuple[tuple[int, int, str, int], ...]] = ()
     #: Function selector -> how many parameters it requires; others may be None.
     REQUIRED: ClassVar[dict[int, int]] = {}
 
@@ -125,4 +142,15 @@ def chosen(types: tuple[type[Field], ...], raw: RawField) -> type[Field] | None:
     return next((t for t in types if t.matches(raw.data)), None)
 
 
-__all__ = ["Command", "Data", "DecodeError", "Field", "Response", "Structure", "chosen"]
+__all__ = [
+    "ClassOf",
+    "Command",
+    "Data",
+    "DecodeError",
+    "Field",
+    "R",
+    "Response",
+    "ResponseClasses",
+    "Structure",
+    "chosen",
+]

@@ -14,7 +14,7 @@ _DEFAULT_0 = codec.Block("BBBBB", "class_", "type", "register", "self_", "presen
 
 
 @dataclass(slots=True)
-class Default(Command):
+class Default(Command[None]):
     """Default (0x0C,0x10).
 
     Its parameters are keywords here and there.
@@ -28,6 +28,7 @@ class Default(Command):
     DESCRIPTOR = 0x10
     NAME = "3d.default"
     ROLE = "command"
+    SILENCED_BY = ((0x01, 0x02, "mode", 1),)
 
     class_: int
     """A keyword."""

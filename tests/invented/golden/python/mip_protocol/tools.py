@@ -7,10 +7,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntFlag
+from typing import Any
 
 from . import codec, types
 from .errors import Truncated
-from .field import Command, Field, Response, ResponseClasses, Structure
+from .field import ClassOf, Command, Field, R, Response, ResponseClasses, Structure
 from .protocol import FunctionSelector
 
 
@@ -846,7 +847,7 @@ class BiasVector(Response):
 
 
 @dataclass(slots=True)
-class Ping(Command):
+class Ping(Command[None]):
     """Ping (0x01,0x01).
 
     Tests the line.
@@ -886,7 +887,7 @@ _SETTINGS_GROUPS = (
 
 
 @dataclass(slots=True)
-class Settings(Command):
+class Settings(Command[R]):
     """Settings (0x01,0x02).
 
     Every function, and a prefix of parameters for each.
@@ -927,32 +928,46 @@ class Settings(Command):
     """Reserved: send 1. Optional."""
 
     @classmethod
-    def write(cls, port: int, mode: types.Mode, baud: int, limit: int | None = None) -> Settings:
+    def write(
+        cls: ClassOf[Settings[Any]],
+        port: int,
+        mode: types.Mode,
+        baud: int,
+        limit: int | None = None,
+    ) -> Settings[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, port=port, mode=mode, baud=baud, limit=limit)
 
     @classmethod
-    def read(cls, port: int, mode: types.Mode) -> Settings:
+    def read(
+        cls: ClassOf[Settings[Any]], port: int, mode: types.Mode
+    ) -> Settings[SettingsResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, port=port, mode=mode)
 
     @classmethod
-    def save(cls, port: int) -> Settings:
+    def save(cls: ClassOf[Settings[Any]], port: int) -> Settings[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, port=port)
 
     @classmethod
-    def load(cls, port: int) -> Settings:
+    def load(cls: ClassOf[Settings[Any]], port: int) -> Settings[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, port=port)
 
     @classmethod
-    def default(cls, port: int) -> Settings:
+    def default(cls: ClassOf[Settings[Any]], port: int) -> Settings[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, port=port)
 
     @classmethod
-    def apply(cls, port: int, mode: types.Mode, baud: int, limit: int | None = None) -> Settings:
+    def apply(
+        cls: ClassOf[Settings[Any]],
+        port: int,
+        mode: types.Mode,
+        baud: int,
+        limit: int | None = None,
+    ) -> Settings[None]:
         """Apply the new setting and send no acknowledge (5-series devices)."""
         return cls(FunctionSelector.APPLY, port=port, mode=mode, baud=baud, limit=limit)
 
@@ -967,7 +982,7 @@ class Settings(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Settings, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[Settings[R], int]:
         port: int | None = None
         mode: types.Mode | None = None
         baud: int | None = None
@@ -1039,7 +1054,7 @@ _SET_TIME_GROUPS = ((1, ("part",), False), (2, ("value",), False))
 
 
 @dataclass(slots=True)
-class SetTime(Command):
+class SetTime(Command[R]):
     """Set time (0x01,0x03).
 
     Two responses for one command.
@@ -1067,17 +1082,19 @@ class SetTime(Command):
     """The new value. Unit: s. Required for `write` and `apply`."""
 
     @classmethod
-    def write(cls, part: types.Mode, value: int) -> SetTime:
+    def write(cls: ClassOf[SetTime[Any]], part: types.Mode, value: int) -> SetTime[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, part=part, value=value)
 
     @classmethod
-    def read(cls, part: types.Mode) -> SetTime:
+    def read(
+        cls: ClassOf[SetTime[Any]], part: types.Mode
+    ) -> SetTime[SetTimeFastResponse | SetTimeSlowResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, part=part)
 
     @classmethod
-    def apply(cls, part: types.Mode, value: int) -> SetTime:
+    def apply(cls: ClassOf[SetTime[Any]], part: types.Mode, value: int) -> SetTime[None]:
         """Apply the new setting and send no acknowledge (5-series devices)."""
         return cls(FunctionSelector.APPLY, part=part, value=value)
 
@@ -1094,7 +1111,7 @@ class SetTime(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SetTime, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[SetTime[R], int]:
         part: types.Mode | None = None
         value: int | None = None
         v = _SET_TIME_0.read(raw, at)
@@ -1137,7 +1154,7 @@ _STATUS_1 = codec.Block("B", "selector")
 
 
 @dataclass(slots=True)
-class Status(Command):
+class Status(Command[StatusShort | StatusLong | StatusOld | StatusFull]):
     """Status (0x01,0x04).
 
     Layouts of one response, told apart by constants and by size.
@@ -1196,7 +1213,7 @@ _BIAS_GROUPS = ((1, ("bias",), False),)
 
 
 @dataclass(slots=True)
-class Bias(Command):
+class Bias(Command[R]):
     """Bias (0x01,0x05).
 
     Its response serves another command too.
@@ -1222,27 +1239,27 @@ class Bias(Command):
     """
 
     @classmethod
-    def write(cls, bias: types.Vector3f) -> Bias:
+    def write(cls: ClassOf[Bias[Any]], bias: types.Vector3f) -> Bias[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, bias=bias)
 
     @classmethod
-    def read(cls) -> Bias:
+    def read(cls: ClassOf[Bias[Any]]) -> Bias[BiasVector]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> Bias:
+    def save(cls: ClassOf[Bias[Any]]) -> Bias[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
     @classmethod
-    def load(cls) -> Bias:
+    def load(cls: ClassOf[Bias[Any]]) -> Bias[None]:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD)
 
     @classmethod
-    def default(cls) -> Bias:
+    def default(cls: ClassOf[Bias[Any]]) -> Bias[None]:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
@@ -1253,7 +1270,7 @@ class Bias(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Bias, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[Bias[R], int]:
         bias: types.Vector3f | None = None
         v = _BIAS_0.read(raw, at)
         at += 1
@@ -1286,7 +1303,7 @@ _CAPTURE_BIAS_0 = codec.Block("H", "time")
 
 
 @dataclass(slots=True)
-class CaptureBias(Command):
+class CaptureBias(Command[BiasVector]):
     """Capture bias (0x01,0x06).
 
     Measures the bias.
@@ -1322,7 +1339,7 @@ _FORMATS_0 = codec.Block("BBB", "suppress_ack", "num_segments", "checkpoint")
 
 
 @dataclass(slots=True)
-class Formats(Command):
+class Formats(Command[None]):
     """Formats (0x01,0x07).
 
     Counted arrays of structures and of numbers; not answered if told so.
@@ -1378,7 +1395,7 @@ _CHOICE_GROUPS = ((1, ("instance",), False), (2, ("shape",), False), (3, ("param
 
 
 @dataclass(slots=True)
-class Choice(Command):
+class Choice(Command[R]):
     """Choice (0x01,0x08).
 
     A tagged union with an empty variant, nested unions, arrays and strings in it.
@@ -1413,13 +1430,16 @@ class Choice(Command):
 
     @classmethod
     def write(
-        cls, instance: int, shape: Shape, parameters: Circle | Path | types.Quatf | str | None
-    ) -> Choice:
+        cls: ClassOf[Choice[Any]],
+        instance: int,
+        shape: Shape,
+        parameters: Circle | Path | types.Quatf | str | None,
+    ) -> Choice[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, instance=instance, shape=shape, parameters=parameters)
 
     @classmethod
-    def read(cls, instance: int) -> Choice:
+    def read(cls: ClassOf[Choice[Any]], instance: int) -> Choice[ChoiceResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, instance=instance)
 
@@ -1430,7 +1450,7 @@ class Choice(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Choice, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[Choice[R], int]:
         instance: int | None = None
         shape: Shape | None = None
         parameters: Circle | Path | types.Quatf | str | None = None
@@ -1509,7 +1529,7 @@ _LIST_GROUPS = ((2, ("items",), False),)
 
 
 @dataclass(slots=True)
-class List(Command):
+class List(Command[R]):
     """List (0x01,0x09).
 
     Optional counted array; a read may carry a zero count.
@@ -1534,17 +1554,17 @@ class List(Command):
     """The items. Required for `write`."""
 
     @classmethod
-    def write(cls, items: tuple[int, ...]) -> List:
+    def write(cls: ClassOf[List[Any]], items: tuple[int, ...]) -> List[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, items=items)
 
     @classmethod
-    def read(cls) -> List:
+    def read(cls: ClassOf[List[Any]]) -> List[ListResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
-    def save(cls) -> List:
+    def save(cls: ClassOf[List[Any]]) -> List[None]:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
@@ -1555,7 +1575,7 @@ class List(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[List, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[List[R], int]:
         items: tuple[int, ...] | None = None
         v = _LIST_0.read(raw, at)
         at += 1
@@ -1589,7 +1609,7 @@ class List(Command):
 
 
 @dataclass(slots=True)
-class Inventory(Command):
+class Inventory(Command[InventoryResponse]):
     """Inventory (0x01,0x0A).
 
     Answers with an array to the end of the field.
@@ -1620,7 +1640,7 @@ _PIN_GROUPS = ((1, ("drive",), False), (2, ("use",), False))
 
 
 @dataclass(slots=True)
-class Pin(Command):
+class Pin(Command[R]):
     """Pin (0x01,0x0B).
 
     The names of one number depend on another.
@@ -1649,12 +1669,12 @@ class Pin(Command):
     """
 
     @classmethod
-    def write(cls, drive: Drive, use: int) -> Pin:
+    def write(cls: ClassOf[Pin[Any]], drive: Drive, use: int) -> Pin[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, drive=drive, use=use)
 
     @classmethod
-    def read(cls, drive: Drive) -> Pin:
+    def read(cls: ClassOf[Pin[Any]], drive: Drive) -> Pin[PinResponse]:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, drive=drive)
 
@@ -1665,7 +1685,7 @@ class Pin(Command):
         return ()
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[Pin, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[Pin[R], int]:
         drive: Drive | None = None
         use: int | None = None
         v = _PIN_0.read(raw, at)
@@ -1709,7 +1729,7 @@ _HELLO_GROUPS = ((2, ("later",), False),)
 
 
 @dataclass(slots=True)
-class Hello(Command):
+class Hello(Command[HelloResponse]):
     """Hello (0x01,0x0C).
 
     The device asks and a host answers.
@@ -1765,7 +1785,7 @@ _READINGS_0 = codec.Block("B", "drive")
 
 
 @dataclass(slots=True)
-class Readings(Command):
+class Readings(Command[ReadingsResponse]):
     """Readings (0x01,0x0D).
 
     A parameter outside of a structure says how its members are read.

@@ -1,0 +1,263 @@
+"""What passes between a program and a device, without input or output: requests, data, settings.
+
+`Device` and `aio.Device` move the bytes and wait; everything that they know of the device is here.
+Nothing in this module waits, and nothing locks: its callers do.
+"""
+
+from __future__ import annotations
+
+import time
+from collections import deque
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any, TypeVar, cast
+
+from .client import Answer, Client, Event, Outcome, Received, Skipped, TimedOut
+from .errors import NoAnswer, Refused
+from .field import Command, Field, R, Response
+from .packet import Packet, RawField
+from .protocol import FunctionSelector
+
+F = TypeVar("F", bound=Field)
+
+#: Seconds without a byte after which an incomplete packet is given up.
+SILENCE = 1.0
+#: Packets that wait for the program, by default.
+CAPACITY = 10_000
+
+
+@dataclass(frozen=True, slots=True)
+class Arrival:
+    """A packet with fields that answer no command, and when it came: data, as a rule."""
+
+    packet: Packet
+    time: float
+    """When its last bytes had been read: seconds since 1970, UTC, by the clock of this computer."""
+    monotonic: float
+    """The same by `time.monotonic()`, which is never set."""
+    taken: frozenset[int] = frozenset()
+    """The positions of the fields that were part of an answer."""
+
+    @property
+    def fields(self) -> tuple[RawField, ...]:
+        """The fields that answer no command, up to a malformed one."""
+        return Received(self.packet, self.taken).fields
+
+    def find(self, kind: type[F]) -> F | None:
+        """The first field of this type, if there is one. Raises DecodeError."""
+        return kind.find(self.packet)
+
+    def decode(self) -> list[Field | RawField]:
+        """All fields of the packet, as `registry.decode_packet` gives them."""
+        from .registry import decode_packet
+
+        return list(decode_packet(self.packet))
+
+
+class Ticket:
+    """A command that was sent, and what has become of it."""
+
+    __slots__ = ("command", "done", "outcome")
+
+    def __init__(self, command: Command) -> None:
+        self.command = command
+        self.outcome: Outcome | None = None
+        self.done = False
+
+    def end(self, outcome: Outcome | None) -> None:
+        self.outcome = outcome
+        self.done = True
+
+
+@dataclass(frozen=True)
+class News:
+    """What has changed, so that those who wait for it can be woken."""
+
+    answers: bool = False
+    arrivals: bool = False
+
+
+class Conversation:
+    """The state of a device at a port."""
+
+    def __init__(
+        self,
+        timeout: float = 1.0,
+        capacity: int = CAPACITY,
+        on_skipped: Callable[[bytes], object] | None = None,
+    ) -> None:
+        if capacity < 1:
+            raise ValueError(f"capacity {capacity}: at least one packet must have room")
+        if not timeout > 0:
+            raise ValueError(f"timeout {timeout}: a device needs some time to answer")
+        self.arrivals: deque[Arrival] = deque()
+        self.dropped = 0
+        self._timeout = timeout
+        self._capacity = capacity
+        self._on_skipped = on_skipped
+        self._tickets: list[Ticket] = []
+        self._settings: dict[tuple[int, int], Field] = {}
+        self._skipped = 0
+        self._client = Client(timeout, skipped=on_skipped is not None)
+        self._heard = 0.0
+        self._incomplete = False
+
+    def restart(self) -> None:
+        """The port has been opened again. The data that wait are kept."""
+        for ticket in self._tickets:
+            ticket.end(TimedOut(ticket.command))
+        self._tickets.clear()
+        self._settings.clear()
+        self._skipped += self._client.skipped
+        self._client = Client(self._timeout, skipped=self._on_skipped is not None)
+        self._incomplete = False
+
+    @property
+    def skipped(self) -> int:
+        return self._skipped + self._client.skipped
+
+    # ----------------------------------------------------------------- commands
+
+    def send(
+        self, commands: Sequence[Command], now: float, timeout: float | None
+    ) -> tuple[bytes, list[Ticket]]:
+        """The packet to write, and a ticket for each command. Raises EncodeError.
+
+        The ticket of a command that the device does not acknowledge is done at once.
+        """
+        packet = self._client.send(*commands, now=now, timeout=timeout)
+        tickets = [Ticket(command) for command in commands]
+        for ticket in tickets:
+            if not ticket.command.answered:
+                ticket.end(None)
+            elif self._silenced(ticket.command):
+                self._client.cancel(ticket.command)
+                ticket.end(None)
+        self._tickets += [t for t in tickets if not t.done]
+        return packet, tickets
+
+    def forget(self, tickets: Sequence[Ticket]) -> None:
+        """Nobody waits for these commands any more."""
+        for ticket in tickets:
+            if not ticket.done:
+                self._client.cancel(ticket.command)
+        self._tickets = [t for t in self._tickets if t not in tickets]
+
+    def question(self, command: Command) -> Command | None:
+        """What to ask the device before this command, to know whether it will be acknowledged."""
+        for number, descriptor, _, _ in command.SILENCED_BY:
+            if command.answered and (number, descriptor) not in self._settings:
+                from .registry import types
+
+                for kind in types(number, descriptor):
+                    read: Any = getattr(kind, "read", None)
+                    if (
+                        read
+                        and cast("type[Command]", kind).REQUIRED.get(FunctionSelector.READ) == 0
+                    ):
+                        return cast(Command, read())
+        return None
+
+    def settle(self, question: Command, outcome: Outcome | None) -> None:
+        """If the device does not have that setting, it is not asked again."""
+        if isinstance(outcome, Answer) and not outcome.accepted:
+            self._settings[question.SET, question.DESCRIPTOR] = question
+
+    def _silenced(self, command: Command) -> bool:
+        """Does a setting of the device keep it from acknowledging this command?"""
+        return any(
+            getattr(self._settings.get((number, descriptor)), name, None) == value
+            for number, descriptor, name, value in command.SILENCED_BY
+        )
+
+    def _learn(self, answer: Answer) -> None:
+        """Keeps the settings that the device is known to have."""
+        command = answer.command
+        if not answer.accepted or command.SILENCED_BY:
+            return
+        key = (command.SET, command.DESCRIPTOR)
+        function = getattr(command, "function", None)
+        if answer.response is not None and function == FunctionSelector.READ:
+            self._settings[key] = answer.response
+        elif function == FunctionSelector.WRITE:
+            self._settings[key] = command
+        elif function not in (FunctionSelector.READ, FunctionSelector.SAVE):
+            self._settings.clear()  # it may have loaded others, or restarted
+
+    # ----------------------------------------------------------------- what comes
+
+    def receive(self, data: bytes, monotonic: float, clock: float) -> News:
+        """Takes bytes that came at this time, by both clocks."""
+        self._heard = monotonic
+        self._incomplete = True
+        return self._handle(self._client.receive(data, monotonic), monotonic, clock)
+
+    def idle(self, monotonic: float, clock: float) -> News:
+        """Nothing has come for a moment. Noise may look like the start of a packet: what is behind it comes first."""
+        if not self._incomplete:
+            return self._handle(self._client.poll(monotonic), monotonic, clock)
+        if monotonic - self._heard < SILENCE:
+            return self._handle(self._client.look_behind(monotonic), monotonic, clock)
+        self._incomplete = False
+        return self._handle(self._client.flush(monotonic), monotonic, clock)
+
+    def poll(self, monotonic: float) -> News:
+        """Ends the commands that have timed out."""
+        return self._handle(self._client.poll(monotonic), monotonic, time.time())
+
+    def end(self, monotonic: float, clock: float) -> News:
+        """The port is gone: nothing more will come."""
+        return self._handle(self._client.flush(monotonic), monotonic, clock)
+
+    @property
+    def deadline(self) -> float | None:
+        """When the next command times out."""
+        return self._client.deadline
+
+    def _handle(self, events: list[Event], monotonic: float, clock: float) -> News:
+        answers = arrivals = False
+        for event in events:
+            if isinstance(event, Received):
+                if len(self.arrivals) >= self._capacity:
+                    self.arrivals.popleft()
+                    self.dropped += 1
+                self.arrivals.append(Arrival(event.packet, clock, monotonic, event.taken))
+                arrivals = True
+            elif isinstance(event, Skipped):
+                if self._on_skipped is not None:
+                    self._on_skipped(event.data)
+            else:
+                if isinstance(event, Answer):
+                    self._learn(event)
+                answers = self._end(event) or answers
+        return News(answers, arrivals)
+
+    def _end(self, outcome: Outcome) -> bool:
+        for ticket in self._tickets:
+            if ticket.command is outcome.command:
+                ticket.end(outcome)
+                self._tickets.remove(ticket)
+                return True
+        return False
+
+
+def response(ticket: Ticket, tickets: Sequence[Ticket]) -> Response | None:
+    """What the device has answered, or the error that says why there is nothing."""
+    outcome = ticket.outcome
+    if outcome is None:
+        return None
+    if isinstance(outcome, TimedOut):
+        raise NoAnswer(ticket.command, [t.outcome for t in tickets])
+    if not outcome.accepted:
+        raise Refused(ticket.command, outcome.code, [t.outcome for t in tickets])
+    if outcome.error is not None:
+        raise outcome.error
+    return outcome.response
+
+
+def responses(tickets: Sequence[Ticket]) -> tuple[Response | None, ...]:
+    """The responses of the commands of one packet. Raises the error of the first that has failed."""
+    return tuple(response(ticket, tickets) for ticket in tickets)
+
+
+__all__ = ["CAPACITY", "Arrival", "Conversation", "News", "R", "Ticket", "response", "responses"]

@@ -1,0 +1,191 @@
+"""Ports: serial ones by pyserial, TCP connections, and a thread that reads any of them."""
+
+from __future__ import annotations
+
+import select
+import socket
+import threading
+import time
+from collections.abc import Callable
+from importlib import import_module
+from typing import Any, Protocol
+from urllib.parse import urlsplit
+
+from .errors import MissingExtra
+
+#: Seconds for which a read waits for the first byte, at ports that this module opens.
+READ_TIMEOUT = 0.05
+#: Seconds after which a write gives up: the other end takes nothing.
+WRITE_TIMEOUT = 5.0
+#: Seconds until a TCP connection is given up.
+CONNECT_TIMEOUT = 10.0
+#: Bytes that are read at once.
+AT_ONCE = 4096
+#: Seconds until a port that returns at once, with nothing, is read again.
+PAUSE = 0.002
+
+
+class Port(Protocol):
+    """What a device is reached through: a serial port of pyserial, or an object of your own.
+
+    `read` returns up to `size` bytes that have come, after waiting for as long as it likes, or nothing.
+    An exception of either says that the port is gone. If there are `in_waiting`, `cancel_read` and
+    `baudrate`, as pyserial has them, they are used.
+    """
+
+    def read(self, size: int, /) -> bytes | None: ...
+    def write(self, data: bytes, /) -> int | None: ...
+
+
+class SocketPort:
+    """A TCP connection as a port."""
+
+    def __init__(self, connection: socket.socket) -> None:
+        self._socket = connection
+        connection.setblocking(True)
+
+    def read(self, size: int) -> bytes:
+        """What has come; nothing after a moment. Raises ConnectionError when the other end is gone."""
+        if not select.select([self._socket], [], [], READ_TIMEOUT)[0]:
+            return b""
+        data = self._socket.recv(size)
+        if not data:
+            raise ConnectionResetError("the other end has closed the connection")
+        return data
+
+    def write(self, data: bytes) -> int:
+        if not select.select([], [self._socket], [], WRITE_TIMEOUT)[1]:
+            raise TimeoutError("the other end takes nothing")
+        return self._socket.send(data)
+
+    def close(self) -> None:
+        self._socket.close()
+
+
+def open_url(url: str, baud: int) -> Any:
+    """A port by its name: a path, COM3, socket://HOST:PORT, or another URL that pyserial knows.
+
+    Raises OSError if it cannot be opened, ValueError if the URL is wrong, MissingExtra without
+    pyserial, which TCP connections do not need.
+    """
+    if baud < 1:
+        raise ValueError(f"baud rate {baud}: at least 1")
+    host = address(url)
+    if host is not None:
+        return SocketPort(socket.create_connection(host, CONNECT_TIMEOUT))
+    try:
+        serial: Any = import_module("serial")
+    except ImportError:
+        raise MissingExtra("pyserial", "serial") from None
+    return serial.serial_for_url(
+        url, baudrate=baud, timeout=READ_TIMEOUT, write_timeout=WRITE_TIMEOUT
+    )
+
+
+def address(url: str) -> tuple[str, int] | None:
+    """Host and number of socket://HOST:PORT, also tcp://…; None for other URLs. Raises ValueError."""
+    scheme, separator, rest = url.partition("://")
+    if not separator or scheme.lower() not in ("socket", "tcp"):
+        return None
+    parts = urlsplit(f"//{rest}")
+    try:
+        number = parts.port
+    except ValueError:
+        number = None
+    if not parts.hostname or not number:
+        raise ValueError(f"{url!r} is no TCP port; write socket://HOST:PORT")
+    return parts.hostname, number
+
+
+def as_port(port: Any) -> Any:
+    """A port that was given: sockets become one, other objects must be one. Raises TypeError."""
+    if isinstance(port, socket.socket):
+        return SocketPort(port)
+    if not (callable(getattr(port, "read", None)) and callable(getattr(port, "write", None))):
+        raise TypeError(f"{port!r} is no port: it needs `read` and `write`")
+    return port
+
+
+def read_some(port: Any) -> bytes:
+    """What has come, as soon as something has: one byte less would be late, one more would wait."""
+    waiting = getattr(port, "in_waiting", None)
+    if waiting is not None:
+        return port.read(min(max(1, waiting), AT_ONCE)) or b""
+    read = getattr(port, "read1", port.read)  # a buffered file would wait for all of them
+    return read(AT_ONCE) or b""
+
+
+def write_all(port: Any, data: bytes) -> None:
+    """Writes all of it; a port may take less at once."""
+    while data:
+        count = port.write(data)
+        if count is None:
+            return
+        data = data[count:]
+
+
+class Reader(threading.Thread):
+    """Reads a port until it is stopped or the port is gone.
+
+    `on_data(data, monotonic, clock)` gets what comes and when; with no data, nothing has come for a
+    moment. `on_end(error)` is called last; the error is None if it was stopped.
+    """
+
+    def __init__(
+        self,
+        port: Any,
+        on_data: Callable[[bytes, float, float], object],
+        on_end: Callable[[BaseException | None], object],
+    ) -> None:
+        super().__init__(name="mip-reader", daemon=True)
+        self._port = port
+        self._on_data = on_data
+        self._on_end = on_end
+        self._stopped = threading.Event()
+
+    def run(self) -> None:
+        error: BaseException | None = None
+        try:
+            while not self._stopped.is_set():
+                before = time.monotonic()
+                data = read_some(self._port)
+                now = time.monotonic()
+                self._on_data(data, now, time.time())
+                if not data and now - before < PAUSE:
+                    self._stopped.wait(PAUSE)
+        except Exception as caught:  # ports of any kind have errors of any kind
+            error = None if self._stopped.is_set() else caught
+        self._on_end(error)
+
+    def stop(self) -> None:
+        """Ends the thread and closes the port, whatever the thread waits for."""
+        self._stopped.set()
+        here = threading.current_thread() is self
+        if not here:
+            cancel = getattr(self._port, "cancel_read", None)
+            if cancel is not None:
+                try:
+                    cancel()
+                except Exception:  # it may be gone already
+                    pass
+            self.join(1.0)
+        close = getattr(self._port, "close", None)
+        if close is not None:
+            try:
+                close()
+            except Exception:
+                pass
+        if not here:
+            self.join(1.0)
+
+
+__all__ = [
+    "Port",
+    "Reader",
+    "SocketPort",
+    "address",
+    "as_port",
+    "open_url",
+    "read_some",
+    "write_all",
+]

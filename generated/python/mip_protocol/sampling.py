@@ -1,0 +1,115 @@
+"""Puts together what a device has measured at one time and sent in several packets.
+
+A message that does not fit into one packet goes on in continuation packets of the same set. The
+shared fields at its front, such as a timestamp, are repeated in each of them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
+from typing import Generic, Protocol, TypeAlias, TypeVar
+
+from .errors import PacketError
+from .packet import MAX_PAYLOAD, Packet, RawField
+
+#: The first descriptor of the fields that all data sets share, and those of them that tell a time.
+FIRST_SHARED = 0xD0
+TIMESTAMPS = frozenset((0xD1, 0xD3, 0xD5, 0xD7))
+#: A list ends with so many packets, so that a clock that stands still takes no memory.
+MOST = 256
+
+
+class HasPacket(Protocol):
+    """What holds a packet, as an `Arrival` does."""
+
+    @property
+    def packet(self) -> Packet: ...
+
+
+P = TypeVar("P", bound="Packet | HasPacket")
+_Shared: TypeAlias = tuple[RawField, ...]
+
+
+@dataclass
+class _Group(Generic[P]):
+    """The packets of one set that belong together as far as they have come."""
+
+    shared: _Shared
+    items: list[P] = field(default_factory=list)
+    own: set[int] = field(default_factory=set)  # descriptors that are not shared
+    last: int = -1  # the last of them
+    room: int = 0  # in the last packet
+
+
+class Samples(Generic[P]):
+    """Takes packets as they come and returns those that belong together, as lists.
+
+    A packet belongs to the one of its set before it if the shared fields at their front are the
+    same, its own fields have not come yet, and either the shared fields tell a time or its first
+    field had no room in the packet before. A list of several fields of one descriptor may go on,
+    too. A packet of commands is a list of its own.
+    """
+
+    def __init__(self) -> None:
+        self._groups: dict[int, _Group[P]] = {}
+
+    def add(self, item: P) -> list[list[P]]:
+        """A packet, or an object with a `packet`; returns what is complete now.
+
+        A list is complete when the next one of its set begins, because more could follow.
+        """
+        packet = item if isinstance(item, Packet) else item.packet
+        if packet.set < 0x80:
+            return [[item]]
+        shared, own = _parts(packet)
+        group = self._groups.get(packet.set)
+        complete: list[list[P]] = []
+        if group is None or not _continues(group, shared, own):
+            if group is not None:
+                complete.append(group.items)
+            group = self._groups[packet.set] = _Group(shared)
+        group.items.append(item)
+        group.own.update(raw.descriptor for raw in own)
+        group.last = own[-1].descriptor if own else -1
+        group.room = MAX_PAYLOAD - len(packet.payload)
+        return complete
+
+    def flush(self) -> list[list[P]]:
+        """What has not been returned yet, as at the end of a log."""
+        complete = [group.items for group in self._groups.values()]
+        self._groups.clear()
+        return complete
+
+
+def samples(packets: Iterable[P]) -> Iterator[list[P]]:
+    """The packets, or objects with a `packet`, that belong together; see `Samples`."""
+    together: Samples[P] = Samples()
+    for packet in packets:
+        yield from together.add(packet)
+    yield from together.flush()
+
+
+def _parts(packet: Packet) -> tuple[_Shared, list[RawField]]:
+    """The shared fields at the front, and the fields behind them up to a malformed one."""
+    fields: list[RawField] = []
+    try:
+        for raw in packet:
+            fields.append(raw)
+    except PacketError:
+        pass
+    count = next((i for i, f in enumerate(fields) if f.descriptor < FIRST_SHARED), len(fields))
+    return tuple(fields[:count]), fields[count:]
+
+
+def _continues(group: _Group[P], shared: _Shared, own: list[RawField]) -> bool:
+    if not own or shared != group.shared or len(group.items) >= MOST:
+        return False
+    first = own[0]
+    full = len(first.data) + 2 > group.room
+    new = first.descriptor not in group.own
+    timed = any(raw.descriptor in TIMESTAMPS for raw in shared)
+    return (new or (full and first.descriptor == group.last)) and (full or timed)
+
+
+__all__ = ["Samples", "samples"]

@@ -1,0 +1,492 @@
+"""A device at a port, for asyncio: the same as `device`, with `await`.
+
+    async with aio.open_port("/dev/ttyACM0", 115200) as device:
+        info = await device.request(base.GetDeviceInfo())
+        async for arrival in device:
+            ...
+
+TCP connections are streams of asyncio; a thread reads any other port. All methods are to be called
+in the event loop that has made the device, by as many tasks as one likes.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import time
+from collections.abc import AsyncIterator, Callable, Coroutine, Generator, Sequence
+from types import TracebackType
+from typing import Any, TypeVar, cast, overload
+
+from .baud import CHANGE, LISTEN, USUAL, Ping
+from .client import Outcome
+from .conversation import CAPACITY, Arrival, Conversation, News, Ticket, responses
+from .device import R1, R2, R3, R4, Callback, F, connect, lost
+from .errors import NoAnswer, PortClosed, Refused
+from .field import Command, R
+from .port import AT_ONCE, CONNECT_TIMEOUT, READ_TIMEOUT, Reader, address, as_port, write_all
+
+T = TypeVar("T")
+OnData = Callable[[bytes, float, float], object]
+OnEnd = Callable[["BaseException | None"], object]
+
+
+class Device:
+    """A device at a port that is open. In an `async with` statement, it is closed at the end."""
+
+    def __init__(
+        self,
+        port: Any,
+        *,
+        timeout: float = 1.0,
+        capacity: int = CAPACITY,
+        on_bytes: Callback | None = None,
+        on_skipped: Callback | None = None,
+    ) -> None:
+        """The arguments are those of `device.Device`; `port` may also be a pair of a StreamReader and
+        a StreamWriter. `on_bytes` and `on_skipped` are called in the event loop.
+        """
+        self._talk = Conversation(timeout, capacity, on_skipped)
+        self._on_bytes = on_bytes
+        self._loop = asyncio.get_running_loop()
+        self._answered = asyncio.Event()
+        self._arrived = asyncio.Event()
+        self._writing = asyncio.Lock()
+        self._end: PortClosed | None = None
+        self._closed = False
+        self._again: Callable[[], Coroutine[Any, Any, Any]] | None = None
+        self._start(port)
+
+    def _start(self, port: Any) -> None:
+        kind = Streams if isinstance(port, tuple) else Threaded
+        self._link: Streams | Threaded = kind(port, self._loop)
+        self._link.start(self._receive, self._lose)
+
+    async def __aenter__(self) -> Device:
+        return self
+
+    async def __aexit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        await self.close()
+
+    async def close(self) -> None:
+        """Closes the port. Those who wait get PortClosed; iterations end."""
+        self._closed = True
+        self._end = self._end or PortClosed("the device has been closed")
+        self._wake(News(True, True))
+        await self._link.stop()
+
+    async def reopen(self, timeout: float = 10.0) -> None:
+        """As `device.Device.reopen`."""
+        if self._again is None:
+            raise ValueError("only a port that `open_port` has opened can be opened again")
+        await self._link.stop()
+        end = time.monotonic() + timeout
+        while True:
+            try:
+                port = await self._again()
+                break
+            except OSError:
+                if time.monotonic() >= end:
+                    raise
+                await asyncio.sleep(0.1)
+        self._talk.restart()
+        self._wake(News(True, True))
+        self._end, self._closed = None, False
+        self._start(port)
+
+    # ----------------------------------------------------------------- what is known
+
+    @property
+    def closed(self) -> bool:
+        """Is the port closed or gone? Data that have come can still be taken."""
+        return self._end is not None
+
+    @property
+    def dropped(self) -> int:
+        """Packets that nobody has taken in time."""
+        return self._talk.dropped
+
+    @property
+    def skipped(self) -> int:
+        """Bytes that belong to no packet."""
+        return self._talk.skipped
+
+    @property
+    def waiting(self) -> int:
+        """Packets that can be taken without waiting."""
+        return len(self._talk.arrivals)
+
+    @property
+    def baud(self) -> int | None:
+        """The baud rate of the port; None if it has none."""
+        return getattr(self._link.port, "baudrate", None)
+
+    # ----------------------------------------------------------------- commands
+
+    async def request(self, command: Command[R], timeout: float | None = None) -> R:
+        """Sends a command, waits for the answer and returns the response, or None if it has none.
+
+        Raises what `device.Device.request` raises.
+        """
+        (result,) = responses(await self._exchange((command,), timeout))
+        return cast(R, result)
+
+    @overload
+    async def request_all(
+        self, a: Command[R1], /, *, timeout: float | None = None
+    ) -> tuple[R1]: ...
+    @overload
+    async def request_all(
+        self, a: Command[R1], b: Command[R2], /, *, timeout: float | None = None
+    ) -> tuple[R1, R2]: ...
+    @overload
+    async def request_all(
+        self, a: Command[R1], b: Command[R2], c: Command[R3], /, *, timeout: float | None = None
+    ) -> tuple[R1, R2, R3]: ...
+    @overload
+    async def request_all(
+        self,
+        a: Command[R1],
+        b: Command[R2],
+        c: Command[R3],
+        d: Command[R4],
+        /,
+        *,
+        timeout: float | None = None,
+    ) -> tuple[R1, R2, R3, R4]: ...
+    @overload
+    async def request_all(
+        self, *commands: Command, timeout: float | None = None
+    ) -> tuple[Any, ...]: ...
+    async def request_all(
+        self, *commands: Command, timeout: float | None = None
+    ) -> tuple[Any, ...]:
+        """Sends commands of one set in one packet and returns the response of each.
+
+        Raises what `device.Device.request_all` raises.
+        """
+        return responses(await self._exchange(commands, timeout))
+
+    async def exchange(
+        self, *commands: Command, timeout: float | None = None
+    ) -> list[Outcome | None]:
+        """Sends commands of one set in one packet and returns what became of each.
+
+        None: the device does not acknowledge it. Raises only PortClosed and EncodeError.
+        """
+        return [ticket.outcome for ticket in await self._exchange(commands, timeout)]
+
+    async def send(self, *commands: Command) -> None:
+        """Sends commands of one set in one packet, and does not wait for answers.
+
+        Answers, if they come, are among the data. Raises PortClosed and EncodeError.
+        """
+        self._talk.forget(await self._send(commands, None))
+
+    async def _exchange(self, commands: Sequence[Command], timeout: float | None) -> list[Ticket]:
+        for command in commands:
+            question = self._talk.question(command)
+            if question is not None:
+                (outcome,) = await self.exchange(question)
+                self._talk.settle(question, outcome)
+        tickets = await self._send(commands, timeout)
+        try:
+            await self._wait(tickets)
+        finally:
+            self._talk.forget(tickets)
+        return tickets
+
+    async def _send(self, commands: Sequence[Command], timeout: float | None) -> list[Ticket]:
+        async with self._writing:  # so that answers come in the order of the commands
+            self._must_be_open()
+            packet, tickets = self._talk.send(commands, time.monotonic(), timeout)
+            try:
+                await self._link.write(packet)
+            except Exception as error:
+                self._talk.forget(tickets)
+                raise PortClosed(f"the port cannot write: {error}") from error
+            except BaseException:
+                self._talk.forget(tickets)
+                raise
+        return tickets
+
+    async def _wait(self, tickets: list[Ticket]) -> None:
+        while not all(ticket.done for ticket in tickets):
+            self._must_be_open()
+            deadline = self._talk.deadline
+            left = 1.0 if deadline is None else deadline - time.monotonic()
+            if left <= 0:
+                self._wake(self._talk.poll(time.monotonic()))
+            else:
+                await _set(self._answered, left)
+
+    def _must_be_open(self) -> None:
+        if self._end is not None:
+            raise PortClosed(self._end.detail) from self._end.__cause__
+
+    # ----------------------------------------------------------------- data
+
+    async def __aiter__(self) -> AsyncIterator[Arrival]:
+        """The packets of data as they come. Ends when the device is closed by `close`.
+
+        Raises PortClosed when the port is gone, after everything that has come.
+        """
+        while (arrival := await self._next(None)) is not None:
+            yield arrival
+
+    async def next(self, timeout: float | None = None) -> Arrival | None:
+        """The next packet of data; None if none comes within so many seconds, or the device is closed.
+
+        Raises PortClosed when the port is gone, after everything that has come.
+        """
+        return await self._next(None if timeout is None else time.monotonic() + timeout)
+
+    async def _next(self, deadline: float | None) -> Arrival | None:
+        arrivals = self._talk.arrivals
+        while not arrivals:
+            if self._closed:
+                return None
+            self._must_be_open()
+            left = None if deadline is None else deadline - time.monotonic()
+            if left is not None and left <= 0:
+                return None
+            await _set(self._arrived, left)
+        return arrivals.popleft()
+
+    async def fields(self, *kinds: type[F]) -> AsyncIterator[tuple[float, F]]:
+        """The fields of these types as they come, each with its time of arrival (`Arrival.time`).
+
+        In a packet, they come in the order of `kinds`. Fields that cannot be decoded raise DecodeError.
+        """
+        async for arrival in self:
+            for kind in kinds:
+                field = arrival.find(kind)
+                if field is not None:
+                    yield arrival.time, field
+
+    def clear(self) -> None:
+        """Forgets the data that wait to be taken, which are not counted as dropped."""
+        self._talk.arrivals.clear()
+
+    # ----------------------------------------------------------------- baud rate
+
+    async def change_baud(self, command: Command, attempts: int = 3) -> int:
+        """As `device.Device.change_baud`."""
+        new, old = getattr(command, "baud", None), self.baud
+        if new is None or old is None:
+            raise ValueError("it takes a command that writes `baud`, and a port with a baud rate")
+        try:
+            await self.request(command)
+        except NoAnswer:  # its answer may have come at the new rate
+            pass
+        await asyncio.sleep(CHANGE)
+        for rate in (new, old):
+            self._link.port.baudrate = rate
+            for _ in range(attempts):
+                if await self._pings():
+                    return rate
+        raise NoAnswer(command)
+
+    async def _pings(self) -> bool:
+        try:
+            await self.request(Ping(), timeout=LISTEN)
+        except Refused:  # a device that answers
+            return True
+        except NoAnswer:
+            return False
+        return True
+
+    # ----------------------------------------------------------------- what comes
+
+    def _receive(self, data: bytes, monotonic: float, clock: float) -> None:
+        if data and self._on_bytes is not None:
+            self._on_bytes(data)
+        if data:
+            self._wake(self._talk.receive(data, monotonic, clock))
+        else:
+            self._wake(self._talk.idle(monotonic, clock))
+
+    def _lose(self, error: BaseException | None) -> None:
+        if self._end is None:
+            self._end = lost(error)
+        try:
+            self._talk.end(time.monotonic(), time.time())
+        finally:
+            self._wake(News(True, True))
+
+    def _wake(self, news: News) -> None:
+        # Whoever waits has the event; those who come later wait for the next one.
+        if news.answers:
+            self._answered.set()
+            self._answered = asyncio.Event()
+        if news.arrivals:
+            self._arrived.set()
+            self._arrived = asyncio.Event()
+
+
+async def _set(event: asyncio.Event, seconds: float | None) -> None:
+    """Waits for an event, but not longer than so many seconds."""
+    try:
+        await asyncio.wait_for(event.wait(), seconds)
+    except (TimeoutError, asyncio.TimeoutError):  # two classes until Python 3.11
+        pass
+
+
+# --------------------------------------------------------------------------- how bytes are moved
+
+
+class Threaded:
+    """Any port, read by a thread."""
+
+    def __init__(self, port: Any, loop: asyncio.AbstractEventLoop) -> None:
+        self.port = as_port(port)
+        self._loop = loop
+        self._stopped = False
+
+    def start(self, on_data: OnData, on_end: OnEnd) -> None:
+        self._on_data = on_data
+        self._on_end = on_end
+        self._reader = Reader(self.port, self._data, self._ended)
+        self._reader.start()
+
+    def _data(self, data: bytes, monotonic: float, clock: float) -> None:
+        self._loop.call_soon_threadsafe(self._hand_over, data, monotonic, clock)
+
+    def _hand_over(self, data: bytes, monotonic: float, clock: float) -> None:
+        if self._stopped:
+            return
+        try:
+            self._on_data(data, monotonic, clock)
+        except Exception as error:
+            self._finish(error)
+
+    def _ended(self, error: BaseException | None) -> None:
+        try:
+            self._loop.call_soon_threadsafe(self._finish, error)
+        except RuntimeError:  # the loop is closed
+            pass
+
+    def _finish(self, error: BaseException | None) -> None:
+        if not self._stopped:
+            self._stopped = True
+            self._on_end(error)
+
+    async def write(self, data: bytes) -> None:
+        await asyncio.to_thread(write_all, self.port, data)
+
+    async def stop(self) -> None:
+        self._stopped = True
+        await asyncio.to_thread(self._reader.stop)
+
+
+class Streams:
+    """A connection of asyncio: its StreamReader and its StreamWriter."""
+
+    port: Any = None  # it has no baud rate
+
+    def __init__(
+        self,
+        port: tuple[asyncio.StreamReader, asyncio.StreamWriter],
+        loop: asyncio.AbstractEventLoop,
+    ) -> None:
+        self._reader, self._writer = port
+        self._loop = loop
+
+    def start(self, on_data: OnData, on_end: OnEnd) -> None:
+        self._task = self._loop.create_task(self._run(on_data, on_end))
+
+    async def _run(self, on_data: OnData, on_end: OnEnd) -> None:
+        reading: asyncio.Task[bytes] | None = None
+        try:
+            while True:
+                reading = reading or self._loop.create_task(self._reader.read(AT_ONCE))
+                done, _ = await asyncio.wait({reading}, timeout=READ_TIMEOUT)
+                data = reading.result() if done else b""
+                if done:
+                    reading = None
+                    if not data:
+                        raise ConnectionResetError("the other end has closed the connection")
+                on_data(data, time.monotonic(), time.time())
+        except Exception as error:
+            on_end(error)
+        finally:
+            if reading is not None:
+                reading.cancel()
+
+    async def write(self, data: bytes) -> None:
+        self._writer.write(data)
+        await self._writer.drain()
+
+    async def stop(self) -> None:
+        self._task.cancel()
+        self._writer.close()
+        await asyncio.gather(self._task, self._writer.wait_closed(), return_exceptions=True)
+
+
+class open_port:  # noqa: N801  # it is called like the function of the other module
+    """Opens the port of a device: `async with open_port(url) as device`, or `await open_port(url)`.
+
+    Arguments and errors are those of `device.open_port`.
+    """
+
+    def __init__(
+        self,
+        url: str,
+        baud: int | None = USUAL,
+        *,
+        timeout: float = 1.0,
+        capacity: int = CAPACITY,
+        on_bytes: Callback | None = None,
+        on_skipped: Callback | None = None,
+    ) -> None:
+        self._url = url
+        self._baud = baud
+        self._timeout = timeout
+        self._capacity = capacity
+        self._on_bytes = on_bytes
+        self._on_skipped = on_skipped
+
+    def __await__(self) -> Generator[Any, None, Device]:
+        return self._open().__await__()
+
+    async def __aenter__(self) -> Device:
+        self._device = await self._open()
+        return self._device
+
+    async def __aexit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        await self._device.close()
+
+    async def _open(self) -> Device:
+        port = await _connect(self._url, self._baud)
+        device = Device(
+            port,
+            timeout=self._timeout,
+            capacity=self._capacity,
+            on_bytes=self._on_bytes,
+            on_skipped=self._on_skipped,
+        )
+        rate = device.baud or USUAL
+        device._again = lambda: _connect(self._url, device.baud or rate)
+        return device
+
+
+async def _connect(url: str, baud: int | None) -> Any:
+    host = address(url)
+    if host is not None:
+        try:
+            return await asyncio.wait_for(asyncio.open_connection(*host), CONNECT_TIMEOUT)
+        except asyncio.TimeoutError:
+            raise TimeoutError(f"{url} does not answer") from None
+    return await asyncio.to_thread(connect, url, baud)
+
+
+__all__ = ["Device", "open_port"]

@@ -1,0 +1,406 @@
+"""A device at a port: requests with typed answers, and the data that it sends.
+
+    with open_port("/dev/ttyACM0", 115200) as device:
+        info = device.request(base.GetDeviceInfo())
+        for arrival in device:
+            ...
+
+A thread reads everything that comes, as soon as it comes. Any thread may send requests, also while
+another one takes the data; each packet of data goes to one of those that ask for it.
+"""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Callable, Iterator, Sequence
+from types import TracebackType
+from typing import Any, TypeVar, cast, overload
+
+from .baud import CHANGE, LISTEN, USUAL, Ping, detect_baud
+from .client import Outcome
+from .conversation import CAPACITY, Arrival, Conversation, News, Ticket, responses
+from .errors import NoAnswer, PortClosed, Refused
+from .field import Command, Field, R, Response
+from .port import Reader, as_port, open_url, write_all
+
+F = TypeVar("F", bound=Field)
+R1 = TypeVar("R1", bound="Response | None")
+R2 = TypeVar("R2", bound="Response | None")
+R3 = TypeVar("R3", bound="Response | None")
+R4 = TypeVar("R4", bound="Response | None")
+Callback = Callable[[bytes], object]
+
+
+class Device:
+    """A device at a port that is open. In a `with` statement, it is closed at the end."""
+
+    def __init__(
+        self,
+        port: Any,
+        *,
+        timeout: float = 1.0,
+        capacity: int = CAPACITY,
+        on_bytes: Callback | None = None,
+        on_skipped: Callback | None = None,
+    ) -> None:
+        """`port`: a serial port of pyserial with whatever time-outs, a socket, or an object of your
+        own with `read(size)` and `write(data)`; see `port.Port`. It is closed with the device.
+
+        `timeout`: seconds that the device has for an answer; longer for commands that take longer.
+        `capacity`: packets that wait to be taken; beyond that the oldest are dropped and counted.
+        `on_bytes` gets everything that comes, `on_skipped` what is between packets, such as NMEA
+        sentences, in order and in pieces of any size. The reading thread calls them: they must not
+        wait, nor use the device. An exception of theirs closes the device.
+        """
+        self._talk = Conversation(timeout, capacity, on_skipped)
+        self._on_bytes = on_bytes
+        self._lock = threading.RLock()
+        self._answered = threading.Condition(self._lock)
+        self._arrived = threading.Condition(self._lock)
+        self._writing = threading.Lock()
+        self._end: PortClosed | None = None
+        self._closed = False  # by `close`
+        self._again: Callable[[], Any] | None = None  # opens the same port
+        self._start(as_port(port))
+
+    def _start(self, port: Any) -> None:
+        self._port = port
+        self._reader = Reader(port, self._receive, self._lose)
+        self._reader.start()
+
+    def __enter__(self) -> Device:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Closes the port. Those who wait get PortClosed; iterations end."""
+        with self._lock:
+            self._closed = True
+            self._end = self._end or PortClosed("the device has been closed")
+            self._answered.notify_all()
+            self._arrived.notify_all()
+        self._reader.stop()
+
+    def reopen(self, timeout: float = 10.0) -> None:
+        """Opens the port again, after it was lost or closed; for so many seconds, until it is back.
+
+        Commands that wait end without an answer; data that have come are kept. Raises OSError if it
+        is not back in time, ValueError if `open_port` has not opened it.
+        """
+        if self._again is None:
+            raise ValueError("only a port that `open_port` has opened can be opened again")
+        self._reader.stop()
+        end = time.monotonic() + timeout
+        while True:
+            try:
+                port = self._again()
+                break
+            except OSError:
+                if time.monotonic() >= end:
+                    raise
+                time.sleep(0.1)
+        with self._lock:
+            self._talk.restart()
+            self._end, self._closed = None, False
+            self._start(port)
+
+    # ----------------------------------------------------------------- what is known
+
+    @property
+    def closed(self) -> bool:
+        """Is the port closed or gone? Data that have come can still be taken."""
+        return self._end is not None
+
+    @property
+    def dropped(self) -> int:
+        """Packets that nobody has taken in time."""
+        return self._talk.dropped
+
+    @property
+    def skipped(self) -> int:
+        """Bytes that belong to no packet."""
+        return self._talk.skipped
+
+    @property
+    def waiting(self) -> int:
+        """Packets that can be taken without waiting."""
+        return len(self._talk.arrivals)
+
+    @property
+    def baud(self) -> int | None:
+        """The baud rate of the port; None if it has none."""
+        return getattr(self._port, "baudrate", None)
+
+    # ----------------------------------------------------------------- commands
+
+    def request(self, command: Command[R], timeout: float | None = None) -> R:
+        """Sends a command, waits for the answer and returns the response, or None if it has none.
+
+        `timeout`: seconds for this one. Raises Refused, NoAnswer, MissingResponse if the device has
+        acknowledged without a response, DecodeError if the response cannot be decoded, PortClosed,
+        and EncodeError, before anything is sent, if it does not fit into a packet.
+        """
+        (result,) = responses(self._exchange((command,), timeout))
+        return cast(R, result)
+
+    @overload
+    def request_all(self, a: Command[R1], /, *, timeout: float | None = None) -> tuple[R1]: ...
+    @overload
+    def request_all(
+        self, a: Command[R1], b: Command[R2], /, *, timeout: float | None = None
+    ) -> tuple[R1, R2]: ...
+    @overload
+    def request_all(
+        self, a: Command[R1], b: Command[R2], c: Command[R3], /, *, timeout: float | None = None
+    ) -> tuple[R1, R2, R3]: ...
+    @overload
+    def request_all(
+        self,
+        a: Command[R1],
+        b: Command[R2],
+        c: Command[R3],
+        d: Command[R4],
+        /,
+        *,
+        timeout: float | None = None,
+    ) -> tuple[R1, R2, R3, R4]: ...
+    @overload
+    def request_all(self, *commands: Command, timeout: float | None = None) -> tuple[Any, ...]: ...
+    def request_all(self, *commands: Command, timeout: float | None = None) -> tuple[Any, ...]:
+        """Sends commands of one set in one packet and returns the response of each.
+
+        Raises the error of the first that has failed, once each has been answered or given up;
+        `outcomes` of Refused and NoAnswer says what became of the others.
+        """
+        return responses(self._exchange(commands, timeout))
+
+    def exchange(self, *commands: Command, timeout: float | None = None) -> list[Outcome | None]:
+        """Sends commands of one set in one packet and returns what became of each.
+
+        None: the device does not acknowledge it. Raises only PortClosed and EncodeError.
+        """
+        return [ticket.outcome for ticket in self._exchange(commands, timeout)]
+
+    def send(self, *commands: Command) -> None:
+        """Sends commands of one set in one packet, and does not wait for answers.
+
+        Answers, if they come, are among the data. Raises PortClosed and EncodeError.
+        """
+        self._talk.forget(self._send(commands, None))
+
+    def _exchange(self, commands: Sequence[Command], timeout: float | None) -> list[Ticket]:
+        self._ask_for_settings(commands)
+        tickets = self._send(commands, timeout)
+        try:
+            with self._lock:
+                self._wait(tickets)
+        finally:
+            with self._lock:
+                self._talk.forget(tickets)
+        return tickets
+
+    def _ask_for_settings(self, commands: Sequence[Command]) -> None:
+        """Some commands are acknowledged or not by a setting of the device."""
+        for command in commands:
+            question = self._talk.question(command)
+            if question is not None:
+                (outcome,) = self.exchange(question)
+                self._talk.settle(question, outcome)
+
+    def _send(self, commands: Sequence[Command], timeout: float | None) -> list[Ticket]:
+        if threading.current_thread() is self._reader:
+            raise RuntimeError("called from on_bytes or on_skipped, which must not use the device")
+        with self._writing:  # so that answers come in the order of the commands
+            with self._lock:
+                self._must_be_open()
+                packet, tickets = self._talk.send(commands, time.monotonic(), timeout)
+            try:
+                write_all(self._port, packet)
+            except Exception as error:
+                with self._lock:
+                    self._talk.forget(tickets)
+                raise PortClosed(f"the port cannot write: {error}") from error
+            except BaseException:
+                with self._lock:
+                    self._talk.forget(tickets)
+                raise
+        return tickets
+
+    def _wait(self, tickets: list[Ticket]) -> None:
+        while not all(ticket.done for ticket in tickets):
+            self._must_be_open()
+            deadline = self._talk.deadline
+            left = 1.0 if deadline is None else deadline - time.monotonic()
+            if left > 0:
+                self._answered.wait(left)
+            else:
+                self._tell(self._talk.poll(time.monotonic()))
+
+    def _must_be_open(self) -> None:
+        if self._end is not None:
+            raise PortClosed(self._end.detail) from self._end.__cause__
+
+    # ----------------------------------------------------------------- data
+
+    def __iter__(self) -> Iterator[Arrival]:
+        """The packets of data as they come. Ends when the device is closed by `close`.
+
+        Raises PortClosed when the port is gone, after everything that has come.
+        """
+        while (arrival := self._next(None)) is not None:
+            yield arrival
+
+    def next(self, timeout: float | None = None) -> Arrival | None:
+        """The next packet of data; None if none comes within so many seconds, or the device is closed.
+
+        Raises PortClosed when the port is gone, after everything that has come.
+        """
+        return self._next(None if timeout is None else time.monotonic() + timeout)
+
+    def _next(self, deadline: float | None) -> Arrival | None:
+        if threading.current_thread() is self._reader:
+            raise RuntimeError("called from on_bytes or on_skipped, which must not use the device")
+        arrivals = self._talk.arrivals
+        with self._lock:
+            while not arrivals:
+                if self._closed:
+                    return None
+                self._must_be_open()
+                left = None if deadline is None else deadline - time.monotonic()
+                if left is not None and left <= 0:
+                    return None
+                self._arrived.wait(left)
+            return arrivals.popleft()
+
+    def fields(self, *kinds: type[F]) -> Iterator[tuple[float, F]]:
+        """The fields of these types as they come, each with its time of arrival (`Arrival.time`).
+
+        In a packet, they come in the order of `kinds`. Fields that cannot be decoded raise DecodeError.
+        """
+        for arrival in self:
+            for kind in kinds:
+                field = arrival.find(kind)
+                if field is not None:
+                    yield arrival.time, field
+
+    def clear(self) -> None:
+        """Forgets the data that wait to be taken, which are not counted as dropped."""
+        with self._lock:
+            self._talk.arrivals.clear()
+
+    # ----------------------------------------------------------------- baud rate
+
+    def change_baud(self, command: Command, attempts: int = 3) -> int:
+        """Sends a command that changes the baud rate (it has `baud`), and lets the port follow.
+
+        The device answers at the old rate and changes 250 ms later; some answer at either. Set it to
+        idle before. Returns the rate of the port, at which the device has answered a ping: the old
+        one if the command is for another port of the device. Raises ValueError if the command or the
+        port has no rate, Refused, and NoAnswer if the device answers at neither; then the port
+        has the old one.
+        """
+        new, old = getattr(command, "baud", None), self.baud
+        if new is None or old is None:
+            raise ValueError("it takes a command that writes `baud`, and a port with a baud rate")
+        try:
+            self.request(command)
+        except NoAnswer:  # its answer may have come at the new rate
+            pass
+        time.sleep(CHANGE)
+        for rate in (new, old):
+            self._port.baudrate = rate
+            if any(self._pings() for _ in range(attempts)):
+                return rate
+        raise NoAnswer(command)
+
+    def _pings(self) -> bool:
+        try:
+            self.request(Ping(), timeout=LISTEN)
+        except Refused:  # a device that answers
+            return True
+        except NoAnswer:
+            return False
+        return True
+
+    # ----------------------------------------------------------------- in the reading thread
+
+    def _receive(self, data: bytes, monotonic: float, clock: float) -> None:
+        if data and self._on_bytes is not None:
+            self._on_bytes(data)
+        with self._lock:
+            if data:
+                self._tell(self._talk.receive(data, monotonic, clock))
+            else:
+                self._tell(self._talk.idle(monotonic, clock))
+
+    def _lose(self, error: BaseException | None) -> None:
+        with self._lock:
+            if threading.current_thread() is not self._reader:  # of a port that was opened again
+                return
+            if self._end is None:
+                self._end = lost(error)
+            try:
+                self._talk.end(time.monotonic(), time.time())
+            finally:
+                self._answered.notify_all()
+                self._arrived.notify_all()
+
+    def _tell(self, news: News) -> None:
+        if news.answers:
+            self._answered.notify_all()
+        if news.arrivals:
+            self._arrived.notify_all()
+
+
+def lost(error: BaseException | None) -> PortClosed:
+    """Why nothing more comes."""
+    found = PortClosed(f"the port is gone: {error}")
+    found.__cause__ = error
+    return found
+
+
+def open_port(
+    url: str,
+    baud: int | None = USUAL,
+    *,
+    timeout: float = 1.0,
+    capacity: int = CAPACITY,
+    on_bytes: Callback | None = None,
+    on_skipped: Callback | None = None,
+) -> Device:
+    """Opens the port of a device: /dev/ttyACM0, COM3, socket://HOST:PORT, rfc2217://HOST:PORT, …
+
+    `baud`: the baud rate, or None to find it. The other arguments are those of `Device`. All but
+    TCP connections need pyserial, which the extra `serial` brings. Raises OSError if the port cannot
+    be opened, NoDevice if no baud rate is found, ValueError if the URL is wrong, and MissingExtra.
+    """
+    found = connect(url, baud)
+    device = Device(
+        found, timeout=timeout, capacity=capacity, on_bytes=on_bytes, on_skipped=on_skipped
+    )
+    rate = device.baud or USUAL
+    device._again = lambda: open_url(url, device.baud or rate)
+    return device
+
+
+def connect(url: str, baud: int | None) -> Any:
+    """The port of this URL, at the baud rate of the device."""
+    port = open_url(url, USUAL if baud is None else baud)
+    try:
+        if baud is None and hasattr(port, "baudrate"):
+            detect_baud(port)
+    except BaseException:
+        port.close()
+        raise
+    return port
+
+
+__all__ = ["Device", "open_port"]
