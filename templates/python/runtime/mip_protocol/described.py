@@ -47,7 +47,8 @@ class Described:
     else:
         INFO = _Info()
 
-    def __init_subclass__(cls) -> None:
+    def __init_subclass__(cls, **arguments: Any) -> None:
+        super().__init_subclass__(**arguments)
         slots = cls.__dict__.get("__slots__")
         if slots:
             cls.__slots__ = _Help(cls, (slots,) if isinstance(slots, str) else slots)
