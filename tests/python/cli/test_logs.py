@@ -114,7 +114,7 @@ def test_memory_is_bounded() -> None:
         for _ in range(100):
             process.stdin.write(block)
         process.stdin.close()
-        assert b"standard input: 109 MB, " in process.stdout.read()
+        assert b"standard input: 105 MB, " in process.stdout.read()
         _, status, usage = os.wait4(process.pid, 0)
         process.returncode = os.waitstatus_to_exitcode(status)
     assert process.returncode == 0 and usage.ru_maxrss < (80_000 if sys.platform == "linux" else 80_000_000)
