@@ -16,8 +16,12 @@ DATA_DESCRIPTORS = range(0x01, 0xD0)
 SHARED_DESCRIPTORS = range(0xD0, 0x100)
 
 
+#: What the parameters of a timestamp are in.
+TIME_UNITS = {"week", "s", "ms", "us", "ns"}
+
+
 def check_definitions(model: m.Model, problems: Problems) -> None:
-    for check in (set_numbers, descriptors, named, names, words, enumerations, bitfields, replies):
+    for check in (set_numbers, descriptors, named, names, words, enumerations, bitfields, replies, clocks):
         check(model, problems)
 
 
@@ -122,6 +126,22 @@ def words(model: m.Model, problems: Problems) -> None:
         for found in unusual.finditer(name):
             right = usual[found[1]]
             problems.add(place, f"the name '{name}': the vocabulary has '{right}' for '{found[1]}'; write '{right}'")
+
+
+def clocks(model: m.Model, problems: Problems) -> None:
+    """Timestamps are data fields with a time in them, of one clock each."""
+    names = {f.full_name for f in model.fields if f.role == m.DATA}
+    seen: dict[str, str] = {}
+    for clock in model.protocol.clocks:
+        for name in clock.timestamps:
+            f = model.field(name)
+            if f is None or f.role != m.DATA:
+                problems.add(clock.position, f"no data field '{name}'{nearest(name, names)}")
+            elif not any(set(p.units) & TIME_UNITS for p in f.parameters):
+                problems.add(clock.position, f"'{name}' has no parameter in {', '.join(sorted(TIME_UNITS))}")
+            elif name in seen:
+                problems.add(clock.position, f"'{name}' already has the time of the clock '{seen[name]}'")
+            seen.setdefault(name, clock.name)
 
 
 def _all_names(model: m.Model) -> Iterator[tuple[str, m.Position | None]]:

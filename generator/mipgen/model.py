@@ -766,6 +766,18 @@ class Chapter:
 
 
 @dataclass(frozen=True, slots=True)
+class Clock:
+    """A clock whose time packets have."""
+
+    name: str
+    title: str
+    description: str
+    epoch: str | None  # "1980-01-06"; without it, it starts with the device
+    timestamps: tuple[str, ...]  # full names of the data fields that hold it
+    position: Position | None = field(default=None, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
 class Usage:
     """The word that names use for a thing, and those that they do not use."""
 
@@ -789,6 +801,8 @@ class Protocol:
     manuals: tuple[Manual, ...]
     notes: tuple[Chapter, ...] = ()
     vocabulary: tuple[Usage, ...] = ()
+    clocks: tuple[Clock, ...] = ()  # those that tools prefer come first
+    leap_seconds: tuple[tuple[str, int], ...] = ()  # day -> seconds that clocks with an epoch are ahead of UTC
 
 
 @dataclass(frozen=True)

@@ -134,6 +134,8 @@ def _protocol(root: Node, types: Types, functions: tuple[m.Function, ...], probl
             for n in root.get("notes") or ()
         ),
         vocabulary=_vocabulary(root.get("vocabulary")),
+        clocks=_clocks(root.get("clocks")),
+        leap_seconds=tuple(sorted(root["leap_seconds"].plain().items())) if "leap_seconds" in root else (),
     )
 
 
@@ -150,6 +152,16 @@ def _manuals(nodes: list[Node], problems: Problems) -> list[m.Manual]:
             node.scalar("kind", "manual"),
         )  # fmt: skip
     return sorted(found.values(), key=lambda x: (x.document, x.id))
+
+
+def _clocks(node: Node | None) -> tuple[m.Clock, ...]:
+    return tuple(
+        m.Clock(
+            name, n["title"].value, n.scalar("description", ""), n.scalar("epoch"), tuple(n["timestamps"].plain()),
+            n["timestamps"].position,
+        )
+        for name, n in node.items()
+    ) if node else ()  # fmt: skip
 
 
 def _vocabulary(node: Node | None) -> tuple[m.Usage, ...]:

@@ -32,6 +32,7 @@ from .splitter import Splitter
 
 if TYPE_CHECKING:
     from .baud import detect_baud
+    from .columns import read_log
     from .conversation import Arrival
     from .device import Device, open_port
     from .sampling import Samples, samples
@@ -47,6 +48,7 @@ _LATER = {
     "Sentences": "sentences",
     "detect_baud": "baud",
     "open_port": "device",
+    "read_log": "columns",
     "samples": "sampling",
 }
 
@@ -87,6 +89,7 @@ __all__ = [
     "checksum",
     "detect_baud",
     "open_port",
+    "read_log",
     "samples",
 ]
 

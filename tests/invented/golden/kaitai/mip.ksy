@@ -1024,7 +1024,7 @@ types:
         doc: The points.
       - id: stamp
         type: u8
-        doc: Behind an array that fills the field.
+        doc: "Behind an array that fills the field. Unit: s."
   measurements_gust:
     -orig-id: measurements.gust
     doc: "Gust. One valid flag for all values but one; `measurements_breeze` has the same place."

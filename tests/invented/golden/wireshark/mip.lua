@@ -410,7 +410,7 @@ field(0x80, { descriptor = 0x08, name = "measurements.cloud", role = "data", tit
     rows = rows("measurements.cloud", {
       { kind = "counter", name = "num_points", type = "u8", size = 1, doc = "Number of points." },
       { kind = "array", name = "points", counter = "num_points", capacity = 61, size = 4, doc = "The points.", item = { kind = "struct", name = "item", record = S["point"] } },
-      { kind = "scalar", name = "stamp", type = "u64", size = 8, doc = "Behind an array that fills the field." },
+      { kind = "scalar", name = "stamp", type = "u64", size = 8, units = {"s", }, doc = "Behind an array that fills the field. Unit: s." },
     }) })
 field(0x80, { descriptor = 0x09, name = "measurements.gust", role = "data", title = "Gust",
     doc = "One valid flag for all values but one; measurements.breeze has the same place.", least = 24,

@@ -453,7 +453,7 @@ class Cloud(Data):
     points: tuple[types.Point, ...]
     """The points."""
     stamp: int
-    """Behind an array that fills the field."""
+    """Behind an array that fills the field. Unit: s."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Cloud, int]:

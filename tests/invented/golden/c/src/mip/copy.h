@@ -578,7 +578,7 @@ struct mip_copy_cloud {
     uint8_t num_points;
     /** The points. */
     struct mip_point points[61];
-    /** Behind an array that fills the field. */
+    /** Behind an array that fills the field. Unit: s. */
     uint64_t stamp;
 };
 

@@ -688,7 +688,7 @@ static const struct mip_parameter parameters_measurements_cloud[] = {
      ONE(struct mip_measurements_cloud, num_points), 0, NULL, NULL, NULL, NULL, 0},
     {"points", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_COUNTED, 61, 1, 0, 0, 0,
      MANY(struct mip_measurements_cloud, points), 0, NULL, NULL, &record_point, NULL, 0},
-    {"stamp", "", MIP_KIND_NUMBER, MIP_SCALAR_U64, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+    {"stamp", "s", MIP_KIND_NUMBER, MIP_SCALAR_U64, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_measurements_cloud, stamp), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_measurements_cloud = {

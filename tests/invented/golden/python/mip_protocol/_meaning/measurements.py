@@ -129,7 +129,7 @@ TYPES: dict[str, Info] = {
         parameters=(
             Parameter("num_points", "num_points", "counter", description="Number of points.", facts=("The number of elements of `points`.",), scalar="u8", counts="points"),
             Parameter("points", "points", "array", description="The points.", length="num_points", type=types.Point),
-            Parameter("stamp", "stamp", "scalar", description="Behind an array that fills the field.", scalar="u64"),
+            Parameter("stamp", "stamp", "scalar", description="Behind an array that fills the field.", facts=("Unit: s.",), scalar="u64", units=("s",)),
         ),
     ),
     "Gust": FieldInfo(

@@ -72,6 +72,9 @@ def run(options: argparse.Namespace) -> int:
 
         profile = device_named(options.device)
         streams = [_adjusted(stream, profile) for stream in streams]
+    need = math.ceil(sum(load(n, streams).bytes for n in {s.set for s in streams}) * BITS)
+    if options.baud is not None and need > options.baud:
+        raise Failure(f"{options.baud:.0f} Bd are not enough; {need} are needed")
     loads = [load(number, streams) for number in dict.fromkeys(s.set for s in streams)]
     rows = [("", "bytes", "Hz", "bytes/s")]
     for one in loads:
@@ -87,14 +90,12 @@ def run(options: argparse.Namespace) -> int:
                 f"{one.packets * OVERHEAD:.0f}",
             )
         )
-    total = sum(one.bytes for one in loads)
-    rows.append(("all", "", "", f"{total:.0f}"))
+    rows.append(("all", "", "", f"{sum(one.bytes for one in loads):.0f}"))
     widths = [max(len(row[i]) for row in rows) for i in range(4)]
     for row in rows:
         print(
             f"{row[0]:<{widths[0]}}", *(f"{t:>{w}}" for t, w in zip(row[1:], widths[1:])), sep="  "
         )
-    need = math.ceil(total * BITS)
     print(f"\nleast baud rate: {need}")
     for port, rates in _ports(profile):
         fits = next((r for r in sorted(rates) if r >= need), None)
@@ -103,8 +104,6 @@ def run(options: argparse.Namespace) -> int:
         else:
             print(f"{port}: {fits} ({need / fits:.0%} used)")
     if options.baud is not None:
-        if need > options.baud:
-            raise Failure(f"{options.baud:.0f} Bd are not enough; {need} are needed")
         print(f"{options.baud:.0f}: {need / options.baud:.0%} used")
     return 0
 

@@ -78,9 +78,23 @@ def words(typed: list[str]) -> list[str]:
     if last.startswith("-"):
         return [o for a in actions for o in a.option_strings if o.startswith(last)]
     places = [a for a in actions if not a.option_strings]
-    many = any(a.nargs in ("+", "*") for a in places)
-    found = [text for a in places for text in _values(a, before)] if many or len(places) else []
+    if "--hex" in before:
+        places = places[1:]  # there is no port then
+    taken = _positions(before[1:], actions)
+    if taken >= len(places) and not (places and places[-1].nargs in ("+", "*")):
+        return []
+    found = _values(places[min(taken, len(places) - 1)], before)
     return [text for text in found if text.startswith(last)]
+
+
+def _positions(given: list[str], actions: list[argparse.Action]) -> int:
+    """How many of these words are neither options nor their values."""
+    valued = {o for a in actions for o in a.option_strings if a.nargs != 0}
+    options = {o for a in actions for o in a.option_strings}
+    return sum(
+        word not in options and (i == 0 or given[i - 1] not in valued)
+        for i, word in enumerate(given)
+    )
 
 
 def _values(action: argparse.Action, before: list[str]) -> list[str]:

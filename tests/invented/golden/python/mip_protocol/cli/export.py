@@ -35,9 +35,9 @@ csv: units are in the names of the columns; lists are JSON. jsonl: a line for ea
 NumPy, parquet and arrow (the file format of Feather) need pyarrow.
 
 time: `utc` is GPS time as UTC, `unix` the seconds of it since 1970, `start` the seconds since the
-first packet, `clock` what the best clock of the log says (seconds), `none` is no time. It is that of
-the packet, or the last one of its set: `time_own` says which. --align gives each row of one field
-the last values of the others.
+first packet, `clock` what the best clock of the log says in seconds, `none` is no time. It is that
+of the packet, or the last one of its set: `time_own` says which. --align gives each row of one
+field the last values of the others.
 """
 
 

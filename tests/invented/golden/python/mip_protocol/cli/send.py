@@ -24,9 +24,9 @@ examples:
   mip send --hex 3dm.message_format read sensor        the bytes, without a device
 
 Values come in order or as NAME=VALUE: numbers (10, 0x0A, -1.5), names of enumerations, true and
-false, flags (a|b), lists (1,2,3), structures (4:10), lists of structures (4:10,5:10), or JSON. The name
-of a set or field stands for its number where a byte is wanted. `mip fields COMMAND` says what a
-command takes.
+false, flags (a|b), lists (1,2,3), structures (4:10), lists of structures (4:10,5:10), or JSON. The
+name of a set or field stands for its number where a byte is wanted. `mip fields COMMAND` says what
+a command takes.
 
 exit status: 3 if the device refuses the command, 4 if it does not answer
 """

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import Any, NamedTuple
 
 from .. import registry
-from ..field import Field, Structure
+from ..field import Field, Structure, chosen
 from ..parameter import Parameter
 from ..reflection import PARAMETERS
 from . import inputs, values
@@ -117,17 +117,22 @@ def cell(column: Column, field: Any, named: bool) -> Any:
 
 def present(name: str, selection: Selection) -> list[type[Field]]:
     """The types of the fields that a log has and a selection wants, in the order of their numbers."""
-    found: dict[tuple[int, int], type[Field]] = {}
+    found: dict[type[Field], tuple[int, int]] = {}
+    single: set[tuple[int, int]] = set()  # has one layout, and is known
     for piece in inputs.pieces(name):
-        if piece.packet is not None:
-            for raw in raw_fields(piece.packet):
-                if (raw.set, raw.descriptor) not in found and selection.has(
-                    raw.set, raw.descriptor
-                ):
-                    kind = decoded(raw).kind
-                    if kind is not None:
-                        found[raw.set, raw.descriptor] = kind
-    return list(dict.fromkeys(found[key] for key in sorted(found)))
+        if piece.packet is None:
+            continue
+        for raw in raw_fields(piece.packet):
+            key = (raw.set, raw.descriptor)
+            if key in single or not selection.has(*key):
+                continue
+            types = registry.types(*key)
+            kind = chosen(types, raw)
+            if kind is not None and decoded(raw).value is not None:
+                found.setdefault(kind, key)
+                if len(types) == 1:
+                    single.add(key)
+    return sorted(found, key=lambda kind: found[kind])
 
 
 def clock_of(name: str) -> str | None:

@@ -259,6 +259,8 @@ record! {
         /// The points.
         pub points: crate::List<types::Point, 61>,
         /// Behind an array that fills the field.
+        ///
+        /// Unit: s.
         pub stamp: u64,
     }
     wire 253 {

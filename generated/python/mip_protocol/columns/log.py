@@ -1,0 +1,196 @@
+"""A log as columns: its packets are found once, values are read when they are asked for."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any, TypeVar, overload
+
+from ..field import Field
+from . import contents, scan, times, walk
+from .column import Column
+from .contents import TypeCount
+from .piece import NOTHING, Piece
+from .reader import Reader
+from .source import Source
+from .times import Stamps, Times
+
+F = TypeVar("F", bound=Field)
+
+_PIECE = 1 << 22  # bytes that are looked at together
+#: Packets whose places are kept, so that they are found only once: some 250 MB. Those behind them
+#: are found again for each request.
+_KEPT = 10_000_000
+
+
+class Log:
+    """The packets that begin in some bytes of a log.
+
+    They are exactly those that `Parser` finds, however the file is cut: a packet belongs to the
+    part that has its first byte. Memory is needed for the places of the packets, up to a limit, and
+    for the columns that are asked for; the file itself is not read into memory.
+    """
+
+    def __init__(self, source: Any, begin: int = 0, end: int | None = None) -> None:
+        """`source` is a path, a binary file or bytes; `begin` and `end` are in bytes.
+
+        Raises OSError, TypeError if `source` is something else, ValueError if `begin` is negative or
+        behind `end`.
+        """
+        if begin < 0 or (end is not None and end < begin):
+            raise ValueError(f"bytes {begin} to {end}: `begin` is 0 or more, and not behind `end`")
+        self._source = source if isinstance(source, Source) else Source(source)
+        #: Bytes of the whole file.
+        self.size = self._source.size
+        #: The bytes that the packets begin in.
+        self.begin = min(begin, self.size)
+        self.end = self.size if end is None else min(end, self.size)
+        self._kept: dict[int, Piece] = {}
+        self._first: int | None = None
+        self._counts: tuple[int, int] | None = None  # of packets, of skipped bytes
+        self._types: list[TypeCount] | None = None
+        #: (set, clock) -> timestamps, for `times`.
+        self.stamps: dict[tuple[int, str], Stamps] = {}
+
+    def __enter__(self) -> Log:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Lets the file go. Columns that were read stay."""
+        self._source.close()
+
+    def parts(self, size: int = 1 << 26) -> Iterator[Log]:
+        """The same log in parts of so many bytes; together they have every packet once."""
+        if size < 1:
+            raise ValueError(f"a part has 1 byte or more, not {size}")
+        for begin in range(self.begin, self.end, size):
+            yield Log(self._source, begin, min(begin + size, self.end))
+
+    # ----------------------------------------------------------------- packets
+
+    @property
+    def packets(self) -> int:
+        """The number of packets."""
+        return self._counted()[0]
+
+    @property
+    def skipped(self) -> int:
+        """The number of bytes that belong to no packet."""
+        return self._counted()[1]
+
+    def _counted(self) -> tuple[int, int]:
+        if self._counts is None:
+            for _ in self.pieces(fields=False):
+                pass
+        assert self._counts is not None
+        return self._counts
+
+    def pieces(self, fields: bool = True) -> Iterator[Piece]:
+        """For `Reader`: the pieces of the log in order, with their packets, and with the fields of these."""
+        if self._first is None:
+            self._first = self._beginning()
+        free, number = self._first, 0
+        covered = min(free, self.end) - self.begin
+        for begin in range(self.begin, self.end, _PIECE):
+            limit = min(_PIECE, self.end - begin)
+            data, length = self._source.piece(begin, limit, scan.AHEAD)
+            piece = self._kept.get(begin)
+            if piece is None:
+                found = scan.packets(data, max(0, free - begin), limit, length)
+                piece = Piece(begin, number, found.at, found.end)
+                if number < _KEPT:
+                    self._kept[begin] = piece
+            else:
+                found = scan.Found(piece.at, piece.end, [])
+            if fields and piece.runs is None:
+                piece.runs = walk.runs(data, found)
+            piece.data = data
+            yield piece
+            piece.data = NOTHING
+            number += len(piece.at)
+            if len(piece.end):
+                free = begin + int(piece.end[-1])
+                covered += int((piece.end - piece.at).sum())
+        covered -= max(0, free - self.end)
+        self._counts = number, self.end - self.begin - covered
+
+    def _beginning(self) -> int:
+        """Where the first packet may begin: one that begins before this part may reach into it."""
+        back = 8 * scan.REACH
+        while True:
+            begin = max(0, self.begin - back)
+            data, length = self._source.piece(begin, self.begin - begin, scan.AHEAD)
+            found = scan.clear(data, self.begin - begin, length, begin == 0)
+            if found is not None:
+                return begin + found
+            back *= 4
+
+    # ----------------------------------------------------------------- columns
+
+    @overload
+    def __getitem__(self, kind: type[F]) -> Column[F]: ...
+    @overload
+    def __getitem__(self, kind: str) -> Column[Any]: ...
+    def __getitem__(self, kind: type[Field] | str) -> Column[Any]:
+        """The fields of a type, also by its name ("sensor.scaled_accel"); a shared one of all sets.
+
+        They are those that `registry.decode_packet` gives: well formed, and long enough. Raises
+        KeyError if the specification has no such type.
+        """
+        return self.column(kind)
+
+    def __contains__(self, kind: type[Field] | str) -> bool:
+        """Has the log any field of this type?"""
+        return len(self.column(kind)) > 0
+
+    def column(self, kind: type[Field] | str, set: int | None = None) -> Column[Any]:
+        """The fields of a type; of a shared one, those in packets of one descriptor set if wanted."""
+        return self.columns([kind], set)[0]
+
+    def columns(
+        self, kinds: list[type[Field] | str] | None = None, set: int | None = None
+    ) -> list[Column[Any]]:
+        """The columns of several types, read together; without a list, of all that the log has."""
+        if kinds is None:
+            known = [count.type for count in self.types() if set is None or count.set == set]
+            kinds = list(dict.fromkeys(kind for kind in known if kind is not None))
+        readers = [Reader(self, kind, set) for kind in kinds]
+        for piece in self.pieces():
+            for reader in readers:
+                reader.add(piece)
+        return [reader.column() for reader in readers]
+
+    def objects(self, kind: type[F], set: int | None = None) -> Iterator[F]:
+        """The fields of a type as objects."""
+        return Reader(self, kind, set).objects()
+
+    # ----------------------------------------------------------------- what is in it
+
+    def types(self) -> list[TypeCount]:
+        """How many fields of each type there are, by set and descriptor; and how often they come."""
+        if self._types is None:
+            self._types = contents.types(self)
+        return self._types
+
+    # ----------------------------------------------------------------- time
+
+    def before(self, size: int) -> Log | None:
+        """For `times`: the part of so many bytes before this one, if there is any."""
+        if not self.begin:
+            return None
+        return Log(self._source, max(0, self.begin - size), self.begin)
+
+    def times(self, column: Column[Any], clock: str | None = None) -> Times:
+        """The time of each row of a column; see `Column.time`."""
+        return times.of(self, column, clock)
+
+
+def read_log(source: Any, begin: int = 0, end: int | None = None) -> Log:
+    """The log in a file (a path or a binary file, which is mapped into memory) or in bytes.
+
+    With `begin` and `end`, in bytes, only the packets that begin there. Raises OSError, TypeError if
+    `source` is something else, ValueError if `begin` is negative or behind `end`.
+    """
+    return Log(source, begin, end)

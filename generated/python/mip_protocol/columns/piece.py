@@ -1,0 +1,79 @@
+"""A part of a log that is looked at together."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from .scan import Array
+from .walk import Run
+
+NOTHING = np.zeros(0, np.uint8)
+
+
+class Piece:
+    """The packets that begin in it, and their fields as soon as they are asked for."""
+
+    __slots__ = ("at", "begin", "data", "end", "number", "runs")
+
+    def __init__(self, begin: int, number: int, at: Array, end: Array) -> None:
+        self.begin = begin  # in the file
+        self.number = number  # of the first packet
+        self.at, self.end = at, end  # of packets, in the piece
+        self.data = NOTHING  # its bytes, while it is looked at
+        self.runs: list[Run] | None = None
+
+
+class Where:
+    """Where the rows of a column come from; what is not asked for is not computed."""
+
+    def __init__(self, only: int) -> None:
+        """`only` is the set that all come from, or 0."""
+        self._only = only
+        self._rows: list[tuple[Piece, Array]] = []
+        self._sets: list[Array] = []
+        self._right: Array | None = None
+
+    def add(self, piece: Piece, packet: Array) -> None:
+        """Adds the rows of a piece."""
+        self._rows.append((piece, packet))
+        if not self._only:
+            self._sets.append(piece.data[piece.at[packet] + 2])
+
+    def keep(self, right: Array | None) -> None:
+        """Keeps some of the rows."""
+        self._right = right
+
+    def packet(self) -> Array:
+        """The numbers of the packets in the log."""
+        return self._joined([packet + piece.number for piece, packet in self._rows], np.int64)
+
+    def offset(self) -> Array:
+        """Where they begin in the file."""
+        places = [piece.at[packet] + piece.begin for piece, packet in self._rows]
+        return self._joined(places, np.int64)
+
+    def set(self) -> Array:
+        """Their descriptor sets."""
+        if self._only:
+            total = sum(len(packet) for _, packet in self._rows)
+            return self._joined([np.full(total, self._only, np.uint8)], np.uint8)
+        return self._joined(self._sets, np.uint8)
+
+    def sets(self) -> list[int]:
+        """Each of their descriptor sets."""
+        if self._only:
+            return [self._only]
+        found: list[int] = np.flatnonzero(np.bincount(self.set(), minlength=1)).tolist()
+        return found
+
+    def _joined(self, parts: list[Array], dtype: type[Any]) -> Array:
+        whole = np.concatenate(parts) if parts else np.zeros(0, dtype)
+        whole = whole.astype(dtype, copy=False)
+        return whole if self._right is None else whole[self._right]
+
+    def __len__(self) -> int:
+        if self._right is not None:
+            return int(self._right.sum())
+        return sum(len(packet) for _, packet in self._rows)

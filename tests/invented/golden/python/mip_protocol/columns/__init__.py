@@ -1,0 +1,14 @@
+"""Columns of a log: an array for each parameter of each type of field.
+
+Needs NumPy, `pip install mip-protocol[numpy]`; frames need pandas, Polars or PyArrow too.
+"""
+
+from __future__ import annotations
+
+from .column import Column
+from .contents import TypeCount
+from .general import Ragged
+from .log import Log, read_log
+from .times import Times
+
+__all__ = ["Column", "Log", "Ragged", "Times", "TypeCount", "read_log"]

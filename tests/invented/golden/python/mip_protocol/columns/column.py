@@ -1,0 +1,149 @@
+"""The rows of one field of a log."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, Generic, TypeVar
+
+import numpy as np
+
+from ..field import Field, Structure
+from ..parameter import Parameter
+from ..reflection import PARAMETERS
+from .general import Ragged, Values
+from .piece import Where
+from .scan import Array
+
+if TYPE_CHECKING:
+    from .log import Log
+    from .times import Times
+
+F = TypeVar("F", bound=Field)
+
+
+class Column(Generic[F]):
+    """All fields of one type in a log, in their order: an array for each parameter.
+
+    `column["scaled_accel"]` has the shape (rows, 3), a number (rows,), an array of fixed length
+    (rows, length). Enumerations, bitfields and bools are the integers on the wire; their types are
+    in `parameters`. Text is an array of `str`, an array of varying length a `Ragged`. The parameters
+    of a structure have names as `place.x`; those of a union's member too, behind the member's name:
+    `shape.circle.radius`. What is absent in a row is masked (`numpy.ma`).
+    """
+
+    def __init__(
+        self, log: Log, kind: type[F], values: dict[str, Values], where: Where, only: int | None
+    ) -> None:
+        self._log, self._only = log, only
+        self._values, self._where = values, where
+        #: The class of the field.
+        self.type = kind
+
+    def __len__(self) -> int:
+        return len(self._where)
+
+    @cached_property
+    def packet(self) -> Array:
+        """The number of the packet of each row in this log, from 0: shape (rows,), int64."""
+        return self._where.packet()
+
+    @cached_property
+    def offset(self) -> Array:
+        """Where that packet begins, in bytes from the beginning of the file: (rows,), int64."""
+        return self._where.offset()
+
+    @cached_property
+    def set(self) -> Array:
+        """The descriptor set of that packet: (rows,), uint8. It varies for shared fields."""
+        return self._where.set()
+
+    @property
+    def sets(self) -> list[int]:
+        """The descriptor sets of the packets, each once."""
+        return self._where.sets()
+
+    def __repr__(self) -> str:
+        return f"<Column {self.type.NAME}: {len(self)} rows of {', '.join(self.names)}>"
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The names of the columns."""
+        return tuple(self._values)
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._values)
+
+    def __getitem__(self, name: str) -> Values:
+        """The values of a parameter. Raises KeyError if there is none of that name."""
+        try:
+            return self._values[name]
+        except KeyError:
+            raise KeyError(f"{self.type.NAME} has {', '.join(self.names)}, not {name!r}") from None
+
+    @cached_property
+    def parameters(self) -> Mapping[str, Parameter]:
+        """What is known of each column: type, unit, frame, range, flags."""
+        return dict(described(PARAMETERS[self.type], ""))
+
+    def time(self, clock: str | None = None) -> Times:
+        """The time of each row, by its packet's own timestamp or the last one before it."""
+        return self._log.times(self, clock)
+
+    def valid(self, name: str) -> Array:
+        """Is each value valid, as its flags have it? Shape (rows,), or (rows, elements) if each has its flag.
+
+        Without a flag, every value is. Values that are absent are not.
+        """
+        values = self[name]
+        flags = [self._flag(name, entry) for entry in self.parameters[name].valid]
+        if isinstance(values, Ragged):
+            there = np.ones(len(values), bool) if values.mask is None else ~values.mask
+        else:
+            there = ~absent(values)
+        if len(flags) > 1:
+            return np.stack(flags, axis=1) & there[:, None]
+        if flags:
+            there &= flags[0]
+        return np.asarray(there)
+
+    def _flag(self, name: str, entry: str) -> Array:
+        """The rows in which a flag is set that vouches for a column: a bit of a bitfield, or a bool."""
+        flags, _, bit = entry.partition(".")
+        beside = name.rpartition(".")[0]
+        flags = f"{beside}.{flags}" if beside else flags
+        if isinstance(self._values[flags], Ragged):  # of structures in an array
+            return np.ones(len(self), bool)
+        column = np.asarray(self._values[flags])
+        if not bit:
+            return np.asarray(column != 0)
+        mask = int(getattr(self.parameters[flags].type, bit.upper()))
+        return np.asarray((column & column.dtype.type(mask)) == mask)
+
+    def objects(self) -> Iterator[F]:
+        """The same rows as objects."""
+        return self._log.objects(self.type, self._only)
+
+
+def absent(values: Array) -> Array:
+    """The rows that have no value."""
+    mask: Any = getattr(values, "mask", False)
+    whole = np.broadcast_to(mask, values.shape)
+    if not whole.size:
+        return np.zeros(len(values), bool)
+    return np.array(whole.reshape(len(values), -1)[:, 0])
+
+
+def described(parameters: tuple[Parameter, ...], prefix: str) -> Iterator[tuple[str, Parameter]]:
+    """The columns of some parameters, and their descriptions."""
+    for p in parameters:
+        if p.kind == "counter" or p.constant is not None:
+            continue
+        name = prefix + p.attribute
+        cases = [c for c in p.cases.values() if c is not None]
+        if p.kind == "switch":
+            yield from described(tuple(cases), name + ".")
+        elif p.type is not None and issubclass(p.type, Structure):
+            yield from described(PARAMETERS[p.type], name + ".")
+        else:
+            yield name, p
