@@ -14,9 +14,6 @@ from . import clocks, outputs, values
 from .selection import Selection
 from .table import Column, Sample, cell, clock_of, columns, present, samples
 
-#: From the GPS epoch, 1980-01-06, to 1970-01-01, in seconds.
-UNIX = 315_964_800
-
 
 def require(form: str) -> None:
     """Nothing: these formats need the standard library only."""
@@ -62,29 +59,26 @@ class Job:
         return (kept for p in packets if (kept := [s for s in p if whole(s)]))
 
 
-def time_of(wanted: str | None, clock: str | None) -> Callable[[Sample], Any] | None:
+def time_of(wanted: str | None, clock: str | None) -> Callable[[Sample], str | None] | None:
     """How the time of a sample is written; None if it is not."""
     if wanted == "none" or (clock is None and wanted is None):
         return None
-    if wanted in ("utc", "unix") and clock != "gps":
-        raise Failure("the log has no GPS time; use --time clock, --time start or --time none")
     if clock is None:
-        raise Failure("the log has no times; use --time none")
+        raise Failure("the log has no valid times; use --time none")
+    if wanted in ("utc", "unix") and not clocks.dated(clock):
+        raise Failure("the log has no dates; use --time clock, --time start or --time none")
     first: list[int] = []
 
-    def said(sample: Sample) -> Any:
-        if sample.time is None:
-            return None
-        if wanted in (None, "utc") and clock == "gps":
-            return clocks.stamp("gps", sample.time)
+    def said(sample: Sample) -> str | None:
         time = sample.time
-        if wanted == "unix":
-            time += (UNIX - clocks.leap_seconds(time)) * clocks.SECOND
-        elif wanted == "start":
+        if time is None:
+            return None
+        if wanted in (None, "utc"):
+            return clocks.stamp(clock, time)
+        if wanted == "start":
             first[:] = first or [time]
             time -= first[0]
-        sign = "-" if time < 0 else ""
-        return f"{sign}{clocks.stamp('', abs(time))}"
+        return clocks.seconds(time)
 
     return said
 
@@ -96,7 +90,7 @@ def write_csv(
     out: IO[bytes],
     types: Sequence[type[Field]],
     packets: Iterator[list[Sample]],
-    time: Callable[[Sample], Any] | None,
+    time: Callable[[Sample], str | None] | None,
     options: argparse.Namespace,
     aligned: type[Field] | None,
 ) -> None:
@@ -148,11 +142,12 @@ def _rows(packet: list[Sample]) -> Iterator[dict[type[Field], Field]]:
     yield row
 
 
-def _times(value: Field, packet: list[Sample], time: Callable[[Sample], Any] | None) -> list[str]:
+def _times(
+    value: Field, packet: list[Sample], time: Callable[[Sample], str | None] | None
+) -> list[str]:
     if time is None:
         return []
-    said = time(packet[0])
-    return ["", ""] if said is None else [said, str(int(packet[0].own))]
+    return [time(packet[0]) or "", str(int(packet[0].own))]
 
 
 def _texts(found: list[Column], options: argparse.Namespace) -> Callable[[Any], list[str]]:
@@ -198,7 +193,7 @@ def _quoted(text: str) -> str:
 def write_jsonl(
     out: IO[bytes],
     packets: Iterator[list[Sample]],
-    time: Callable[[Sample], Any] | None,
+    time: Callable[[Sample], str | None] | None,
     options: argparse.Namespace,
 ) -> None:
     """A line for each field."""

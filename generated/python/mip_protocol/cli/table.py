@@ -152,7 +152,7 @@ def samples(
         if piece.packet is None:
             continue
         number += 1
-        time, own = line.at(piece.packet)
+        time, own = line.at(piece.packet, piece.offset)
         found = []
         for raw in raw_fields(piece.packet):
             key = (raw.set, raw.descriptor)

@@ -1,85 +1,108 @@
-"""The times of packets: GPS time, an external clock or the device's own."""
+"""The times of packets, in the clocks that the specification names."""
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections.abc import Callable, Iterable
-from typing import Any, NamedTuple
+from datetime import datetime, timedelta
+from functools import cache
+from math import isfinite
+from typing import NamedTuple
 
 from .. import registry
+from .._clocks import CLOCKS, LEAP_SECONDS, TIMESTAMPS
 from ..errors import DecodeError
-from ..field import Data, Field
+from ..field import Field
 from ..packet import Packet, RawField
 from ..parameter import Flag
 from ..reflection import info
-from ..simulator._facts import VALUES
-from ..simulator.earth import leap_seconds, utc
 from .decoding import raw_fields
 
-#: Clocks, the best first.
-CLOCKS = ("gps", "external", "reference")
 SECOND = 1_000_000_000
-WEEK = 604_800
+#: How far before a packet without a time the last one of its set may be, in bytes.
+REACH = 1 << 20
 
-_QUANTITIES = {
-    "gps": ("gps.week", "gps.tow"),
-    "external": ("gps.time",),
-    "reference": ("reference.time",),
-}
+_UNITS = {"week": 604_800 * SECOND, "s": SECOND, "ms": 1_000_000, "us": 1000, "ns": 1}
+_MOST = 4e18  # nanoseconds of which two fit into 64 bits
+_UNIX = datetime(1970, 1, 1)
 
 
 class _Source(NamedTuple):
     clock: str
     kind: type[Field]
-    attributes: tuple[str, ...]
+    scales: tuple[tuple[str, int], ...]  # attribute -> nanoseconds
     flags: tuple[Flag, ...]
 
 
-def moments(packet: Packet) -> dict[str, int]:
-    """The valid times that a packet says, by their clocks."""
-    found: dict[str, int] = {}
+def dated(clock: str | None) -> bool:
+    """Does it have a date? Then its times are UTC."""
+    return clock is not None and CLOCKS[clock] is not None
+
+
+def moments(packet: Packet) -> dict[str, int | None]:
+    """The times that a packet says, in nanoseconds, by their clocks; None if they are not valid.
+
+    They are since 1970 in UTC if the clock has a date, else since its start. Of several fields for
+    one clock, that with the lowest descriptor counts.
+    """
+    found: dict[str, int | None] = {}
+    if packet.set < 0x80:
+        return found
+    best: dict[str, int] = {}
     for raw in raw_fields(packet):
-        for source in _sources(raw):
-            if source.clock not in found and (time := _time(source, raw)) is not None:
-                found[source.clock] = time
+        source = _source(raw.set, raw.descriptor)
+        if source is not None and best.get(source.clock, 0x100) > raw.descriptor:
+            try:
+                found[source.clock] = _time(source, raw)
+            except DecodeError:
+                continue
+            best[source.clock] = raw.descriptor
     return found
 
 
-_KNOWN: dict[tuple[int, int], tuple[_Source, ...]] = {}
-
-
-def _sources(raw: RawField) -> tuple[_Source, ...]:
-    key = (raw.set, raw.descriptor)
-    known = _KNOWN.get(key)
-    if known is None:
-        kinds = registry.types(*key)
-        known = _KNOWN[key] = tuple(_of_type(kinds[0])) if len(kinds) == 1 else ()
-    return known
-
-
-def _of_type(kind: type[Field]) -> Iterable[_Source]:
-    said = VALUES.get(kind.NAME)
-    if said is None or said.for_each or not issubclass(kind, Data):
-        return
-    places = {value.quantity: path for path, value in said.parameters.items() if value.factor == 1}
-    for clock, quantities in _QUANTITIES.items():
-        if all(q in places for q in quantities):
-            attributes = tuple(places[q] for q in quantities)
-            flags = [flag for a in attributes for flag in info(kind)[a].flags]
-            yield _Source(clock, kind, attributes, tuple(dict.fromkeys(flags)))
+@cache
+def _source(set: int, descriptor: int) -> _Source | None:
+    kinds = registry.types(set, descriptor)
+    clock = TIMESTAMPS.get((kinds[0].SET, descriptor)) if len(kinds) == 1 else None
+    if clock is None:
+        return None
+    parameters = [
+        p for p in info(kinds[0]).parameters if len(p.units) == 1 and p.units[0] in _UNITS
+    ]
+    flags = dict.fromkeys(flag for p in parameters for flag in p.flags)
+    scales = tuple((p.attribute, _UNITS[p.units[0]]) for p in parameters)
+    return _Source(clock, kinds[0], scales, tuple(flags))
 
 
 def _time(source: _Source, raw: RawField) -> int | None:
-    try:
-        value = source.kind.decode(raw.data)
-    except DecodeError:
-        return None
+    value = source.kind.decode(raw.data)
     if not all(flag.holds(getattr(value, flag.attribute)) for flag in source.flags):
         return None
-    numbers: list[Any] = [getattr(value, a) for a in source.attributes]
-    if source.clock != "gps":
-        return int(numbers[0])
-    week, tow = numbers
-    return week * WEEK * SECOND + round(tow * SECOND) if 0 <= tow < 2 * WEEK else None
+    total = 0
+    for attribute, scale in source.scales:
+        number = getattr(value, attribute)
+        if not isfinite(number) or abs(number * scale) >= _MOST:
+            return None
+        total += round(number * scale)
+    return utc(source.clock, total) if CLOCKS[source.clock] else total
+
+
+def utc(clock: str, time: int) -> int:
+    """A time of a clock with a date as UTC; during a leap second the next one begins."""
+    epoch, begins = _leaps(clock)
+    return time + epoch - ([0] + [n for _, n in LEAP_SECONDS])[bisect_right(begins, time)] * SECOND
+
+
+@cache
+def _leaps(clock: str) -> tuple[int, list[int]]:
+    epoch = from_date(datetime.fromisoformat(CLOCKS[clock] or "1970-01-01"))
+    days = [(from_date(datetime.fromisoformat(day)), ahead) for day, ahead in LEAP_SECONDS]
+    return epoch, [day - epoch + ahead * SECOND for day, ahead in days]
+
+
+def from_date(time: datetime) -> int:
+    """Nanoseconds since 1970 of a time in UTC."""
+    return (time - _UNIX) // timedelta(microseconds=1) * 1000
 
 
 class Timeline:
@@ -87,40 +110,59 @@ class Timeline:
 
     def __init__(self, clock: str | None) -> None:
         self._clock = clock
-        self._last: dict[int, int] = {}
+        self._last: dict[int, tuple[int | None, int]] = {}
 
-    def at(self, packet: Packet) -> tuple[int | None, bool]:
-        """The time, None if none is known, and whether it is the packet's own."""
+    def at(self, packet: Packet, offset: int) -> tuple[int | None, bool]:
+        """The time, None if none is known or it is not valid, and whether it is the packet's own."""
         if self._clock is None:
             return None, False
-        own = moments(packet).get(self._clock)
-        if own is None:
-            return self._last.get(packet.set), False
-        self._last[packet.set] = own
-        return own, True
+        own = moments(packet)
+        if self._clock in own:
+            self._last[packet.set] = own[self._clock], offset
+            return own[self._clock], True
+        time, place = self._last.get(packet.set, (None, offset))
+        return (time if offset - place <= REACH else None), False
 
 
 def best(found: Callable[[], Iterable[Packet]]) -> str | None:
-    """The best clock that the packets of a log have; looks no further than the first GPS time."""
+    """The first clock that has a valid time in these packets; looks no further than that needs."""
     seen: set[str] = set()
     for packet in found():
-        seen.update(moments(packet))
-        if CLOCKS[0] in seen:
+        seen.update(clock for clock, time in moments(packet).items() if time is not None)
+        if next(iter(CLOCKS), None) in seen:
             break
     return next((clock for clock in CLOCKS if clock in seen), None)
 
 
 def stamp(clock: str, time: int, digits: int = 9) -> str:
-    """A time as text: UTC in ISO 8601 for GPS time, seconds for other clocks."""
+    """A time as text: UTC in ISO 8601 for clocks with a date, seconds for others."""
+    if not dated(clock):
+        return seconds(time, digits)
     unit = 10 ** (9 - digits)
     second, rest = divmod((time + unit // 2) // unit * unit, SECOND)
-    fraction = f".{rest // unit:0{digits}d}" if digits else ""
-    if clock == "gps":
-        try:
-            return f"{utc(second * SECOND).isoformat(timespec='seconds')}{fraction}Z"
-        except OverflowError:  # after the year 9999
-            pass
-    return f"{second}{fraction}"
+    try:
+        date = (_UNIX + timedelta(seconds=second)).isoformat(timespec="seconds")
+    except OverflowError:  # after the year 9999
+        return seconds(time, digits)
+    return f"{date}.{rest // unit:0{digits}d}Z"
 
 
-__all__ = ["CLOCKS", "SECOND", "Timeline", "best", "leap_seconds", "moments", "stamp"]
+def seconds(time: int, digits: int = 9) -> str:
+    """Nanoseconds as a decimal number of seconds."""
+    unit = 10 ** (9 - digits)
+    whole, rest = divmod((abs(time) + unit // 2) // unit, 10**digits)
+    return f"{'-' if time < 0 else ''}{whole}.{rest:0{digits}d}"
+
+
+__all__ = [
+    "CLOCKS",
+    "SECOND",
+    "Timeline",
+    "best",
+    "dated",
+    "from_date",
+    "moments",
+    "seconds",
+    "stamp",
+    "utc",
+]

@@ -23,6 +23,8 @@ FORMATS = {
     "arrow": "export_columns",
 }
 
+TIMES = ("utc", "unix", "start", "clock", "none")
+
 EPILOG = """\
 examples:
   mip export log.bin -o log.csv                             all fields, a row for each packet
@@ -34,10 +36,10 @@ examples:
 csv: units are in the names of the columns; lists are JSON. jsonl: a line for each field. npz needs
 NumPy, parquet and arrow (the file format of Feather) need pyarrow.
 
-time: `utc` is GPS time as UTC, `unix` the seconds of it since 1970, `start` the seconds since the
-first packet, `clock` what the best clock of the log says in seconds, `none` is no time. It is that
-of the packet, or the last one of its set: `time_own` says which. --align gives each row of one
-field the last values of the others.
+time: `utc` is that of GPS as UTC, `unix` the same in seconds since 1970, `start` in seconds since
+the first packet, `clock` in seconds of the first clock that the log has: gps, external, reference.
+It is that of the packet, or the last one of its set: `time_own` says which. --align gives each row
+of one field the last values of the others.
 """
 
 
@@ -57,8 +59,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add("--split", action="store_true", help="a file for each field, named after it")
     add(
         "--time",
-        choices=("utc", "unix", "start", "clock", "none"),
-        help="time of each row (default: utc if the log has GPS time, else clock)",
+        choices=TIMES,
+        help="time of each row (default: utc if the log has it, else clock)",
     )
     add(
         "--invalid",

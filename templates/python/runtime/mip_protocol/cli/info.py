@@ -9,7 +9,7 @@ from typing import Any
 
 from ..packet import RawField
 from . import inputs, scan, show
-from .clocks import CLOCKS, SECOND, moments, stamp
+from .clocks import CLOCKS, SECOND, dated, moments, stamp
 from .decoding import decoded, name_of, raw_fields
 from .intervals import Intervals, Place
 
@@ -108,13 +108,9 @@ def _packet(report: Report, piece: scan.Piece) -> None:
         kind.packets += raw.descriptor not in seen
         seen.add(raw.descriptor)
     report.malformed += end != len(piece.data) - 2
-    if packet.set >= 0x80:
-        for clock, time in moments(packet).items():
-            sets = report.clocks[clock]
-            known = sets.get(packet.set)
-            if known is None:
-                known = sets[packet.set] = Intervals()
-            known.add(time, piece.offset)
+    for clock, time in moments(packet).items():
+        if time is not None:
+            report.clocks[clock].setdefault(packet.set, Intervals()).add(time, piece.offset)
 
 
 def _name(raw: RawField) -> str:
@@ -154,11 +150,10 @@ def _span(report: Report) -> Any:
         return
     firsts = [i.first for i in report.times.values() if i.first is not None]
     lasts = [i.last for i in report.times.values() if i.last is not None]
-    words = {"gps": "GPS, as UTC", "external": "external clock", "reference": "device clock"}
     first, last = min(firsts), max(lasts)
     yield (
         f"time: {stamp(clock, first, 3)} to {stamp(clock, last, 3)}, {duration((last - first) / SECOND)} "
-        f"({words[clock]})"
+        f"({clock} clock{', as UTC' if dated(clock) else ''})"
     )
 
 
@@ -239,7 +234,7 @@ def duration(seconds: float) -> str:
 
 
 def as_json(name: str, report: Report) -> dict[str, Any]:
-    """The report as JSON has it; times in ns of the clock, GPS time since its epoch."""
+    """The report as JSON has it; times in ns, since 1970 if the clock has a date."""
     return {
         "file": name,
         "bytes": report.size,

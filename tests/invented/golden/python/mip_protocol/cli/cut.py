@@ -11,7 +11,6 @@ from typing import NamedTuple
 
 from ..errors import Failure
 from ..packet import Packet, PacketBuilder
-from ..simulator import earth
 from . import clocks, inputs, outputs
 from .arguments import add_selection
 from .decoding import raw_fields
@@ -70,7 +69,7 @@ class _Range(NamedTuple):
 
 
 class When(NamedTuple):
-    """A time: ns from the start of the log, or since the GPS epoch."""
+    """A time in ns: from the start of the log, or since 1970 in UTC."""
 
     time: int
     absolute: bool
@@ -92,7 +91,7 @@ def _when(text: str) -> When:
         when = datetime.fromisoformat(text.replace("Z", "+00:00"))
         if when.tzinfo is not None:
             when = when.astimezone(timezone.utc).replace(tzinfo=None)
-        return When(earth.from_utc(when), True)
+        return When(clocks.from_date(when), True)
     except (ValueError, OverflowError):
         raise argparse.ArgumentTypeError(
             f"'{text}' is not a time; write 90 or 1:30 for time from the start, "
@@ -134,7 +133,7 @@ class _Bounds:
         """By time; packets come in the order of the log."""
         if self._clock is None:
             return True
-        own = clocks.moments(packet).get(self._clock) if packet.set >= 0x80 else None
+        own = clocks.moments(packet).get(self._clock)
         if own is not None:
             self._now = own
             self._start = own if self._start is None else self._start
@@ -154,8 +153,8 @@ def _clock(options: argparse.Namespace, name: str) -> str:
     if found is None:
         raise Failure(f"{options.file} has no valid times; use --packets or --bytes")
     absolute = any(w is not None and w.absolute for w in (options.begin, options.end))
-    if absolute and found != "gps":
-        raise Failure(f"{options.file} has no GPS time; use seconds from the start")
+    if absolute and not clocks.dated(found):
+        raise Failure(f"{options.file} has no dates; use seconds from the start")
     return found
 
 
