@@ -189,8 +189,8 @@ def test_one_field_as_csv(path: Path) -> None:
     rows = table(out)
     assert len(rows) == len(expected) > 300
     for row, (accel, _) in zip(rows, expected, strict=True):
-        assert list(row) == ["time", "time_own", "scaled_accel_x [g]", "scaled_accel_y [g]", "scaled_accel_z [g]"]
-        values = [float(row[f"scaled_accel_{axis} [g]"]) for axis in "xyz"]
+        assert list(row) == ["time", "time_own", "scaled_accel.x [g]", "scaled_accel.y [g]", "scaled_accel.z [g]"]
+        values = [float(row[f"scaled_accel.{axis} [g]"]) for axis in "xyz"]
         assert sensor.ScaledAccel(tuple(values)).encode() == accel.encode()
     assert rows[0]["time"] == f"2024-01-06T23:59:42.{round(expected[0][1].tow * 1e9):09d}Z" and rows[0]["time_own"] == "1"
 
@@ -245,7 +245,7 @@ def test_align(path: Path) -> None:
         if sensor.ScaledAccel.find(packet):
             expected.append(last)
     assert [r["filter_data.llh_position.longitude [deg]"] for r in rows] == expected and "" in expected
-    assert all(r["sensor.scaled_accel_x [g]"] for r in rows)
+    assert all(r["sensor.scaled_accel.x [g]"] for r in rows)
 
 
 def test_json_lines(path: Path) -> None:
