@@ -19,13 +19,12 @@ import numpy as np
 import pytest
 from mipgen import codec
 from mipgen import model as m
+from packages import REAL, real
 from packages import mip as invented
-from packages import real
 from strategies import drawn
 from support import SPECS, all_fields, model
 
 PACKAGES = {"real": real, "invented": invented}
-
 
 
 def packet(number: int, *fields: tuple[int, bytes]) -> bytes:
@@ -214,3 +213,346 @@ def test_columns_equal_objects_for_every_field(spec: str) -> None:
     package = PACKAGES[spec]
     stream = b"".join(packet(number, (field[1], field[2:])) for number, field in fields(spec, 8))
     assert compare(package, stream) > 1000
+
+
+# --------------------------------------------------------------------------- packets
+
+
+def nested() -> bytes:
+    """Packets in packets, so that where one begins decides which ones there are."""
+    small = packet(0x80, (0x04, bytes(12)))
+    chain = b""
+    for i in range(40):
+        inner = packet(0x80, (0x05, bytes([i]) * 12))
+        chain += packet(0x82, (0x63, inner[:9])) + inner[9:]
+    whole = packet(0x80, (0x63, packet(0x82, (0x63, small))))
+    return chain + whole * 3 + whole[:40] + small + chain[5:] + packet(0x80, (0x63, b"\x00" * 250))
+
+
+STREAMS = {
+    "damaged": lambda: streams("real", seed=3, count=150),
+    "nested": nested,
+    "text": lambda: b"$GPGGA,1,2*33\r\n" * 50 + packet(0x80, (4, bytes(12))) + b"u" * 300,
+    "syncs": lambda: b"ue" * 400 + packet(0x80, (4, bytes(12))) + b"\x75\x65\x01\xff" * 300,
+    "random": lambda: random.Random(9).randbytes(20_000),
+    "short": lambda: b"ue\x80",
+    "empty": lambda: b"",
+}
+
+
+@pytest.mark.parametrize("name", sorted(STREAMS))
+@pytest.mark.parametrize("piece", [7, 300, 1 << 22])
+def test_packets_are_those_of_the_parser_however_a_log_is_cut(
+    name: str, piece: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    columns = real.columns
+    monkeypatch.setattr(columns.log, "_PIECE", piece)
+    monkeypatch.setattr(columns.scan, "_PART", 64)
+    stream = STREAMS[name]()
+    places = [at for at, _ in parsed(real, stream)]
+
+    def found(log: Any) -> list[int]:
+        return sorted(at for c in log.columns() for at in c.offset.tolist())
+
+    whole = columns.read_log(stream)
+    assert whole.packets == len(places)
+    rng = random.Random(1)
+    for _ in range(12):
+        cuts = sorted(rng.randrange(len(stream) + 1) for _ in range(rng.randrange(4)))
+        parts = [columns.read_log(stream, a, b) for a, b in zip([0, *cuts], [*cuts, len(stream)])]
+        assert [part.packets for part in parts] == [
+            sum(a <= at < b for at in places) for a, b in zip([0, *cuts], [*cuts, len(stream)])
+        ]
+        assert [at for part in parts for at in found(part)] == found(whole)
+        assert sum(part.skipped for part in parts) == whole.skipped
+    sizes = [part.packets for part in whole.parts(max(1, len(stream) // 9))]
+    assert sum(sizes) == len(places)
+
+
+def test_a_part_begins_right_behind_packets_that_overlap_far_back(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Whether a packet counts depends on the one it overlaps, and on the one before that one, and so on."""
+    columns = real.columns
+    step, count = 20, 400
+    ends = {at: at + 30 for at in range(0, step * count, step)}
+
+    def candidates(data: Any, first: int, limit: int, length: int) -> tuple[Any, Any]:
+        begin = step * count - length if length else 0  # the data end where the part begins
+        at = [a - begin for a in ends if first <= a - begin < limit]
+        return np.array(at, np.intp), np.array([a + 30 for a in at], np.intp)
+
+    monkeypatch.setattr(columns.scan, "candidates", candidates)
+    kept = [at for at in ends if at % (2 * step) == 0]
+    begin = step * count
+    for length in range(100, begin, 300):
+        data = np.zeros(length, np.uint8)
+        found = columns.scan.clear(data, length, length, False)
+        assert found is None  # there is no place where it begins anew
+    found = columns.scan.clear(np.zeros(begin, np.uint8), begin, begin, True)
+    assert found == max(begin, kept[-1] + 30)
+
+
+def test_long_noise_takes_little_memory(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Headers of long packets, one every four bytes: each is checked, a few at a time."""
+    seen = []
+    gather = real.columns.scan.gather
+    monkeypatch.setattr(
+        real.columns.scan, "gather", lambda data, at, size: seen.append(len(at) * size) or gather(data, at, size)
+    )
+    assert real.columns.read_log(b"\x75\x65\x01\xff" * 100_000).packets == 0
+    assert sum(seen) > 20_000_000 > 5_000_000 > max(seen)
+
+
+# --------------------------------------------------------------------------- sources
+
+
+def test_every_kind_of_source(tmp_path: Path) -> None:
+    stream = packet(0x80, (4, struct.pack(">3f", 1, 2, 3))) * 3
+    path = tmp_path / "log.bin"
+    path.write_bytes(stream)
+    read = real.columns.read_log
+    with open(path, "rb") as file:
+        assert read(file).packets == 3
+    with open(path, "rb", buffering=0) as raw:
+        raw.seek(1)
+        assert (read(raw).packets, read(raw).size) == (2, len(stream) - 1)
+    with gzip.open(tmp_path / "log.gz", "wb") as packed:
+        packed.write(stream)
+    with gzip.open(tmp_path / "log.gz") as packed:
+        assert read(packed).packets == 3
+    (tmp_path / "empty").write_bytes(b"")
+    assert read(tmp_path / "empty").packets == 0
+    for given in (str(path), path, stream, bytearray(stream), memoryview(stream), np.frombuffer(stream, np.uint8)):
+        assert read(given).packets == 3
+    assert read(io.BytesIO(stream)).packets == 3
+    reader, writer = os.pipe()
+    os.write(writer, stream)
+    os.close(writer)
+    with open(reader, "rb") as pipe:
+        assert read(pipe).packets == 3
+    log = read(path)
+    column = log["sensor.scaled_accel"]
+    log.close()
+    assert column["scaled_accel"].tolist() == [[1, 2, 3]] * 3
+    with pytest.raises(ValueError, match="the log is closed"):
+        log["sensor.scaled_gyro"]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "error", "said"),
+    [
+        ((5,), TypeError, "a log is a path, a binary file or bytes without gaps, not int"),
+        ((io.StringIO("x"),), TypeError, "open the file in binary mode"),
+        ((b"", -1), ValueError, "`begin` is 0 or more"),
+        ((b"", 5, 4), ValueError, "not behind `end`"),
+        (("/nowhere/log.bin",), FileNotFoundError, "/nowhere/log.bin"),
+    ],
+)
+def test_what_is_no_log(arguments: tuple[Any, ...], error: type[Exception], said: str) -> None:
+    with pytest.raises(error, match=said):
+        real.columns.read_log(*arguments)
+
+
+def test_unknown_types_and_names() -> None:
+    log = real.columns.read_log(packet(0x80, (0x63, b"x"), (4, b"short")))
+    with pytest.raises(KeyError, match=r"sensor.nothing"):
+        log["sensor.nothing"]
+    with pytest.raises(KeyError, match=r"set 0x82 has no field sensor.scaled_accel"):
+        log.column("sensor.scaled_accel", 0x82)
+    with pytest.raises(KeyError, match=r"sensor.scaled_accel has scaled_accel, not 'x'"):
+        log["sensor.scaled_accel"]["x"]
+    assert real.sensor.ScaledAccel not in log
+    unknown = [(c.set, c.descriptor, c.type, c.name, c.count, c.rate) for c in log.types()]
+    assert unknown == [(0x80, 0x04, None, "0x80,0x04", 1, None), (0x80, 0x63, None, "0x80,0x63", 1, None)]
+
+
+# --------------------------------------------------------------------------- time
+
+
+def gps(tow: float, week: int = 2300, flags: int = 3) -> tuple[int, bytes]:
+    return 0xD3, struct.pack(">dHH", tow, week, flags)
+
+
+def reference(nanoseconds: int) -> tuple[int, bytes]:
+    return 0xD5, struct.pack(">Q", nanoseconds)
+
+
+ACCEL = 4, bytes(12)
+
+
+def test_the_time_of_a_row_is_that_of_its_packet_or_the_last_one_of_the_set() -> None:
+    stream = b"".join([
+        packet(0x80, ACCEL),
+        packet(0x82, gps(50)),
+        packet(0x80, ACCEL),
+        packet(0x80, gps(100), ACCEL, ACCEL),
+        packet(0x80, ACCEL),
+        packet(0x80, ACCEL, gps(101, flags=1)),
+        packet(0x80, ACCEL),
+        packet(0x80, (0x12, struct.pack(">dHH", 102.5, 2300, 0x1F)), gps(103), ACCEL),
+        packet(0x80, reference(5), ACCEL),
+    ])  # fmt: skip
+    column = real.columns.read_log(stream)[real.sensor.ScaledAccel]
+    clock, values, own = column.time()
+    assert clock == "gps"
+    first = np.datetime64("2024-02-04T00:00:00", "ns") + np.timedelta64(100 - 18, "s")
+    later = first + np.timedelta64(2500, "ms")  # the first timestamp in the packet by its descriptor
+    nat = np.datetime64("NaT")
+    wanted = [nat, nat, first, first, first, nat, nat, later, later]
+    assert np.array_equal(values, np.array(wanted, "datetime64[ns]"), equal_nan=True)
+    assert own.tolist() == [False, False, True, True, False, True, False, True, False]
+    clock, values, own = column.time("reference")
+    assert values.dtype == "timedelta64[ns]"
+    assert values[-1] == np.timedelta64(5, "ns")
+    assert np.isnat(values[:-1]).all()
+    assert column.time("external").clock == "external"
+    with pytest.raises(ValueError, match="'utc' is not a clock; one of gps, external, reference is"):
+        column.time("utc")
+
+
+def test_leap_seconds() -> None:
+    weeks = [(0, 0.0), (77, 259_200.0), (1930, 16.9), (1930, 17.5), (1930, 18.0), (2400, 1.25)]
+    stream = b"".join(packet(0x80, gps(tow, week), ACCEL) for week, tow in weeks)
+    times = real.columns.read_log(stream)[real.sensor.ScaledAccel].time("gps").values.astype(str).tolist()
+    assert times == [
+        "1980-01-06T00:00:00.000000000",
+        "1981-07-01T00:00:00.000000000",
+        "2016-12-31T23:59:59.900000000",
+        "2017-01-01T00:00:00.500000000",  # during the leap second the next second begins
+        "2017-01-01T00:00:00.000000000",
+        "2026-01-03T23:59:43.250000000",
+    ]
+
+
+@pytest.mark.parametrize("tow", [float("nan"), float("inf"), -float("inf"), 1e300, -1e300])
+def test_times_that_cannot_be(tow: float) -> None:
+    stream = packet(0x80, gps(tow), ACCEL) + packet(0x80, gps(0, 65535), reference((1 << 64) - 1), ACCEL)
+    column = real.columns.read_log(stream)[real.sensor.ScaledAccel]
+    assert np.isnat(column.time("gps").values).all()
+    assert np.isnat(column.time("reference").values).all()
+    assert column.time().clock == ""
+
+
+def test_times_and_rates_are_the_same_for_every_way_of_cutting(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(real.columns.times, "REACH", 300)
+    rng = random.Random(4)
+    stream = b"".join(
+        packet(0x80, *([gps(i)] if rng.random() < 0.1 else []), ACCEL) + b"\x00" * rng.choice([0, 0, 400])
+        for i in range(400)
+    )
+    whole = real.columns.read_log(stream)[real.sensor.ScaledAccel].time("gps")
+    assert 20 < np.isnat(whole.values).sum() < 390
+    for size in (100, 1000, 9999):
+        parts = [p[real.sensor.ScaledAccel].time("gps") for p in real.columns.read_log(stream).parts(size)]
+        assert np.array_equal(np.concatenate([p.values for p in parts]), whole.values, equal_nan=True)
+        assert np.concatenate([p.own for p in parts]).tolist() == whole.own.tolist()
+
+
+def test_rates() -> None:
+    stream = b"".join(
+        packet(0x80, reference(i * 10_000_000), gps(1), ACCEL, *([(5, bytes(12))] if i % 4 == 0 else []))
+        for i in range(101)
+    )
+    rates = {c.name: c.rate for c in real.columns.read_log(stream).types()}
+    assert rates["sensor.scaled_accel"] == pytest.approx(100)
+    assert rates["sensor.scaled_gyro"] == pytest.approx(25)
+
+
+# --------------------------------------------------------------------------- frames
+
+
+def flagged() -> bytes:
+    angles = [struct.pack(">3fH", 1, 2, 3, flag) for flag in (1, 0)]
+    return b"".join(packet(0x82, (5, data), reference(i + 1)) for i, data in enumerate(angles)) + packet(
+        0x82, (0x01, struct.pack(">3dH", 50, 8, 400, 1))
+    )
+
+
+def cells(frame: Any) -> dict[str, list[Any]]:
+    """The columns of a frame of any library as lists, None where there is no value."""
+    if hasattr(frame, "to_pydict"):
+        return dict(frame.to_pydict())
+    if hasattr(frame, "to_dicts"):
+        return dict(frame.to_dict(as_series=False))
+    return {c: [None if v is None or str(v) in ("nan", "NaT", "<NA>") else v for v in frame[c].tolist()] for c in frame}
+
+
+@pytest.mark.parametrize("library", ["pandas", "polars", "pyarrow"])
+def test_frames(library: str) -> None:
+    log = real.columns.read_log(flagged())
+    unit = {"pandas": " [rad]", "polars": " [rad]", "pyarrow": ""}[library]
+    plain = cells(log.frame("filter_data.euler_angles", library=library, time=None))
+    assert plain == {f"{name}{unit}": [i, i] for i, name in enumerate(("roll", "pitch", "yaw"), 1)} | {
+        "valid_flags": [1, 0]
+    }
+    masked = cells(log.frame(real.filter_data.EulerAngles, library=library, invalid="mask", units=False, position=True))
+    assert list(masked) == ["time", "time_own", "packet", "offset", "roll", "pitch", "yaw", "valid_flags"]
+    assert masked["roll"] == [1, None]
+    assert masked["offset"] == [0, 32]
+    wide = cells(log.frame([real.filter_data.EulerAngles, "filter_data.llh_position"], library=library, units=False))
+    assert wide["euler_angles.roll"] == [1, 1, None]
+    assert wide["euler_angles.valid_flags"] == [1, 0, None]
+    assert wide["llh_position.latitude"] == [None, None, 50]
+    assert wide["time_own"] == [True, True, False]
+
+
+def cell_kind(values: Any) -> str:
+    while hasattr(values, "values"):
+        values = values.values
+    return str(np.asarray(values).dtype.kind)
+
+
+@pytest.mark.parametrize("spec", sorted(SPECS))
+@pytest.mark.parametrize("library", ["pandas", "polars", "pyarrow"])
+def test_a_frame_of_every_type(spec: str, library: str) -> None:
+    package = PACKAGES[spec]
+    log = package.columns.read_log(streams(spec, seed=8, count=300))
+    for column in log.columns():
+        frame = log.frame(column.type, library=library, invalid="mask", position=True)
+        assert len(frame) == len(column)
+        again = cells(frame)
+        for name in column.names:
+            if name in again:
+                values = column[name]
+                numbers = [cell(values, i) for i in range(len(column))]
+                assert len(again[name]) == len(numbers)
+                if (
+                    np.asarray(getattr(values, "values", values)).dtype.kind in "iu"
+                    and not column.parameters[name].valid
+                ):
+                    assert [None if v is None else np.asarray(v).tolist() for v in again[name]] == numbers
+    kinds = [column.type for column in log.columns()]
+    assert len(log.frame(kinds, library=library)) >= max(map(len, log.columns()))
+
+
+def test_what_arrow_knows_of_columns() -> None:
+    table = real.columns.read_log(flagged()).frame("filter_data.euler_angles", library="pyarrow")
+    facts = {field.name: {k.decode(): v.decode() for k, v in (field.metadata or {}).items()} for field in table.schema}
+    assert facts["time"] == {"clock": "reference"}
+    assert facts["roll"]["unit"] == "rad"
+    assert facts["valid_flags"]["type"] == "EulerAnglesFlags" or facts["valid_flags"]["type"]
+
+
+@pytest.mark.parametrize("choice", [{"library": "excel"}, {"invalid": "hide"}, {"time": "noon"}], ids=lambda c: str(*c))
+def test_choices_that_a_frame_does_not_have(choice: dict[str, Any]) -> None:
+    with pytest.raises(ValueError, match=str(*choice)):
+        real.columns.read_log(flagged()).frame("filter_data.euler_angles", **choice)
+    with pytest.raises(ValueError, match="one type or more"):
+        real.columns.read_log(b"").frame([])
+
+
+@pytest.mark.parametrize("missing", ["numpy", "pandas", "polars", "pyarrow"])
+def test_a_missing_library_is_named_with_its_extra(missing: str) -> None:
+    code = f"""
+import sys
+sys.modules[{missing!r}] = None
+import mip_protocol
+assert "numpy" not in sys.modules or sys.modules["numpy"] is None
+try:
+    mip_protocol.read_log(b"").frame("sensor.scaled_accel", library={missing!r})
+except ImportError as error:
+    assert error.name == {missing!r}
+    print(error)
+"""
+    environment = {**os.environ, "PYTHONPATH": str(REAL), "PYTHONDONTWRITEBYTECODE": "1"}
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, env=environment)
+    assert done.stdout.endswith(f"pip install mip-protocol[{missing}]\n"), done.stderr

@@ -52,7 +52,11 @@ class Source:
 
         There are always as many as asked for: zeros stand behind the end.
         """
-        data = np.frombuffer(self._view[begin : begin + size + ahead], np.uint8)
+        try:
+            bytes_ = self._view[begin : begin + size + ahead]
+        except ValueError:
+            raise ValueError("the log is closed") from None
+        data = np.frombuffer(bytes_, np.uint8)
         missing = size + ahead - len(data)
         if not missing:
             return data, len(data)

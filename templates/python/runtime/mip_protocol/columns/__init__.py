@@ -5,6 +5,11 @@ Needs NumPy, `pip install mip-protocol[numpy]`; frames need pandas, Polars or Py
 
 from __future__ import annotations
 
+try:
+    import numpy as _numpy  # noqa: F401
+except ImportError as _error:
+    raise ImportError("logs need NumPy: pip install mip-protocol[numpy]", name="numpy") from _error
+
 from .column import Column
 from .contents import TypeCount
 from .general import Ragged

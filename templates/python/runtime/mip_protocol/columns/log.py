@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any, TypeVar, overload
 
 from ..field import Field
-from . import contents, scan, times, walk
+from . import contents, frames, scan, times, walk
 from .column import Column
 from .contents import TypeCount
 from .piece import NOTHING, Piece
@@ -150,7 +150,7 @@ class Log:
         return self.columns([kind], set)[0]
 
     def columns(
-        self, kinds: list[type[Field] | str] | None = None, set: int | None = None
+        self, kinds: Sequence[type[Field] | str] | None = None, set: int | None = None
     ) -> list[Column[Any]]:
         """The columns of several types, read together; without a list, of all that the log has."""
         if kinds is None:
@@ -173,6 +173,34 @@ class Log:
         if self._types is None:
             self._types = contents.types(self)
         return self._types
+
+    def frame(
+        self,
+        kinds: type[Field] | str | Sequence[type[Field] | str],
+        *,
+        library: str = "pandas",
+        time: str | None = "auto",
+        invalid: str = "keep",
+        units: bool = True,
+        position: bool = False,
+    ) -> Any:
+        """A data frame of one type, or of several: a row for each packet that has any of them.
+
+        `library` is "pandas", "polars" or "pyarrow". `time` is a clock, "auto" for the first one
+        that the log has, None for no time; `time_own` is then False where the packet has no
+        timestamp of its own (see `Times`). `invalid="mask"` leaves out values whose flag says that
+        they are not valid. Vectors have a column for each element, "scaled_accel.x [g]"; `units` tells
+        whether their units are there, in the names or in the metadata of Arrow. `position` adds
+        the number of the packet and its place in the file.
+
+        Raises KeyError for unknown types, ValueError for other choices, ImportError if the library
+        is missing.
+        """
+        chosen = [kinds] if isinstance(kinds, (str, type)) else list(kinds)
+        if not chosen:
+            raise ValueError("a frame has one type or more")
+        columns = self.columns(chosen)
+        return frames.frame(self, columns, library, time, invalid, units, position)
 
     # ----------------------------------------------------------------- time
 

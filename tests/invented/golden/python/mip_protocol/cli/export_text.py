@@ -12,7 +12,7 @@ from ..errors import Failure
 from ..field import Field
 from . import clocks, outputs, values
 from .selection import Selection
-from .table import Column, Sample, cell, clock_of, columns, present, samples
+from .table import Column, Sample, cell, clock_of, columns, heading, present, samples
 
 
 def require(form: str) -> None:
@@ -123,12 +123,7 @@ def write_csv(
 def label(kind: type[Field], column: Column, single: bool) -> str:
     """The heading of a column, with its unit."""
     unit = f" [{column.unit}]" if column.unit else ""
-    if single:
-        return column.name + unit
-    set, _, short = kind.NAME.partition(".")
-    if column.parameter.name == short and "." not in column.name:
-        return f"{set}.{column.name}{unit}"
-    return f"{kind.NAME}.{column.name}{unit}"
+    return heading(kind, column.name, single) + unit
 
 
 def _rows(packet: list[Sample]) -> Iterator[dict[type[Field], Field]]:
@@ -221,15 +216,15 @@ def _mask(held: dict[str, Any], found: list[Column], field: Any) -> None:
     for c in found:
         if c.valid is None or c.valid(field):
             continue
-        path, place = c.name.split("."), held
-        for name in path[:-1]:
+        *path, last = c.name.split(".")
+        place: Any = held
+        for name in path:
             place = place[name]
-        name = c.parameter.name
-        if path[-1] == name:
-            place[name] = None
-        elif isinstance(place[name], list):
-            labels = c.parameter.elements or tuple(map(str, range(len(place[name]))))
-            place[name][[str(x) for x in labels].index(path[-1][len(name) + 1 :])] = None
+        if isinstance(place, dict):
+            place[last] = None
+        elif place is not None:
+            labels = c.parameter.elements or tuple(map(str, range(len(place))))
+            place[labels.index(last)] = None
 
 
 def _strict(value: Any) -> Any:

@@ -52,7 +52,7 @@ def _columns(kind: type[Structure], before: str, owner: Callable[[Any], Any]) ->
             for i, label in enumerate(labels):
                 unit = p.units[i] if len(p.units) == len(labels) else "".join(p.units[:1])
                 valid = _valid(owner, p, i)
-                yield Column(f"{name}_{label}", _unit(unit), p, _element(get, i), valid)
+                yield Column(f"{name}.{label}", _unit(unit), p, _element(get, i), valid)
         else:
             yield Column(name, _unit(p.unit), p, get, _valid(owner, p, 0))
 
@@ -168,4 +168,13 @@ def samples(
             yield found
 
 
-__all__ = ["Column", "Sample", "cell", "clock_of", "columns", "present", "samples"]
+def heading(kind: type[Field], name: str, single: bool) -> str:
+    """The name of a column in a table of one type or of several."""
+    if single:
+        return name
+    set, _, short = kind.NAME.partition(".")
+    one = name == short or name.startswith(f"{short}.")
+    return f"{set}.{name}" if one else f"{kind.NAME}.{name}"
+
+
+__all__ = ["Column", "Sample", "cell", "clock_of", "columns", "heading", "present", "samples"]

@@ -100,9 +100,9 @@ class Column(Generic[F]):
         if isinstance(values, Ragged):
             there = np.ones(len(values), bool) if values.mask is None else ~values.mask
         else:
-            there = ~absent(values)
+            there = np.logical_not(absent(values))
         if len(flags) > 1:
-            return np.stack(flags, axis=1) & there[:, None]
+            return np.asarray(np.stack(flags, axis=1) & there[:, None])
         if flags:
             there &= flags[0]
         return np.asarray(there)

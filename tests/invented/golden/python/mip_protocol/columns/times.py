@@ -72,12 +72,10 @@ def dtype(clock: str) -> str:
 
 
 def chosen(log: Log, sets: list[int]) -> str:
-    """The first clock that has a valid timestamp in packets of any of these sets."""
-    for clock in CLOCKS:
-        for number in sets:
-            if stamps(log, number, clock).some:
-                return clock
-    return ""
+    """The first clock that has a valid timestamp in packets of each of these sets, else of any."""
+    has = {clock: [stamps(log, number, clock).some for number in sets] for clock in CLOCKS}
+    every = [clock for clock, found in has.items() if found and all(found)]
+    return next(iter([*every, *(clock for clock, found in has.items() if any(found)), ""]))
 
 
 def rate(log: Log, set: int, count: int, first: int, last: int) -> float | None:

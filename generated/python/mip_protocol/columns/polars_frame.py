@@ -1,0 +1,26 @@
+"""Frames of Polars."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from .frames import Series, library, objects, titled
+from .general import Ragged
+
+
+def made(series: list[Series], units: bool) -> Any:
+    """A frame; what is missing is null."""
+    polars = library("polars")
+    return polars.DataFrame([_column(polars, one, titled(one, units)) for one in series])
+
+
+def _column(polars: Any, one: Series, name: str) -> Any:
+    values, mask = one.values, one.mask
+    if isinstance(values, Ragged) or values.ndim > 1 or values.dtype == object:
+        return polars.Series(name, objects(one))
+    found = polars.Series(name, np.ascontiguousarray(values))
+    if values.dtype.kind == "M":
+        found = found.dt.replace_time_zone("UTC")
+    return found if mask is None else found.scatter(np.flatnonzero(mask), None)
