@@ -40,7 +40,9 @@ def packets(data: bytes) -> list[Packet]:
 
 def stamped(seconds: float, week: int = 2296, flags: int = 3, *more: tuple[int, bytes]) -> bytes:
     """A packet of sensor data with a time."""
-    builder = PacketBuilder(0x80).add(0xD3, shared.GpsTimestamp(seconds, week, shared.GpsTimestampFlags(flags)).encode())
+    builder = PacketBuilder(0x80).add(
+        0xD3, shared.GpsTimestamp(seconds, week, shared.GpsTimestampFlags(flags)).encode()
+    )
     builder.add(0x04, sensor.ScaledAccel((seconds, 0.1, -1.0)).encode())
     for descriptor, data in more:
         builder.add(descriptor, data)
@@ -185,14 +187,18 @@ def table(out: str) -> list[dict[str, str]]:
 def test_one_field_as_csv(path: Path) -> None:
     code, out, error = mip("export", path, "sensor.scaled_accel", "-o", "-", extras=False)
     assert (code, error) == (0, "")
-    expected = [(a, t) for p in packets(log()) if (a := sensor.ScaledAccel.find(p)) and (t := shared.GpsTimestamp.find(p))]
+    expected = [
+        (a, t) for p in packets(log()) if (a := sensor.ScaledAccel.find(p)) and (t := shared.GpsTimestamp.find(p))
+    ]
     rows = table(out)
     assert len(rows) == len(expected) > 300
     for row, (accel, _) in zip(rows, expected, strict=True):
         assert list(row) == ["time", "time_own", "scaled_accel.x [g]", "scaled_accel.y [g]", "scaled_accel.z [g]"]
         values = [float(row[f"scaled_accel.{axis} [g]"]) for axis in "xyz"]
         assert sensor.ScaledAccel(tuple(values)).encode() == accel.encode()
-    assert rows[0]["time"] == f"2024-01-06T23:59:42.{round(expected[0][1].tow * 1e9):09d}Z" and rows[0]["time_own"] == "1"
+    assert (
+        rows[0]["time"] == f"2024-01-06T23:59:42.{round(expected[0][1].tow * 1e9):09d}Z" and rows[0]["time_own"] == "1"
+    )
 
 
 def test_all_fields_as_csv(path: Path) -> None:
@@ -215,9 +221,19 @@ def test_all_fields_as_csv(path: Path) -> None:
 def test_times_of_a_set_without_its_own(tmp_path: Path) -> None:
     bare = bytes(PacketBuilder(0x80).add(0x04, sensor.ScaledAccel((1.0, 2.0, 3.0)).encode()).build())
     (tmp_path / "log").write_bytes(bare + stamped(5.5) + bare + stamped(6.5, flags=1) + bare)
-    for how, first in (("utc", "2024-01-06T23:59:47.500000000Z"), ("unix", "1704585587.500000000"), ("start", "0.000000000")):
+    for how, first in (
+        ("utc", "2024-01-06T23:59:47.500000000Z"),
+        ("unix", "1704585587.500000000"),
+        ("start", "0.000000000"),
+    ):
         rows = table(mip("export", tmp_path / "log", "sensor.scaled_accel", "--time", how, "-o", "-")[1])
-        assert [(r["time"], r["time_own"]) for r in rows] == [("", "0"), (first, "1"), (first, "0"), ("", "1"), ("", "0")]
+        assert [(r["time"], r["time_own"]) for r in rows] == [
+            ("", "0"),
+            (first, "1"),
+            (first, "0"),
+            ("", "1"),
+            ("", "0"),
+        ]
     rows = table(mip("export", tmp_path / "log", "sensor.scaled_accel", "--time", "none", "-o", "-")[1])
     assert "time" not in rows[0]
 

@@ -58,7 +58,10 @@ def test_what_becomes_of_commands_is_in_the_exit_status(place: str) -> None:
     with socket.create_server(("127.0.0.1", 0)) as silent:
         where = f"127.0.0.1:{silent.getsockname()[1]}"
         code, out, error = mip("send", where, "base.ping", "--timeout", "0.1")
-    assert (code, out) == (4, "") and error == f"mip send: {where} did not answer base.ping; check the port and --baud\n"
+    assert (code, out) == (
+        4,
+        "",
+    ) and error == f"mip send: {where} did not answer base.ping; check the port and --baud\n"
     code, _, error = mip("send", where, "base.ping")
     assert code == 1 and error == f"mip send: {where} cannot be opened: Connection refused\n"
 
@@ -139,16 +142,31 @@ def _value(p: Parameter) -> Any:
     [
         (["base.pink"], "'base.pink' is not a field; did you mean base.ping"),
         (["sensor.scaled_accel"], "sensor.scaled_accel is no command; `mip fields --search "),
-        (["3dm.message_format"], "3dm.message_format takes a function, and it is missing: write, read, save, load, default"),
+        (
+            ["3dm.message_format"],
+            "3dm.message_format takes a function, and it is missing: write, read, save, load, default",
+        ),
         (["3dm.message_format", "wirte"], "3dm.message_format takes a function, not 'wirte': write, "),
-        (["3dm.message_format", "read"], "3dm.message_format needs descriptor_set; `mip fields 3dm.message_format` says "),
+        (
+            ["3dm.message_format", "read"],
+            "3dm.message_format needs descriptor_set; `mip fields 3dm.message_format` says ",
+        ),
         (["3dm.message_format", "read", "1", "2"], "'2' is too much; 3dm.message_format takes descriptor_set"),
-        (["3dm.message_format", "read", "set=1"], "3dm.message_format has no parameter 'set' here; it has descriptor_set"),
+        (
+            ["3dm.message_format", "read", "set=1"],
+            "3dm.message_format has no parameter 'set' here; it has descriptor_set",
+        ),
         (["3dm.message_format", "read", "descriptor_set=1", "descriptor_set=2"], "descriptor_set is given twice"),
         (["3dm.message_format", "read", "fast"], "descriptor_set: 'fast' is no whole number"),
         (["3dm.message_format", "read", "256"], "3dm.message_format cannot be sent: descriptor_set"),
-        (["3dm.message_format", "write", "1", "4:5:6"], "descriptors: '4:5:6' has too many parts; write descriptor:decimation"),
-        (["3dm.message_format", "write", "1", "4"], "descriptors has parts that are missing; write descriptor:decimation"),
+        (
+            ["3dm.message_format", "write", "1", "4:5:6"],
+            "descriptors: '4:5:6' has too many parts; write descriptor:decimation",
+        ),
+        (
+            ["3dm.message_format", "write", "1", "4"],
+            "descriptors has parts that are missing; write descriptor:decimation",
+        ),
         (["3dm.message_format", "write", "1", "[{"], "descriptors: '[{' is no JSON: "),
         (["3dm.message_format", "write", "1", '[{"x": 1}]'], "descriptors has no 'x'; it has descriptor, decimation"),
         (["3dm.message_format", "write", "1", "[null]"], "descriptors: null is no value for it"),
@@ -211,8 +229,12 @@ def test_a_port_that_closes(tmp_path: Path) -> None:
 
 def test_a_recording_into_a_pipe(place: str) -> None:
     with (
-        subprocess.Popen(command("record", place, "-o", "-"), stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=ENVIRONMENT) as first,
-        subprocess.Popen(command("dump", "-", "--count", "3"), stdin=first.stdout, stdout=subprocess.PIPE, env=ENVIRONMENT) as second,
+        subprocess.Popen(
+            command("record", place, "-o", "-"), stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=ENVIRONMENT
+        ) as first,
+        subprocess.Popen(
+            command("dump", "-", "--count", "3"), stdin=first.stdout, stdout=subprocess.PIPE, env=ENVIRONMENT
+        ) as second,
     ):
         assert first.stdout is not None and first.stderr is not None and second.stdout is not None
         first.stdout.close()

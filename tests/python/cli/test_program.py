@@ -49,19 +49,40 @@ def test_exit_status_of_wrong_command_lines(capsys: pytest.CaptureFixture[str]) 
         (["cut", "LOG", "-o", "FOLDER"], "cut: FOLDER is a folder; name a file in it"),
         (["cut", "LOG", "-o", "NOWHERE/x"], "cut: NOWHERE/x cannot be written: No such file or directory"),
         (["cut", "NOWHERE", "-o", "OUT"], "cut: NOWHERE cannot be read: No such file or directory"),
-        (["export", "LOG", "-o", "OUT.xls"], "export: what format is 'xls'? use --format csv, jsonl, npz, parquet, arrow"),
-        (["export", "LOG", "gnss_2", "-o", "OUT"], "export: LOG has none of these fields; `mip info` lists those it has"),
+        (
+            ["export", "LOG", "-o", "OUT.xls"],
+            "export: what format is 'xls'? use --format csv, jsonl, npz, parquet, arrow",
+        ),
+        (
+            ["export", "LOG", "gnss_2", "-o", "OUT"],
+            "export: LOG has none of these fields; `mip info` lists those it has",
+        ),
         (["export", "LOG", "-o", "-", "--split"], "export: --split writes several files; name one with -o, "),
-        (["export", "LOG", "-o", "OUT", "--align", "gnss_2.utc_time"], "export: LOG has no gnss_2.utc_time to align with"),
-        (["export", "LOG", "-o", "OUT", "--align", "gps_timestamp"], "export: 'gps_timestamp' is in several sets; write "),
+        (
+            ["export", "LOG", "-o", "OUT", "--align", "gnss_2.utc_time"],
+            "export: LOG has no gnss_2.utc_time to align with",
+        ),
+        (
+            ["export", "LOG", "-o", "OUT", "--align", "gps_timestamp"],
+            "export: 'gps_timestamp' is in several sets; write ",
+        ),
         (["fields", "sensor.x"], "fields: 'sensor.x' is not a field; "),
         (["fields", "sensor", "--search", "banana"], "fields: no field has all of this; ask for less"),
-        (["bandwidth", "sensor.scaled_accel"], "bandwidth: 'sensor.scaled_accel' is not a stream; write NAME@HZ, as in "),
+        (
+            ["bandwidth", "sensor.scaled_accel"],
+            "bandwidth: 'sensor.scaled_accel' is not a stream; write NAME@HZ, as in ",
+        ),
         (["bandwidth", "base.ping@1"], "bandwidth: base.ping is no data field; only data are streamed"),
         (["bandwidth", "shared.gps_timestamp@1"], "bandwidth: shared.gps_timestamp is in every data set; say which: "),
         (["bandwidth", "base:ping@1"], "bandwidth: 'base' is no data set; write SET:NAME@HZ"),
-        (["bandwidth", "sensor.scaled_accel@2000", "--device", DEVICE], "bandwidth: 3DM-CV7-GNSS/INS sends sensor with 1000 Hz"),
-        (["bandwidth", "sensor.scaled_accel@1000", "--baud", "9600"], "bandwidth: 9600 Bd are not enough; 200000 are needed"),
+        (
+            ["bandwidth", "sensor.scaled_accel@2000", "--device", DEVICE],
+            "bandwidth: 3DM-CV7-GNSS/INS sends sensor with 1000 Hz",
+        ),
+        (
+            ["bandwidth", "sensor.scaled_accel@1000", "--baud", "9600"],
+            "bandwidth: 9600 Bd are not enough; 200000 are needed",
+        ),
     ],
 )
 def test_errors_are_one_line(
@@ -92,9 +113,10 @@ def test_the_specification(capsys: pytest.CaptureFixture[str]) -> None:
     found = run(capsys, "fields", "--search", "TEMPERATURE", "--device", "3dm-gx5-15")[1]
     assert "sensor.temperature" in found or "sensor.scaled_pressure" in found
     assert "gnss_1" not in found
-    assert "mip send PORT 3dm.message_format write descriptor_set descriptors" in run(
-        capsys, "fields", "3dm.message_format"
-    )[1]
+    assert (
+        "mip send PORT 3dm.message_format write descriptor_set descriptors"
+        in run(capsys, "fields", "3dm.message_format")[1]
+    )
 
 
 def test_every_field_is_shown(capsys: pytest.CaptureFixture[str]) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import os
 from collections.abc import Sequence
+from importlib import import_module
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..errors import Failure, UnknownName
@@ -13,7 +14,6 @@ from ..parameter import Parameter
 from ..reflection import info
 from . import clocks, inputs, outputs
 from .selection import field
-from .table import clock_of
 
 if TYPE_CHECKING:
     from ..columns import Log
@@ -82,7 +82,7 @@ def run(options: argparse.Namespace) -> int:
     from .. import read_log
 
     with inputs.seekable(options.file) as name, read_log(inputs.existing(name)) as log:
-        clock = clock_of(name)
+        clock = clocks.best(lambda: (p.packet for p in inputs.pieces(name) if p.packet is not None))
         figure = draw(pyplot, log, curves, clock, options)
         if form is None:
             pyplot.show()
@@ -166,10 +166,12 @@ def draw(
     """A figure with a diagram for each parameter, one above another, or with a single one."""
     import numpy as np
 
-    columns = dict(zip(kinds := list(dict.fromkeys(c.kind for c in curves)), log.columns(kinds)))
-    for kind, column in columns.items():
+    kinds: list[type[Field] | str] = list(dict.fromkeys(c.kind for c in curves))
+    columns = dict(zip(kinds, log.columns(kinds)))
+    for column in columns.values():
         if not len(column):
-            raise Failure(f"{options.file} has no {kind.NAME}; `mip info` lists what it has")
+            name = column.type.NAME
+            raise Failure(f"{options.file} has no {name}; `mip info` lists what it has")
     count = 1 if options.together else len(curves)
     width, height = options.size
     figure, axes = pyplot.subplots(
@@ -185,27 +187,39 @@ def draw(
     for i, curve in enumerate(curves):
         axis = axes[0 if options.together else i][0]
         column = columns[curve.kind]
-        values = np.ma.filled(np.ma.asarray(column[curve.path], float), np.nan)
+        values: Any = np.ma.filled(np.ma.asarray(column[curve.path], float), np.nan)
         if options.invalid == "mask":
             valid = column.valid(curve.path)
             values = np.where(valid[:, None] if valid.ndim < values.ndim else valid, values, np.nan)
         times = _times(column, clock)
         for element, series in _series(curve, values):
-            name = f"{curve.kind.NAME}.{curve.parameter.name}" if several else curve.parameter.name
+            name = _title(curve) if several else curve.parameter.name
             label = f"{name}.{element}" if several and element else element or name
             axis.plot(times, series, label=label, linewidth=0.9, drawstyle=_style(curve))
         one = len(units) == 1 or not options.together
         unit = curve.parameter.unit if one else ", ".join(u for u in units if u not in ("", "1"))
         axis.set_ylabel("" if unit in ("", "1") else unit)
         if not options.together:
-            axis.set_title(f"{curve.kind.NAME}.{curve.parameter.name}", loc="left", fontsize=10)
+            axis.set_title(_title(curve), loc="left", fontsize=10)
+        if values.dtype.kind == "f" and _style(curve) != "default":  # whole numbers
+            axis.yaxis.get_major_locator().set_params(integer=True)
         if several or curve.parameter.elements:
             axis.legend(loc="upper right", fontsize=8)
     for (axis,) in axes:
         axis.grid(True, linewidth=0.3)
         axis.margins(x=0.01)
+    if clocks.dated(clock):
+        dates: Any = import_module("matplotlib.dates")
+        places = dates.AutoDateLocator()
+        axes[-1][0].xaxis.set_major_locator(places)
+        axes[-1][0].xaxis.set_major_formatter(dates.ConciseDateFormatter(places))
     axes[-1][0].set_xlabel(_time_label(clock))
     return figure
+
+
+def _title(curve: Curve) -> str:
+    name, own = curve.kind.NAME, curve.parameter.name
+    return name if name.partition(".")[2] == own else f"{name}.{own}"
 
 
 def _style(curve: Curve) -> str:
