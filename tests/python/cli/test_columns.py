@@ -152,7 +152,7 @@ def test_numpy_files(path: Path, tmp_path: Path) -> None:
         assert found["filter_data.llh_position/latitude"].tolist() == [f.latitude for f in position]
         assert len(found["shared.gps_timestamp/tow"]) == sum(p.set == 0x82 for p in _packets())
         assert found["gnss_1.llh_position/time"].dtype == "datetime64[ns]"
-    code, out, error = mip("export", path, "-o", tmp_path / "u.npz", "--align", "sensor.scaled_accel")
+    code, _, error = mip("export", path, "-o", tmp_path / "u.npz", "--align", "sensor.scaled_accel")
     assert code == 1 and error == "mip export: --align is for csv, parquet and arrow\n"
 
 
@@ -239,7 +239,7 @@ def test_a_picture(path: Path, tmp_path: Path) -> None:
     [
         (["sensor.scaled_accel"], "there is no screen for a window; write a picture with -o FILE.png"),
         (["sensor.scaled_accel", "-o", "t.gif"], "what format is 'gif'? name a file that ends in .png, .svg or .pdf"),
-        (["sensor.scaled_accel.w", "-o", "t.png"], "sensor.scaled_accel has no number 'w'; it has scaled_accel"),
+        (["sensor.scaled_accel.w", "-o", "t.png"], "sensor.scaled_accel.scaled_accel has no element 'w'; it has x, y, z"),
         (
             ["sensor.scaled_accel.scaled_accel.w", "-o", "t.png"],
             "sensor.scaled_accel.scaled_accel has no element 'w'; it has x, ",

@@ -138,5 +138,5 @@ def test_any_bytes(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
             ["export", path, "-o", tmp_path / "out.csv", "--invalid", "mask", "--names"],
             ["export", path, "-o", tmp_path / "out.jsonl", "--time", "none"],
         ):
-            code, out, error = run(capsys, *words)
+            code, _, error = run(capsys, *words)
             assert code in (0, 1) and error.count("\n") <= 1 and (code == 0 or error), words

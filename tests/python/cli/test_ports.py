@@ -249,8 +249,9 @@ def test_values_in_a_pipe(place: str) -> None:
     code, out, error = mip("monitor", place, "sensor.scaled_accel", "--duration", "0.8", "--rate", "5")
     assert (code, error) == (0, "")
     shown = out.strip().split("\n\n")
-    assert 3 <= len(shown) <= 6 and "timestamp" not in out and "\x1b" not in out
-    assert re.search(r"^  scaled_accel +(9|10)\d(\.\d+)? Hz$", shown[-1], re.M)
+    assert 2 <= len(shown) <= 6 and "timestamp" not in out and "\x1b" not in out
+    rate = re.search(r"^  scaled_accel +(\S+) Hz$", shown[-1], re.M)
+    assert rate is not None and 30 < float(rate[1]) < 300
     assert re.search(r"scaled_accel = \(x=\S+, y=\S+, z=-[01]\.\S+\) g$", shown[-1], re.M)
 
 

@@ -21,8 +21,8 @@ if TYPE_CHECKING:
 EPILOG = """\
 examples:
   mip plot log.bin sensor.scaled_accel -o accel.png
-  mip plot log.bin sensor.scaled_accel filter_data.llh_position.ellipsoid_height   in a window
-  mip plot log.bin gnss_1.llh_position.msl_height filter_data.llh_position.ellipsoid_height --together
+  mip plot log.bin sensor.scaled_accel.z filter_data.llh_position      in a window
+  mip plot log.bin gnss_1.llh_position.latitude filter_data.llh_position.latitude --together
 
 The ending of the file chooses the format: png, svg, pdf. Values that their flags say are not valid
 are left out. Enumerations and flags are shown as numbers.
@@ -135,13 +135,16 @@ def _curves(name: str) -> list[Curve]:
             raise Failure(f"{kind.NAME} has no numbers to draw; name one of its parameters")
         return [Curve(kind, p, p.attribute, "") for p in plain]
     known = {p.name: p for p in numbers}
+    own = kind.NAME.partition(".")[2]
+    if path[0] not in known and own in known:  # sensor.scaled_accel.x
+        path = [own, *path]
     if path[0] not in known or len(path) > 2:
         raise Failure(f"{kind.NAME} has no number '{'.'.join(path)}'; it has {', '.join(known)}")
     p = known[path[0]]
     element = path[1] if len(path) > 1 else ""
     if element and element not in p.elements:
         has = f"it has {', '.join(p.elements)}" if p.elements else "it is one number"
-        raise Failure(f"{kind.NAME}.{p.name} has no element '{element}'; {has}")
+        raise Failure(f"{'.'.join((kind.NAME, *path[:-1]))} has no element '{element}'; {has}")
     return [Curve(kind, p, p.attribute, element)]
 
 
