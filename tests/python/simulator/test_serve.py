@@ -540,7 +540,7 @@ def test_an_incomplete_profile_is_said_to_be_so(capsys: pytest.CaptureFixture[st
 
 def test_help(capsys: pytest.CaptureFixture[str]) -> None:
     code, out, _ = run(capsys)
-    assert code == 0 and all(f"    {name} " in out and text in out for name, (_, text) in __main__.COMMANDS.items())
+    assert code == 0 and all(f"  {name} " in out and text in out for name, (_, text) in __main__.COMMANDS.items())
     assert run(capsys, "--version")[1] == f"mip {__main__.VERSION}\n"
     code, out, _ = run(capsys, "simulate", "--help")
     assert code == 0 and "lose_answer" in out and "--strict-baud" in out
