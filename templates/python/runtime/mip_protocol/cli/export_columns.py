@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from ..errors import Failure
 from ..field import Field
-from . import clocks, outputs
+from . import clocks, inputs, outputs
 from .selection import Selection
 from .table import heading, survey
 
@@ -187,10 +187,13 @@ class Tables:
 
     def of(self, log: Log) -> Iterator[Any]:
         """One for each part."""
+        progress = inputs.Progress(log.size)
         for part in log.parts(PART):
+            progress.at(part.begin)
             tables = {kind: self._table(part, kind) for kind in self._types}
             rows = self._aligned_rows if self._aligned else self._joined_rows
             yield self._put_together(tables, rows(tables))
+        progress.clear()
 
     def _table(self, part: Log, kind: type[Field]) -> Any:
         """The fields of one type, in the order of the log."""
