@@ -87,6 +87,10 @@ test-cross: tools-cross $(VENV)/development.stamp ## run C on other machines, in
 quick: $(VENV)/development.stamp ## run the tests of the generator alone, in less than a minute
 	@$(PYTEST) -m "not heavy" tests/generator
 
+.PHONY: semver
+semver: tools-semver $(VENV)/development.stamp ## compare the Rust crate with the last release by cargo-semver-checks, and test what it calls minor
+	@$(PYTEST) tests/rust/semver.py
+
 .PHONY: mutate
 mutate: $(VENV)/development.stamp ## change the project at random and report what no test sees: make mutate COUNT=5 PART=c SEED=2
 	@$(RUN) tests/mutate.py $(addprefix --count ,$(COUNT)) $(addprefix --part ,$(PART)) $(addprefix --seed ,$(SEED)) $(addprefix --path ,$(FILE))
@@ -116,7 +120,7 @@ docs: $(VENV)/development.stamp ## build the reference as a searchable site in b
 	@echo "$(BUILD)/site/index.html"
 
 .PHONY: bench
-bench: tools $(VENV)/development.stamp ## measure size and speed; make bench README=1 writes the table of the README for C
+bench: tools $(VENV)/development.stamp ## measure size and speed; make bench README=1 writes the tables of the READMEs for C and Rust
 	@PYTHONPATH=generator $(RUN) tests/bench/bench.py $(if $(README),--readme)
 
 .PHONY: conformance-driver
@@ -126,7 +130,7 @@ conformance-driver: $(VENV)/generator.stamp ## build a driver and print its comm
 
 # ----------------------------------------------------------------- tools and dirt
 
-.PHONY: tools tools-check tools-all tools-cross tools-fuzz
+.PHONY: tools tools-check tools-all tools-cross tools-fuzz tools-semver
 tools:
 	@tests/tools.sh test
 
@@ -141,6 +145,9 @@ tools-cross:
 
 tools-fuzz:
 	@tests/tools.sh fuzz
+
+tools-semver:
+	@tests/tools.sh semver
 
 .PHONY: clean
 clean: ## remove what was built; generated/ stays

@@ -1,5 +1,5 @@
 #!/bin/sh
-# tools.sh check|test|all|cross|fuzz: brings what can be brought, and names what is missing with its remedy, all of it at once.
+# tools.sh check|test|all|cross|fuzz|semver: brings what can be brought, and names what is missing with its remedy, all of it at once.
 set -u
 missing=0
 
@@ -52,6 +52,12 @@ if [ "$1" = fuzz ]; then
     printf '#include <stddef.h>\nint LLVMFuzzerTestOneInput(const void *d, size_t n) { return d == NULL && n > 0; }\n' |
         clang -fsanitize=fuzzer,address,undefined -x c - -o /dev/null 2>/dev/null ||
         lacks libFuzzer "clang must link with -fsanitize=fuzzer,address,undefined (Debian: apt-get install libclang-rt-dev)"
+    exit $missing
+fi
+
+if [ "$1" = semver ]; then
+    command_or cargo "install Rust: https://rustup.rs"
+    command_or cargo-semver-checks "install it (cargo install cargo-semver-checks --locked; some minutes)"
     exit $missing
 fi
 

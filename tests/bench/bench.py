@@ -1,8 +1,8 @@
 """`make bench`: the same stream through all languages, side by side. Figures to read, never a test.
 
 Each program runs several times in turn with the others; the median of its runs counts, and the
-ratio to C. A struct.unpack written by hand shows what Python could do at best. Before that comes C against C
-that is written by hand: bench_c.py.
+ratio to C. A struct.unpack written by hand shows what Python could do at best. Before that come C and Rust against
+code that is written by hand: bench_c.py, bench_rust.py.
 """
 
 from __future__ import annotations
@@ -16,6 +16,7 @@ import sys
 from pathlib import Path
 
 import bench_c
+import bench_rust
 
 ROOT = Path(__file__).parents[2]
 HERE = Path(__file__).parent
@@ -74,8 +75,10 @@ def programs() -> dict[str, list[str]]:
 def main() -> None:
     if sys.argv[1:] == ["--readme"]:
         bench_c.write_readme()
+        bench_rust.write_readme()
         return
     print(bench_c.report())
+    print(bench_rust.report())
     BUILD.mkdir(parents=True, exist_ok=True)
     log = BUILD / "stream.bin"
     log.write_bytes(stream())

@@ -60,3 +60,14 @@ def mixed(packets: bytes, sentences: bytes) -> bytes:
             at += size
         out += line if number else b""
     return bytes(out)
+
+
+def shuffled(packets: bytes) -> bytes:
+    """The same packets in random order."""
+    parts, at = [], 0
+    while at < len(packets):
+        size = packets[at + 3] + 6
+        parts.append(packets[at : at + size])
+        at += size
+    Random(4).shuffle(parts)
+    return b"".join(parts)

@@ -306,6 +306,7 @@ def test_no_request_kills_a_driver(language: str) -> None:
         {"op": "decode", "packet": 5}, {"op": "decode", "packet": "756"}, {"op": "parse", "stream": "00"},
         {"op": "encode", "set": 1}, {"op": "encode", "set": 1, "fields": 3}, {"op": "encode", "fields": []},
         {"op": "encode", "set": 0, "fields": []}, {"op": "encode", "set": 256, "fields": []},
+        {"op": "encode", "set": 255, "fields": []},
         {"op": "encode", "set": 1, "fields": [{"descriptor": 256, "raw": ""}]},
         {"op": "encode", "set": 1, "fields": [{"descriptor": -1, "raw": ""}]},
         {"op": "parse", "stream": "7565", "chunk": 0}, {"op": "parse", "stream": "7565", "chunk": -1},

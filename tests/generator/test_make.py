@@ -122,6 +122,14 @@ def test_ci_installs_what_other_machines_need(machine: Path) -> None:
     assert wanted <= there | set(re.findall(r"[\w-]+", " ".join(re.findall(r"packages\+=\((.*?)\)", text))))
 
 
+def test_comparing_crates_needs_a_tool_of_its_own(machine: Path) -> None:
+    done = run(machine, TOOLS, "semver")
+    assert done.returncode == 1
+    assert done.stderr.startswith("make: cargo-semver-checks is missing; install it (cargo install cargo-semver-checks")
+    (machine / "cargo-semver-checks").symlink_to(machine / "cargo")
+    assert run(machine, TOOLS, "semver").returncode == 0
+
+
 def test_fuzzing_needs_clang_with_its_libraries(machine: Path) -> None:
     assert "make: clang is missing; install it" in run(machine, TOOLS, "fuzz").stderr
     (machine / "clang").write_text("#!/bin/sh\nexit 1\n")
@@ -135,7 +143,7 @@ def test_every_target_of_make_says_what_it_is_for(machine: Path) -> None:
     phony = set(" ".join(re.findall(r"^\.PHONY: (.*)$", makefile, re.M)).split())
     shown = set(re.findall(r"^  make ([a-z-]+) +\w", run(machine, "make").stdout, re.M))
     assert phony - shown == {name for name in phony if name.partition("-")[0] == "tools"}
-    assert {"generate", "test", "test-all", "test-cross", "fuzz", "check", "quick", "lock"} <= shown
+    assert {"generate", "test", "test-all", "test-cross", "fuzz", "check", "quick", "lock", "semver"} <= shown
 
 
 # --------------------------------------------------------------------------- locks

@@ -16,6 +16,9 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pyarrow
+import pyarrow.dataset as dataset
+import pyarrow.parquet as parquet
 import pytest
 from mipgen import codec
 from mipgen import model as m
@@ -485,7 +488,7 @@ def test_frames(library: str) -> None:
         "valid_flags": [1, 0]
     }
     masked = cells(log.frame(real.filter_data.EulerAngles, library=library, invalid="mask", units=False, position=True))
-    assert list(masked) == ["time", "time_own", "packet", "offset", "roll", "pitch", "yaw", "valid_flags"]
+    assert list(masked) == ["time", "time_own", "packet", "set", "offset", "roll", "pitch", "yaw", "valid_flags"]
     assert masked["roll"] == [1, None]
     assert masked["offset"] == [0, 32]
     wide = cells(log.frame([real.filter_data.EulerAngles, "filter_data.llh_position"], library=library, units=False))
@@ -546,6 +549,7 @@ def test_a_missing_library_is_named_with_its_extra(missing: str) -> None:
 import sys
 sys.modules[{missing!r}] = None
 import mip_protocol
+from mip_protocol import *
 assert "numpy" not in sys.modules or sys.modules["numpy"] is None
 try:
     mip_protocol.read_log(b"").frame("sensor.scaled_accel", library={missing!r})
@@ -556,3 +560,43 @@ except ImportError as error:
     environment = {**os.environ, "PYTHONPATH": str(REAL), "PYTHONDONTWRITEBYTECODE": "1"}
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, env=environment)
     assert done.stdout.endswith(f"pip install mip-protocol[{missing}]\n"), done.stderr
+
+
+# --------------------------------------------------------------------------- Dask
+
+
+def test_the_example_with_dask_makes_the_same_rows_for_every_way_of_cutting(tmp_path: Path) -> None:
+    logs = tmp_path / "logs"
+    (logs / "day 2").mkdir(parents=True)
+    contents = {"a.bin": streams("real", seed=21, count=200), "day 2/b.bin": nested(), "empty.bin": b""}
+    for name, data in contents.items():
+        (logs / name).write_bytes(data)
+    program = REAL / "examples/logs_to_parquet.py"
+    environment = {**os.environ, "PYTHONPATH": str(REAL), "PYTHONDONTWRITEBYTECODE": "1"}
+
+    def run(out: Path, part: str, *more: str) -> subprocess.CompletedProcess[str]:
+        command = [sys.executable, str(program), str(logs), str(out), "--part", part, *more]
+        return subprocess.run(command, capture_output=True, text=True, env=environment)
+
+    tables = []
+    for part in ("64", "0.001"):
+        out = tmp_path / f"out-{part}"
+        done = run(out, part, "--workers", "2")
+        assert done.returncode == 0, done.stderr
+        files = sorted(p.relative_to(out).as_posix() for p in out.rglob("*.parquet"))
+        rows = {}
+        for file in files:
+            table = parquet.read_table(out / file, partitioning=None)
+            rows.setdefault(file.rpartition("/")[0], []).append(table)
+        tables.append({key: pyarrow.concat_tables(parts) for key, parts in rows.items()})
+        assert run(out, part).returncode == 2  # it exists
+    assert len(files) > 1.3 * len(tables[0]) > 40
+    assert tables[0].keys() == tables[1].keys()
+    for key, table in tables[0].items():
+        assert table.schema.equals(tables[1][key].schema, check_metadata=True)
+        assert repr(table.to_pylist()) == repr(tables[1][key].to_pylist())
+    whole = dataset.dataset(tmp_path / "out-64", partitioning="hive")
+    assert set(whole.to_table(columns=["log"])["log"].to_pylist()) == {"a.bin", "day 2/b.bin"}
+    assert sum(t.num_rows for t in tables[0].values()) == sum(
+        len(rows) for data in contents.values() for rows in expected(real, data).values()
+    )

@@ -3,15 +3,12 @@
 from __future__ import annotations
 
 import dataclasses
-import importlib
 import os
 import random
 import shutil
 import subprocess
 import sys
-from collections.abc import Callable
 from pathlib import Path
-from types import ModuleType
 from typing import Any
 
 import pytest
@@ -19,38 +16,9 @@ from mipgen import model as m
 from mipgen import render
 from mipgen.resolve import load_model
 from mipgen.targets.python import members, names
+from packages import REAL, Package, mip, real
 from support import ROOT, SPECS, all_fields, another_python, heavy, model, parse_as
 from terse import filled
-
-INVENTED = SPECS["invented"][1] / "python"
-REAL = SPECS["real"][1] / "python"
-
-
-class Package:
-    """A generated package, imported under its own name apart from the other one."""
-
-    def __init__(self, folder: Path) -> None:
-        self.folder = folder
-        self.modules: dict[str, ModuleType] = {}
-        self._call("registry", lambda registry: registry.all_types())
-
-    def __getattr__(self, name: str) -> Any:
-        return self._call(name, lambda module: module)
-
-    def _call(self, name: str, use: Callable[[ModuleType], Any]) -> Any:
-        kept = {k: sys.modules.pop(k) for k in list(sys.modules) if k.partition(".")[0] == "mip_protocol"}
-        sys.modules.update(self.modules)
-        sys.path.insert(0, str(self.folder))
-        try:
-            return use(importlib.import_module("mip_protocol" if name == "top" else f"mip_protocol.{name}"))
-        finally:
-            sys.path.pop(0)
-            self.modules = {k: sys.modules.pop(k) for k in list(sys.modules) if k.partition(".")[0] == "mip_protocol"}
-            sys.modules.update(kept)
-
-
-mip = Package(INVENTED)
-real = Package(REAL)
 
 
 def user(folder: Path, code: str, python: str = sys.executable, **environment: str) -> str:
@@ -272,7 +240,7 @@ def test_repeated_fields_are_read_in_their_own_way(tmp_path: Path) -> None:
         text = text.replace("varies: {", f"varies: {{{case}, ").replace("varies:\n", f"varies:\n  {case}\n")
         file.write_text(text, "utf-8")
     render.write(render.render("python", load_model(spec)), out)
-    it = Package(out)
+    it = Package(out, "varied_mip")
     first, second = it.varied.State(1), it.again.State(1)
     assert isinstance(second, it.varied.State) and second.code == 1
     assert first.meaning("code", "model-a") is it.types.Mode.FAST and first.meaning("code", "model-b") == 1
@@ -289,8 +257,9 @@ def test_builder_refuses_and_stays_valid() -> None:
     with pytest.raises(mip.errors.EncodeError, match="length"):
         builder.add(1, bytes(2))
     assert len(builder.add(1, b"\x00").build().payload) == 255
-    with pytest.raises(mip.errors.EncodeError):
-        mip.packet.PacketBuilder(0)
+    for no_set in (0, 0xFF, 256):
+        with pytest.raises(mip.errors.EncodeError, match="range"):
+            mip.packet.PacketBuilder(no_set)
 
 
 def test_packet_keeps_its_own_bytes() -> None:
@@ -473,7 +442,7 @@ class Port:
 port = Port()
 """
     printed = user(REAL, port + program).splitlines()
-    assert printed[0].startswith("data: Packet(7565800e") and printed[1].startswith("GetDeviceInfoResponse(")
+    assert printed[0].startswith("data: Packet(7565800e") and printed[1].startswith("base.get_device_info_response: ")
 
 
 def test_client_refuses_what_does_not_fit_and_waits_for_nothing() -> None:
@@ -635,7 +604,7 @@ def test_awkward_specification(tmp_path: Path) -> None:
         done = subprocess.run([Path(sys.executable).parent / "ruff", *check, "--no-cache", out], capture_output=True)
         assert done.returncode == 0, done.stdout.decode()
     assert_strict(out)
-    it = Package(out).awkward
+    it = Package(out, "awkward_mip").awkward
     whole = bytes.fromhex("01 02 00010002 00030004 0100")
     assert it.Halves.decode(whole).encode() == whole and it.Halves.decode(whole).bools == (True, False)
     assert all(type(b) is bool for b in it.Halves.decode(whole).bools)
@@ -762,7 +731,13 @@ def test_folder_alone_installs_and_runs(tmp_path: Path) -> None:
         capture_output=True, text=True,
     )  # fmt: skip
     assert done.returncode == 0, done.stderr
-    shutil.rmtree(copy / "mip_protocol")
+    package = copy / "mip_protocol"
+    assert {p.relative_to(package) for p in package.rglob("*") if p.suffix in (".py", ".typed")} == {
+        p.relative_to(site / "mip_protocol")
+        for p in (site / "mip_protocol").rglob("*")
+        if p.suffix in (".py", ".typed")
+    }
+    shutil.rmtree(package)
     version = model("real").protocol.version
     assert user(site, "import mip_protocol; print(mip_protocol.__version__)") == f"{version}\n"
     taste = (REAL / "taste.py").read_text("utf-8")
@@ -770,6 +745,8 @@ def test_folder_alone_installs_and_runs(tmp_path: Path) -> None:
     (metadata,) = site.glob("*.dist-info/METADATA")
     said = metadata.read_text("utf-8").partition("\n\n")[0].splitlines()
     assert {f"Version: {version}", "License-Expression: MIT", "License-File: LICENSE"} <= set(said)
+    assert "Requires-Python: >=3.10" in said and not [x for x in said if x.startswith("Classifier: License")]
+    assert [x for x in said if x.startswith("Keywords: ")] and "Classifier: Typing :: Typed" in said
     assert next(site.glob("*.dist-info/licenses/LICENSE")).read_bytes() == (ROOT / "LICENSE").read_bytes()
 
 

@@ -75,16 +75,19 @@ def crate(spec: str) -> Path:
 
 @cache
 def bare(spec: str) -> Path:
-    """The crate without optional dependencies: cargo wants to know them even where it does not use them."""
-    files = dict(rendered(spec))
+    """The crate without optional dependencies."""
+    with locked(WORK / f"{spec}-bare"):
+        write(without_dependencies(rendered(spec)), WORK / spec / "bare")
+    return WORK / spec / "bare"
+
+
+def without_dependencies(files: dict[str, bytes]) -> dict[str, bytes]:
+    """Cargo wants to know optional dependencies even where it does not use them."""
     manifest = files["Cargo.toml"].decode("utf-8")
     manifest = re.sub(r"\[dependencies\]\n(?:.+\n)+", "", manifest)
     manifest = re.sub(r'\["dep:\w+"\]', "[]", manifest)
-    assert "dep" not in manifest
-    files["Cargo.toml"] = f"{manifest}\n[workspace]\n".encode()
-    with locked(WORK / f"{spec}-bare"):
-        write(files, WORK / spec / "bare")
-    return WORK / spec / "bare"
+    assert "dep:" not in manifest
+    return {**files, "Cargo.toml": f"{manifest}\n[workspace]\n".encode()}
 
 
 def project(
@@ -336,7 +339,7 @@ def test_documentation_tells_which_feature_brings_an_item() -> None:
 @each
 def test_the_front_page_lists_the_modules(spec: str) -> None:
     """Every public module, so that nobody has to search."""
-    page = rendered(spec)["src/map.md"].decode("utf-8")
+    page = (rendered(spec)["src/map.md"] + rendered(spec)["src/sets.md"]).decode("utf-8")
     lib = rendered(spec)["src/lib.rs"].decode("utf-8")
     sets = [names.module(s.name) for s in specification(spec).sets]
     for name in (*re.findall(r"^pub mod (\w+);", lib, re.MULTILINE), *sets):

@@ -8,7 +8,6 @@ Measurements of external sensors for the navigation filter, and the frames of th
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
 from enum import IntFlag
 from typing import Any
 
@@ -58,16 +57,23 @@ class Timebase(codec.OpenEnum):
 _MEASUREMENT_TIME_0 = codec.Block("BBQ", "timebase", "reserved", "nanoseconds")
 
 
-@dataclass(slots=True)
 class MeasurementTime(Structure):
     """When a measurement was taken."""
 
+    __slots__ = ("timebase", "reserved", "nanoseconds")
+    __match_args__ = ("timebase", "nanoseconds")
+
     timebase: Timebase
     """Clock of the time."""
-    reserved: int = field(default=1, kw_only=True)
+    reserved: int
     """Reserved: send 1."""
     nanoseconds: int
     """Time by that clock. Unit: ns."""
+
+    def __init__(self, timebase: Timebase, nanoseconds: int, *, reserved: int = 1) -> None:
+        self.timebase = timebase
+        self.reserved = reserved
+        self.nanoseconds = nanoseconds
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MeasurementTime, int]:
@@ -114,7 +120,6 @@ _FRAME_CONFIG_RESPONSE_1 = codec.Block("fff", *["rotation"] * 3)
 _FRAME_CONFIG_RESPONSE_2 = codec.Block("ffff", *["rotation"] * 4)
 
 
-@dataclass(slots=True)
 class FrameConfigResponse(Response):
     """Frame configuration response (0x13,0x81).
 
@@ -124,10 +129,14 @@ class FrameConfigResponse(Response):
     - 3dm-cv7-gnss-ins: Aiding Frames
     """
 
+    __slots__ = ("frame_id", "format", "tracking_enabled", "translation", "rotation")
+    __match_args__ = ("frame_id", "format", "tracking_enabled", "translation", "rotation")
+
     SET = 0x13
     DESCRIPTOR = 0x81
     NAME = "aiding.frame_config_response"
     ROLE = "response"
+    _VECTORS = {"translation": (types.Vector3f,), "rotation": (types.Vector3f, types.Quatf)}
 
     frame_id: int
     """Number of the frame. Range: 1 to 4."""
@@ -137,7 +146,7 @@ class FrameConfigResponse(Response):
     """Whether the filter estimates the errors of the frame."""
     translation: types.Vector3f
     """Origin of the frame in the vehicle. Elements: x, y, z. Unit: m. Frame: vehicle."""
-    rotation: types.Vector3f | types.Quatf | None = None
+    rotation: types.Vector3f | types.Quatf | None
     """Rotation from the frame to the vehicle. Selected by `format`.
 
     - If `format` is `AidingFrameFormat.EULER`: `types.Vector3f`. Roll, pitch and yaw. Elements: x,
@@ -145,6 +154,20 @@ class FrameConfigResponse(Response):
     - If `format` is `AidingFrameFormat.QUATERNION`: `types.Quatf`. Quaternion, scalar part first.
       Elements: w, x, y, z. Unit: 1.
     """
+
+    def __init__(
+        self,
+        frame_id: int,
+        format: AidingFrameFormat,
+        tracking_enabled: bool,
+        translation: types.Vector3f | codec.Numbers,
+        rotation: types.Vector3f | types.Quatf | None | codec.Numbers = None,
+    ) -> None:
+        self.frame_id = frame_id
+        self.format = format
+        self.tracking_enabled = tracking_enabled
+        self.translation = codec.vector(translation, types.Vector3f)
+        self.rotation = codec.vector(rotation, types.Vector3f, types.Quatf)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[FrameConfigResponse, int]:
@@ -154,15 +177,15 @@ class FrameConfigResponse(Response):
         frame_id = v[0]
         format = AidingFrameFormat(v[1])
         tracking_enabled = codec.truth(v[2])
-        translation = v[3:6]
+        translation = types.Vector3f._make(v[3:6])
         if format == 1:
             v = _FRAME_CONFIG_RESPONSE_1.read(raw, at)
             at += 12
-            rotation = v[0:3]
+            rotation = types.Vector3f._make(v[0:3])
         elif format == 2:
             v = _FRAME_CONFIG_RESPONSE_2.read(raw, at)
             at += 16
-            rotation = v[0:4]
+            rotation = types.Quatf._make(v[0:4])
         return cls(frame_id, format, tracking_enabled, translation, rotation), at
 
     def _write(self) -> bytes:
@@ -170,16 +193,16 @@ class FrameConfigResponse(Response):
             self.frame_id,
             self.format,
             self.tracking_enabled,
-            *codec.exactly("translation", self.translation, 3),
+            *codec.elements("translation", self.translation, 3),
         )
         if self.format == 1:
             if self.rotation is None or isinstance(self.rotation, Structure):
                 raise codec.mismatch("rotation", self.format)
-            out += _FRAME_CONFIG_RESPONSE_1.write(*codec.exactly("rotation", self.rotation, 3))
+            out += _FRAME_CONFIG_RESPONSE_1.write(*codec.elements("rotation", self.rotation, 3))
         elif self.format == 2:
             if self.rotation is None or isinstance(self.rotation, Structure):
                 raise codec.mismatch("rotation", self.format)
-            out += _FRAME_CONFIG_RESPONSE_2.write(*codec.exactly("rotation", self.rotation, 4))
+            out += _FRAME_CONFIG_RESPONSE_2.write(*codec.elements("rotation", self.rotation, 4))
         elif self.rotation is not None:
             raise codec.mismatch("rotation", self.format)
         return codec.finished(out)
@@ -188,7 +211,6 @@ class FrameConfigResponse(Response):
 _ECHO_CONTROL_RESPONSE_0 = codec.Block("B", "mode")
 
 
-@dataclass(slots=True)
 class EchoControlResponse(Response):
     """Echo control response (0x13,0x9F).
 
@@ -198,13 +220,20 @@ class EchoControlResponse(Response):
     - 3dm-cv7-gnss-ins: Aiding Command Echo Control
     """
 
+    __slots__ = ("mode",)
+    __match_args__ = ("mode",)
+
     SET = 0x13
     DESCRIPTOR = 0x9F
     NAME = "aiding.echo_control_response"
     ROLE = "response"
+    _LAYOUT = (("mode", "B", AidingEchoMode),)
 
     mode: AidingEchoMode
     """How they are answered."""
+
+    def __init__(self, mode: AidingEchoMode) -> None:
+        self.mode = mode
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EchoControlResponse, int]:
@@ -234,7 +263,6 @@ _FRAME_CONFIG_GROUPS = (
 )
 
 
-@dataclass(slots=True)
 class FrameConfig(Command[R]):
     """Frame configuration (0x13,0x01).
 
@@ -251,26 +279,37 @@ class FrameConfig(Command[R]):
     - 3dm-cv7-gnss-ins: Aiding Frames
     """
 
+    __slots__ = ("function", "frame_id", "format", "tracking_enabled", "translation", "rotation")
+    __match_args__ = (
+        "function",
+        "frame_id",
+        "format",
+        "tracking_enabled",
+        "translation",
+        "rotation",
+    )
+
     SET = 0x13
     DESCRIPTOR = 0x01
     NAME = "aiding.frame_config"
     ROLE = "command"
     RESPONSES = (FrameConfigResponse,)
     REQUIRED = {1: 5, 2: 2, 3: 1, 4: 1, 5: 1}
+    _VECTORS = {"translation": (types.Vector3f,), "rotation": (types.Vector3f, types.Quatf)}
 
     function: FunctionSelector
     """What to do with the setting."""
-    frame_id: int | None = None
+    frame_id: int | None
     """Number of the frame. Range: 1 to 4."""
-    format: AidingFrameFormat | None = None
+    format: AidingFrameFormat | None
     """How the rotation is given. Required for `write` and `read`."""
-    tracking_enabled: bool | None = None
+    tracking_enabled: bool | None
     """Whether the filter estimates the errors of the frame. Required for `write`."""
-    translation: types.Vector3f | None = None
+    translation: types.Vector3f | None
     """Origin of the frame in the vehicle. Elements: x, y, z. Unit: m. Frame: vehicle. Required for
     `write`.
     """
-    rotation: types.Vector3f | types.Quatf | None = None
+    rotation: types.Vector3f | types.Quatf | None
     """Rotation from the frame to the vehicle. Selected by `format`. Required for `write`.
 
     - If `format` is `AidingFrameFormat.EULER`: `types.Vector3f`. Roll, pitch and yaw. Elements: x,
@@ -279,14 +318,30 @@ class FrameConfig(Command[R]):
       Elements: w, x, y, z. Unit: 1.
     """
 
+    def __init__(
+        self,
+        function: FunctionSelector,
+        frame_id: int | None = None,
+        format: AidingFrameFormat | None = None,
+        tracking_enabled: bool | None = None,
+        translation: types.Vector3f | None | codec.Numbers = None,
+        rotation: types.Vector3f | types.Quatf | None | codec.Numbers = None,
+    ) -> None:
+        self.function = function
+        self.frame_id = frame_id
+        self.format = format
+        self.tracking_enabled = tracking_enabled
+        self.translation = codec.vector(translation, types.Vector3f)
+        self.rotation = codec.vector(rotation, types.Vector3f, types.Quatf)
+
     @classmethod
     def write(
         cls: ClassOf[FrameConfig[Any]],
         frame_id: int,
         format: AidingFrameFormat,
         tracking_enabled: bool,
-        translation: types.Vector3f,
-        rotation: types.Vector3f | types.Quatf | None,
+        translation: types.Vector3f | codec.Numbers,
+        rotation: types.Vector3f | types.Quatf | None | codec.Numbers,
     ) -> FrameConfig[None]:
         """Apply the new setting."""
         return cls(
@@ -361,18 +416,18 @@ class FrameConfig(Command[R]):
                 raise Truncated(1, 0)
             v = _FRAME_CONFIG_4.read(raw, at)
             at += 12
-            translation = v[0:3]
+            translation = types.Vector3f._make(v[0:3])
             done, end = 4, at
             if at == len(raw) and required < 5:
                 raise Truncated(1, 0)
             if format == 1:
                 v = _FRAME_CONFIG_5.read(raw, at)
                 at += 12
-                rotation = v[0:3]
+                rotation = types.Vector3f._make(v[0:3])
             elif format == 2:
                 v = _FRAME_CONFIG_6.read(raw, at)
                 at += 16
-                rotation = v[0:4]
+                rotation = types.Quatf._make(v[0:4])
             done, end = 5, at
         except Truncated:
             if done < required:
@@ -391,16 +446,16 @@ class FrameConfig(Command[R]):
         if there >= 3:
             out += _FRAME_CONFIG_3.write(self.tracking_enabled)
         if there >= 4:
-            out += _FRAME_CONFIG_4.write(*codec.exactly("translation", self.translation, 3))
+            out += _FRAME_CONFIG_4.write(*codec.elements("translation", self.translation, 3))
         if there >= 5:
             if self.format == 1:
                 if self.rotation is None or isinstance(self.rotation, Structure):
                     raise codec.mismatch("rotation", self.format)
-                out += _FRAME_CONFIG_5.write(*codec.exactly("rotation", self.rotation, 3))
+                out += _FRAME_CONFIG_5.write(*codec.elements("rotation", self.rotation, 3))
             elif self.format == 2:
                 if self.rotation is None or isinstance(self.rotation, Structure):
                     raise codec.mismatch("rotation", self.format)
-                out += _FRAME_CONFIG_6.write(*codec.exactly("rotation", self.rotation, 4))
+                out += _FRAME_CONFIG_6.write(*codec.elements("rotation", self.rotation, 4))
             elif self.rotation is not None:
                 raise codec.mismatch("rotation", self.format)
         return codec.finished(out)
@@ -411,7 +466,6 @@ _ECHO_CONTROL_1 = codec.Block("B", "mode")
 _ECHO_CONTROL_GROUPS = ((1, ("mode",), False),)
 
 
-@dataclass(slots=True)
 class EchoControl(Command[R]):
     """Echo control (0x13,0x1F).
 
@@ -426,6 +480,9 @@ class EchoControl(Command[R]):
     - 3dm-cv7-gnss-ins: Aiding Command Echo Control
     """
 
+    __slots__ = ("function", "mode")
+    __match_args__ = ("function", "mode")
+
     SET = 0x13
     DESCRIPTOR = 0x1F
     NAME = "aiding.echo_control"
@@ -435,8 +492,12 @@ class EchoControl(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    mode: AidingEchoMode | None = None
+    mode: AidingEchoMode | None
     """How they are answered. Required for `write`."""
+
+    def __init__(self, function: FunctionSelector, mode: AidingEchoMode | None = None) -> None:
+        self.function = function
+        self.mode = mode
 
     @classmethod
     def write(cls: ClassOf[EchoControl[Any]], mode: AidingEchoMode) -> EchoControl[None]:
@@ -504,7 +565,6 @@ _ECEF_POSITION_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class EcefPosition(Command[None]):
     """ECEF position (0x13,0x21).
 
@@ -520,11 +580,15 @@ class EcefPosition(Command[None]):
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > ECEF Position
     """
 
+    __slots__ = ("time", "frame_id", "position", "uncertainty", "valid_flags")
+    __match_args__ = ("time", "frame_id", "position", "uncertainty", "valid_flags")
+
     SET = 0x13
     DESCRIPTOR = 0x21
     NAME = "aiding.ecef_position"
     ROLE = "command"
     SILENCED_BY = ((0x13, 0x1F, "mode", 0),)
+    _VECTORS = {"position": (types.Vector3d,), "uncertainty": (types.Vector3f,)}
 
     time: MeasurementTime
     """When the measurement was taken."""
@@ -543,14 +607,28 @@ class EcefPosition(Command[None]):
     valid_flags: AxisFlags
     """Which axes are valid."""
 
+    def __init__(
+        self,
+        time: MeasurementTime,
+        frame_id: int,
+        position: types.Vector3d | codec.Numbers,
+        uncertainty: types.Vector3f | codec.Numbers,
+        valid_flags: AxisFlags,
+    ) -> None:
+        self.time = time
+        self.frame_id = frame_id
+        self.position = codec.vector(position, types.Vector3d)
+        self.uncertainty = codec.vector(uncertainty, types.Vector3f)
+        self.valid_flags = valid_flags
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EcefPosition, int]:
         time, at = MeasurementTime._read(raw, at)
         v = _ECEF_POSITION_0.read(raw, at)
         at += 39
         frame_id = v[0]
-        position = v[1:4]
-        uncertainty = v[4:7]
+        position = types.Vector3d._make(v[1:4])
+        uncertainty = types.Vector3f._make(v[4:7])
         valid_flags = AxisFlags(v[7])
         return cls(time, frame_id, position, uncertainty, valid_flags), at
 
@@ -558,8 +636,8 @@ class EcefPosition(Command[None]):
         out = codec.structure("time", self.time, MeasurementTime)
         out += _ECEF_POSITION_0.write(
             self.frame_id,
-            *codec.exactly("position", self.position, 3),
-            *codec.exactly("uncertainty", self.uncertainty, 3),
+            *codec.elements("position", self.position, 3),
+            *codec.elements("uncertainty", self.uncertainty, 3),
             self.valid_flags,
         )
         return codec.finished(out)
@@ -570,7 +648,6 @@ _LLH_POSITION_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class LlhPosition(Command[None]):
     """LLH position (0x13,0x22).
 
@@ -586,11 +663,31 @@ class LlhPosition(Command[None]):
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > LLH Position
     """
 
+    __slots__ = (
+        "time",
+        "frame_id",
+        "latitude",
+        "longitude",
+        "height",
+        "uncertainty",
+        "valid_flags",
+    )
+    __match_args__ = (
+        "time",
+        "frame_id",
+        "latitude",
+        "longitude",
+        "height",
+        "uncertainty",
+        "valid_flags",
+    )
+
     SET = 0x13
     DESCRIPTOR = 0x22
     NAME = "aiding.llh_position"
     ROLE = "command"
     SILENCED_BY = ((0x13, 0x1F, "mode", 0),)
+    _VECTORS = {"uncertainty": (types.Vector3f,)}
 
     time: MeasurementTime
     """When the measurement was taken."""
@@ -613,6 +710,24 @@ class LlhPosition(Command[None]):
     valid_flags: LlhAxisFlags
     """Which coordinates are valid."""
 
+    def __init__(
+        self,
+        time: MeasurementTime,
+        frame_id: int,
+        latitude: float,
+        longitude: float,
+        height: float,
+        uncertainty: types.Vector3f | codec.Numbers,
+        valid_flags: LlhAxisFlags,
+    ) -> None:
+        self.time = time
+        self.frame_id = frame_id
+        self.latitude = latitude
+        self.longitude = longitude
+        self.height = height
+        self.uncertainty = codec.vector(uncertainty, types.Vector3f)
+        self.valid_flags = valid_flags
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[LlhPosition, int]:
         time, at = MeasurementTime._read(raw, at)
@@ -622,7 +737,7 @@ class LlhPosition(Command[None]):
         latitude = v[1]
         longitude = v[2]
         height = v[3]
-        uncertainty = v[4:7]
+        uncertainty = types.Vector3f._make(v[4:7])
         valid_flags = LlhAxisFlags(v[7])
         return cls(time, frame_id, latitude, longitude, height, uncertainty, valid_flags), at
 
@@ -633,7 +748,7 @@ class LlhPosition(Command[None]):
             self.latitude,
             self.longitude,
             self.height,
-            *codec.exactly("uncertainty", self.uncertainty, 3),
+            *codec.elements("uncertainty", self.uncertainty, 3),
             self.valid_flags,
         )
         return codec.finished(out)
@@ -642,7 +757,6 @@ class LlhPosition(Command[None]):
 _HEIGHT_ABOVE_ELLIPSOID_0 = codec.Block("BffH", "frame_id", "height", "uncertainty", "valid_flags")
 
 
-@dataclass(slots=True)
 class HeightAboveEllipsoid(Command[None]):
     """Height above ellipsoid (0x13,0x23).
 
@@ -656,6 +770,9 @@ class HeightAboveEllipsoid(Command[None]):
 
     - 3dm-cv7-gnss-ins: Height Above Ellipsoid (0x13,0x23)
     """
+
+    __slots__ = ("time", "frame_id", "height", "uncertainty", "valid_flags")
+    __match_args__ = ("time", "frame_id", "height", "uncertainty", "valid_flags")
 
     SET = 0x13
     DESCRIPTOR = 0x23
@@ -673,6 +790,20 @@ class HeightAboveEllipsoid(Command[None]):
     """Uncertainty of the height. Unit: m."""
     valid_flags: int
     """Not 0: the measurement is valid."""
+
+    def __init__(
+        self,
+        time: MeasurementTime,
+        frame_id: int,
+        height: float,
+        uncertainty: float,
+        valid_flags: int,
+    ) -> None:
+        self.time = time
+        self.frame_id = frame_id
+        self.height = height
+        self.uncertainty = uncertainty
+        self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[HeightAboveEllipsoid, int]:
@@ -698,7 +829,6 @@ _ECEF_VELOCITY_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class EcefVelocity(Command[None]):
     """ECEF velocity (0x13,0x28).
 
@@ -715,11 +845,15 @@ class EcefVelocity(Command[None]):
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > ECEF Velocity
     """
 
+    __slots__ = ("time", "frame_id", "velocity", "uncertainty", "valid_flags")
+    __match_args__ = ("time", "frame_id", "velocity", "uncertainty", "valid_flags")
+
     SET = 0x13
     DESCRIPTOR = 0x28
     NAME = "aiding.ecef_velocity"
     ROLE = "command"
     SILENCED_BY = ((0x13, 0x1F, "mode", 0),)
+    _VECTORS = {"velocity": (types.Vector3f,), "uncertainty": (types.Vector3f,)}
 
     time: MeasurementTime
     """When the measurement was taken."""
@@ -738,14 +872,28 @@ class EcefVelocity(Command[None]):
     valid_flags: AxisFlags
     """Which axes are valid."""
 
+    def __init__(
+        self,
+        time: MeasurementTime,
+        frame_id: int,
+        velocity: types.Vector3f | codec.Numbers,
+        uncertainty: types.Vector3f | codec.Numbers,
+        valid_flags: AxisFlags,
+    ) -> None:
+        self.time = time
+        self.frame_id = frame_id
+        self.velocity = codec.vector(velocity, types.Vector3f)
+        self.uncertainty = codec.vector(uncertainty, types.Vector3f)
+        self.valid_flags = valid_flags
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EcefVelocity, int]:
         time, at = MeasurementTime._read(raw, at)
         v = _ECEF_VELOCITY_0.read(raw, at)
         at += 27
         frame_id = v[0]
-        velocity = v[1:4]
-        uncertainty = v[4:7]
+        velocity = types.Vector3f._make(v[1:4])
+        uncertainty = types.Vector3f._make(v[4:7])
         valid_flags = AxisFlags(v[7])
         return cls(time, frame_id, velocity, uncertainty, valid_flags), at
 
@@ -753,8 +901,8 @@ class EcefVelocity(Command[None]):
         out = codec.structure("time", self.time, MeasurementTime)
         out += _ECEF_VELOCITY_0.write(
             self.frame_id,
-            *codec.exactly("velocity", self.velocity, 3),
-            *codec.exactly("uncertainty", self.uncertainty, 3),
+            *codec.elements("velocity", self.velocity, 3),
+            *codec.elements("uncertainty", self.uncertainty, 3),
             self.valid_flags,
         )
         return codec.finished(out)
@@ -765,7 +913,6 @@ _NED_VELOCITY_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class NedVelocity(Command[None]):
     """NED velocity (0x13,0x29).
 
@@ -782,11 +929,15 @@ class NedVelocity(Command[None]):
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > NED Velocity
     """
 
+    __slots__ = ("time", "frame_id", "velocity", "uncertainty", "valid_flags")
+    __match_args__ = ("time", "frame_id", "velocity", "uncertainty", "valid_flags")
+
     SET = 0x13
     DESCRIPTOR = 0x29
     NAME = "aiding.ned_velocity"
     ROLE = "command"
     SILENCED_BY = ((0x13, 0x1F, "mode", 0),)
+    _VECTORS = {"velocity": (types.Vector3f,), "uncertainty": (types.Vector3f,)}
 
     time: MeasurementTime
     """When the measurement was taken."""
@@ -805,14 +956,28 @@ class NedVelocity(Command[None]):
     valid_flags: AxisFlags
     """Which axes are valid."""
 
+    def __init__(
+        self,
+        time: MeasurementTime,
+        frame_id: int,
+        velocity: types.Vector3f | codec.Numbers,
+        uncertainty: types.Vector3f | codec.Numbers,
+        valid_flags: AxisFlags,
+    ) -> None:
+        self.time = time
+        self.frame_id = frame_id
+        self.velocity = codec.vector(velocity, types.Vector3f)
+        self.uncertainty = codec.vector(uncertainty, types.Vector3f)
+        self.valid_flags = valid_flags
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[NedVelocity, int]:
         time, at = MeasurementTime._read(raw, at)
         v = _NED_VELOCITY_0.read(raw, at)
         at += 27
         frame_id = v[0]
-        velocity = v[1:4]
-        uncertainty = v[4:7]
+        velocity = types.Vector3f._make(v[1:4])
+        uncertainty = types.Vector3f._make(v[4:7])
         valid_flags = AxisFlags(v[7])
         return cls(time, frame_id, velocity, uncertainty, valid_flags), at
 
@@ -820,8 +985,8 @@ class NedVelocity(Command[None]):
         out = codec.structure("time", self.time, MeasurementTime)
         out += _NED_VELOCITY_0.write(
             self.frame_id,
-            *codec.exactly("velocity", self.velocity, 3),
-            *codec.exactly("uncertainty", self.uncertainty, 3),
+            *codec.elements("velocity", self.velocity, 3),
+            *codec.elements("uncertainty", self.uncertainty, 3),
             self.valid_flags,
         )
         return codec.finished(out)
@@ -832,7 +997,6 @@ _BODY_FRAME_VELOCITY_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class BodyFrameVelocity(Command[None]):
     """Body frame velocity (0x13,0x2A).
 
@@ -852,11 +1016,15 @@ class BodyFrameVelocity(Command[None]):
     - 3dm-cv7-gnss-ins: Filter Kinematic Constraints
     """
 
+    __slots__ = ("time", "frame_id", "velocity", "uncertainty", "valid_flags")
+    __match_args__ = ("time", "frame_id", "velocity", "uncertainty", "valid_flags")
+
     SET = 0x13
     DESCRIPTOR = 0x2A
     NAME = "aiding.body_frame_velocity"
     ROLE = "command"
     SILENCED_BY = ((0x13, 0x1F, "mode", 0),)
+    _VECTORS = {"velocity": (types.Vector3f,), "uncertainty": (types.Vector3f,)}
 
     time: MeasurementTime
     """When the measurement was taken."""
@@ -875,14 +1043,28 @@ class BodyFrameVelocity(Command[None]):
     valid_flags: AxisFlags
     """Which axes are valid."""
 
+    def __init__(
+        self,
+        time: MeasurementTime,
+        frame_id: int,
+        velocity: types.Vector3f | codec.Numbers,
+        uncertainty: types.Vector3f | codec.Numbers,
+        valid_flags: AxisFlags,
+    ) -> None:
+        self.time = time
+        self.frame_id = frame_id
+        self.velocity = codec.vector(velocity, types.Vector3f)
+        self.uncertainty = codec.vector(uncertainty, types.Vector3f)
+        self.valid_flags = valid_flags
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[BodyFrameVelocity, int]:
         time, at = MeasurementTime._read(raw, at)
         v = _BODY_FRAME_VELOCITY_0.read(raw, at)
         at += 27
         frame_id = v[0]
-        velocity = v[1:4]
-        uncertainty = v[4:7]
+        velocity = types.Vector3f._make(v[1:4])
+        uncertainty = types.Vector3f._make(v[4:7])
         valid_flags = AxisFlags(v[7])
         return cls(time, frame_id, velocity, uncertainty, valid_flags), at
 
@@ -890,8 +1072,8 @@ class BodyFrameVelocity(Command[None]):
         out = codec.structure("time", self.time, MeasurementTime)
         out += _BODY_FRAME_VELOCITY_0.write(
             self.frame_id,
-            *codec.exactly("velocity", self.velocity, 3),
-            *codec.exactly("uncertainty", self.uncertainty, 3),
+            *codec.elements("velocity", self.velocity, 3),
+            *codec.elements("uncertainty", self.uncertainty, 3),
             self.valid_flags,
         )
         return codec.finished(out)
@@ -900,7 +1082,6 @@ class BodyFrameVelocity(Command[None]):
 _TRUE_HEADING_0 = codec.Block("BffH", "frame_id", "heading", "uncertainty", "valid_flags")
 
 
-@dataclass(slots=True)
 class TrueHeading(Command[None]):
     """True heading (0x13,0x31).
 
@@ -915,6 +1096,9 @@ class TrueHeading(Command[None]):
     - 3dm-cv7-gnss-ins: True Heading (0x13,0x31)
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > True Heading
     """
+
+    __slots__ = ("time", "frame_id", "heading", "uncertainty", "valid_flags")
+    __match_args__ = ("time", "frame_id", "heading", "uncertainty", "valid_flags")
 
     SET = 0x13
     DESCRIPTOR = 0x31
@@ -932,6 +1116,20 @@ class TrueHeading(Command[None]):
     """Uncertainty of the heading. Unit: rad. Range: greater than 0."""
     valid_flags: int
     """Not 0: the measurement is valid."""
+
+    def __init__(
+        self,
+        time: MeasurementTime,
+        frame_id: int,
+        heading: float,
+        uncertainty: float,
+        valid_flags: int,
+    ) -> None:
+        self.time = time
+        self.frame_id = frame_id
+        self.heading = heading
+        self.uncertainty = uncertainty
+        self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[TrueHeading, int]:
@@ -957,7 +1155,6 @@ _MAGNETIC_FIELD_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class MagneticField(Command[None]):
     """Magnetic field (0x13,0x32).
 
@@ -973,11 +1170,15 @@ class MagneticField(Command[None]):
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > External Magnetometer
     """
 
+    __slots__ = ("time", "frame_id", "magnetic_field", "uncertainty", "valid_flags")
+    __match_args__ = ("time", "frame_id", "magnetic_field", "uncertainty", "valid_flags")
+
     SET = 0x13
     DESCRIPTOR = 0x32
     NAME = "aiding.magnetic_field"
     ROLE = "command"
     SILENCED_BY = ((0x13, 0x1F, "mode", 0),)
+    _VECTORS = {"magnetic_field": (types.Vector3f,), "uncertainty": (types.Vector3f,)}
 
     time: MeasurementTime
     """When the measurement was taken."""
@@ -996,14 +1197,28 @@ class MagneticField(Command[None]):
     valid_flags: AxisFlags
     """Which axes are valid."""
 
+    def __init__(
+        self,
+        time: MeasurementTime,
+        frame_id: int,
+        magnetic_field: types.Vector3f | codec.Numbers,
+        uncertainty: types.Vector3f | codec.Numbers,
+        valid_flags: AxisFlags,
+    ) -> None:
+        self.time = time
+        self.frame_id = frame_id
+        self.magnetic_field = codec.vector(magnetic_field, types.Vector3f)
+        self.uncertainty = codec.vector(uncertainty, types.Vector3f)
+        self.valid_flags = valid_flags
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagneticField, int]:
         time, at = MeasurementTime._read(raw, at)
         v = _MAGNETIC_FIELD_0.read(raw, at)
         at += 27
         frame_id = v[0]
-        magnetic_field = v[1:4]
-        uncertainty = v[4:7]
+        magnetic_field = types.Vector3f._make(v[1:4])
+        uncertainty = types.Vector3f._make(v[4:7])
         valid_flags = AxisFlags(v[7])
         return cls(time, frame_id, magnetic_field, uncertainty, valid_flags), at
 
@@ -1011,8 +1226,8 @@ class MagneticField(Command[None]):
         out = codec.structure("time", self.time, MeasurementTime)
         out += _MAGNETIC_FIELD_0.write(
             self.frame_id,
-            *codec.exactly("magnetic_field", self.magnetic_field, 3),
-            *codec.exactly("uncertainty", self.uncertainty, 3),
+            *codec.elements("magnetic_field", self.magnetic_field, 3),
+            *codec.elements("uncertainty", self.uncertainty, 3),
             self.valid_flags,
         )
         return codec.finished(out)
@@ -1021,7 +1236,6 @@ class MagneticField(Command[None]):
 _PRESSURE_0 = codec.Block("BffH", "frame_id", "pressure", "uncertainty", "valid_flags")
 
 
-@dataclass(slots=True)
 class Pressure(Command[None]):
     """Pressure (0x13,0x33).
 
@@ -1036,6 +1250,9 @@ class Pressure(Command[None]):
     - 3dm-cv7-gnss-ins: Pressure (0x13,0x33)
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > External Pressure
     """
+
+    __slots__ = ("time", "frame_id", "pressure", "uncertainty", "valid_flags")
+    __match_args__ = ("time", "frame_id", "pressure", "uncertainty", "valid_flags")
 
     SET = 0x13
     DESCRIPTOR = 0x33
@@ -1053,6 +1270,20 @@ class Pressure(Command[None]):
     """Standard deviation of the pressure. Unit: mbar. Range: greater than 0."""
     valid_flags: int
     """Not 0: the measurement is valid."""
+
+    def __init__(
+        self,
+        time: MeasurementTime,
+        frame_id: int,
+        pressure: float,
+        uncertainty: float,
+        valid_flags: int,
+    ) -> None:
+        self.time = time
+        self.frame_id = frame_id
+        self.pressure = pressure
+        self.uncertainty = uncertainty
+        self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Pressure, int]:

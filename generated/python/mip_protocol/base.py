@@ -8,7 +8,6 @@ Commands common to all devices: identity, supported descriptors, idle and resume
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 from . import codec
@@ -19,13 +18,29 @@ from .protocol import FunctionSelector
 _BASE_DEVICE_INFO_0 = codec.Block("H", "firmware_version")
 
 
-@dataclass(slots=True)
 class BaseDeviceInfo(Structure):
     """Identity of a device. The strings are padded with spaces.
 
     - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
     - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
     """
+
+    __slots__ = (
+        "firmware_version",
+        "model_name",
+        "model_number",
+        "serial_number",
+        "lot_number",
+        "device_options",
+    )
+    __match_args__ = (
+        "firmware_version",
+        "model_name",
+        "model_number",
+        "serial_number",
+        "lot_number",
+        "device_options",
+    )
 
     firmware_version: int
     """Firmware version as one decimal number: 1202 stands for 1.2.02."""
@@ -39,6 +54,22 @@ class BaseDeviceInfo(Structure):
     """Lot number; reserved and blank on some devices."""
     device_options: str
     """Options of the unit, such as its sensor ranges."""
+
+    def __init__(
+        self,
+        firmware_version: int,
+        model_name: str,
+        model_number: str,
+        serial_number: str,
+        lot_number: str,
+        device_options: str,
+    ) -> None:
+        self.firmware_version = firmware_version
+        self.model_name = model_name
+        self.model_number = model_number
+        self.serial_number = serial_number
+        self.lot_number = lot_number
+        self.device_options = device_options
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[BaseDeviceInfo, int]:
@@ -83,7 +114,6 @@ class GpsTimeField(codec.OpenEnum):
     """Time of week in whole seconds."""
 
 
-@dataclass(slots=True)
 class GetDeviceInfoResponse(Response):
     """Get device information response (0x01,0x81).
 
@@ -98,6 +128,9 @@ class GetDeviceInfoResponse(Response):
     - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
     """
 
+    __slots__ = ("device_info",)
+    __match_args__ = ("device_info",)
+
     SET = 0x01
     DESCRIPTOR = 0x81
     NAME = "base.get_device_info_response"
@@ -105,6 +138,9 @@ class GetDeviceInfoResponse(Response):
 
     device_info: BaseDeviceInfo
     """Identity of the device."""
+
+    def __init__(self, device_info: BaseDeviceInfo) -> None:
+        self.device_info = device_info
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetDeviceInfoResponse, int]:
@@ -116,7 +152,6 @@ class GetDeviceInfoResponse(Response):
         return codec.finished(out)
 
 
-@dataclass(slots=True)
 class GetDeviceDescriptorsResponse(Response):
     """Get device descriptors response (0x01,0x82).
 
@@ -131,6 +166,9 @@ class GetDeviceDescriptorsResponse(Response):
     - 3dm-cv7-gnss-ins: Get device descriptors (0x01,0x04)
     """
 
+    __slots__ = ("descriptors",)
+    __match_args__ = ("descriptors",)
+
     SET = 0x01
     DESCRIPTOR = 0x82
     NAME = "base.get_device_descriptors_response"
@@ -140,6 +178,9 @@ class GetDeviceDescriptorsResponse(Response):
     """Supported descriptors: the descriptor set in the high byte, the field descriptor in the low
     byte.
     """
+
+    def __init__(self, descriptors: tuple[int, ...]) -> None:
+        self.descriptors = descriptors
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetDeviceDescriptorsResponse, int]:
@@ -158,7 +199,6 @@ class GetDeviceDescriptorsResponse(Response):
 _BUILT_IN_TEST_RESPONSE_0 = codec.Block("I", "result")
 
 
-@dataclass(slots=True)
 class BuiltInTestResponse(Response):
     """Built-in test response (0x01,0x83).
 
@@ -170,10 +210,14 @@ class BuiltInTestResponse(Response):
     - 3dm-cv7-gnss-ins: Commanded Built-in Test
     """
 
+    __slots__ = ("result",)
+    __match_args__ = ("result",)
+
     SET = 0x01
     DESCRIPTOR = 0x83
     NAME = "base.built_in_test_response"
     ROLE = "response"
+    _LAYOUT = (("result", "I", None),)
 
     result: int
     """Failure flags, defined by each device. Zero means that every test passed.
@@ -183,6 +227,9 @@ class BuiltInTestResponse(Response):
       not known.
     - On the 3DM-GX5-15: values of `types.Gx5BuiltInTest`.
     """
+
+    def __init__(self, result: int) -> None:
+        self.result = result
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[BuiltInTestResponse, int]:
@@ -199,7 +246,6 @@ class BuiltInTestResponse(Response):
 _GPS_TIME_UPDATE_WEEK_NUMBER_RESPONSE_0 = codec.Block("I", "week_number")
 
 
-@dataclass(slots=True)
 class GpsTimeUpdateWeekNumberResponse(Response):
     """GPS time update, week number (0x01,0x84).
 
@@ -212,13 +258,20 @@ class GpsTimeUpdateWeekNumberResponse(Response):
     - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
     """
 
+    __slots__ = ("week_number",)
+    __match_args__ = ("week_number",)
+
     SET = 0x01
     DESCRIPTOR = 0x84
     NAME = "base.gps_time_update_week_number_response"
     ROLE = "response"
+    _LAYOUT = (("week_number", "I", None),)
 
     week_number: int
     """GPS week number. Unit: week."""
+
+    def __init__(self, week_number: int) -> None:
+        self.week_number = week_number
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GpsTimeUpdateWeekNumberResponse, int]:
@@ -235,7 +288,6 @@ class GpsTimeUpdateWeekNumberResponse(Response):
 _GPS_TIME_UPDATE_TOW_RESPONSE_0 = codec.Block("I", "tow")
 
 
-@dataclass(slots=True)
 class GpsTimeUpdateTowResponse(Response):
     """GPS time update, time of week (0x01,0x85).
 
@@ -248,13 +300,20 @@ class GpsTimeUpdateTowResponse(Response):
     - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
     """
 
+    __slots__ = ("tow",)
+    __match_args__ = ("tow",)
+
     SET = 0x01
     DESCRIPTOR = 0x85
     NAME = "base.gps_time_update_tow_response"
     ROLE = "response"
+    _LAYOUT = (("tow", "I", None),)
 
     tow: int
     """GPS time of week in whole seconds. Unit: s."""
+
+    def __init__(self, tow: int) -> None:
+        self.tow = tow
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GpsTimeUpdateTowResponse, int]:
@@ -268,7 +327,6 @@ class GpsTimeUpdateTowResponse(Response):
         return codec.finished(out)
 
 
-@dataclass(slots=True)
 class GetExtendedDescriptorsResponse(Response):
     """Get device descriptors (extended) response (0x01,0x86).
 
@@ -279,6 +337,9 @@ class GetExtendedDescriptorsResponse(Response):
     - 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07)
     """
 
+    __slots__ = ("descriptors",)
+    __match_args__ = ("descriptors",)
+
     SET = 0x01
     DESCRIPTOR = 0x86
     NAME = "base.get_extended_descriptors_response"
@@ -288,6 +349,9 @@ class GetExtendedDescriptorsResponse(Response):
     """Supported descriptors: the descriptor set in the high byte, the field descriptor in the low
     byte.
     """
+
+    def __init__(self, descriptors: tuple[int, ...]) -> None:
+        self.descriptors = descriptors
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetExtendedDescriptorsResponse, int]:
@@ -306,7 +370,6 @@ class GetExtendedDescriptorsResponse(Response):
 _CONTINUOUS_BUILT_IN_TEST_RESPONSE_0 = codec.Block("BBBBBBBBBBBBBBBB", *["result"] * 16)
 
 
-@dataclass(slots=True)
 class ContinuousBuiltInTestResponse(Response):
     """Continuous built-in test response (0x01,0x88).
 
@@ -316,10 +379,14 @@ class ContinuousBuiltInTestResponse(Response):
     - 3dm-cv7-gnss-ins: Continuous built-in test (0x01,0x08)
     """
 
+    __slots__ = ("result",)
+    __match_args__ = ("result",)
+
     SET = 0x01
     DESCRIPTOR = 0x88
     NAME = "base.continuous_built_in_test_response"
     ROLE = "response"
+    _LAYOUT = (("result", "BBBBBBBBBBBBBBBB", tuple),)
 
     result: tuple[int, ...]
     """Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the second
@@ -327,6 +394,9 @@ class ContinuousBuiltInTestResponse(Response):
 
     - On the 3DM-CV7-GNSS/INS: values of `types.Cv7ContinuousBuiltInTest`.
     """
+
+    def __init__(self, result: tuple[int, ...]) -> None:
+        self.result = result
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ContinuousBuiltInTestResponse, int]:
@@ -343,7 +413,6 @@ class ContinuousBuiltInTestResponse(Response):
 _COMM_SPEED_RESPONSE_0 = codec.Block("BI", "port", "baud")
 
 
-@dataclass(slots=True)
 class CommSpeedResponse(Response):
     """Comm port speed response (0x01,0x89).
 
@@ -352,15 +421,23 @@ class CommSpeedResponse(Response):
     - 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09)
     """
 
+    __slots__ = ("port", "baud")
+    __match_args__ = ("port", "baud")
+
     SET = 0x01
     DESCRIPTOR = 0x89
     NAME = "base.comm_speed_response"
     ROLE = "response"
+    _LAYOUT = (("port", "B", None), ("baud", "I", None))
 
     port: int
     """Port id of the device; 0 means all ports, and is for save, load and default only."""
     baud: int
     """Baud rate; one that the port supports. Unit: Bd."""
+
+    def __init__(self, port: int, baud: int) -> None:
+        self.port = port
+        self.baud = baud
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[CommSpeedResponse, int]:
@@ -375,7 +452,6 @@ class CommSpeedResponse(Response):
         return codec.finished(out)
 
 
-@dataclass(slots=True)
 class Ping(Command[None]):
     """Ping (0x01,0x01).
 
@@ -394,6 +470,8 @@ class Ping(Command[None]):
     - 3dm-cv7-gnss-ins: Ping (0x01,0x01)
     """
 
+    __slots__ = ()
+
     SET = 0x01
     DESCRIPTOR = 0x01
     NAME = "base.ping"
@@ -407,7 +485,6 @@ class Ping(Command[None]):
         return b""
 
 
-@dataclass(slots=True)
 class SetIdle(Command[None]):
     """Set to idle (0x01,0x02).
 
@@ -427,6 +504,8 @@ class SetIdle(Command[None]):
     - 3dm-cv7-gnss-ins: Set to idle (0x01,0x02)
     """
 
+    __slots__ = ()
+
     SET = 0x01
     DESCRIPTOR = 0x02
     NAME = "base.set_idle"
@@ -440,7 +519,6 @@ class SetIdle(Command[None]):
         return b""
 
 
-@dataclass(slots=True)
 class GetDeviceInfo(Command[GetDeviceInfoResponse]):
     """Get device information (0x01,0x03).
 
@@ -457,6 +535,8 @@ class GetDeviceInfo(Command[GetDeviceInfoResponse]):
     - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
     """
 
+    __slots__ = ()
+
     SET = 0x01
     DESCRIPTOR = 0x03
     NAME = "base.get_device_info"
@@ -471,7 +551,6 @@ class GetDeviceInfo(Command[GetDeviceInfoResponse]):
         return b""
 
 
-@dataclass(slots=True)
 class GetDeviceDescriptors(Command[GetDeviceDescriptorsResponse]):
     """Get device descriptors (0x01,0x04).
 
@@ -491,6 +570,8 @@ class GetDeviceDescriptors(Command[GetDeviceDescriptorsResponse]):
     - 3dm-cv7-gnss-ins: Get device descriptors (0x01,0x04)
     """
 
+    __slots__ = ()
+
     SET = 0x01
     DESCRIPTOR = 0x04
     NAME = "base.get_device_descriptors"
@@ -505,7 +586,6 @@ class GetDeviceDescriptors(Command[GetDeviceDescriptorsResponse]):
         return b""
 
 
-@dataclass(slots=True)
 class BuiltInTest(Command[BuiltInTestResponse]):
     """Built-in test (0x01,0x05).
 
@@ -525,6 +605,8 @@ class BuiltInTest(Command[BuiltInTestResponse]):
     - 3dm-cv7-gnss-ins: Commanded Built-in Test
     """
 
+    __slots__ = ()
+
     SET = 0x01
     DESCRIPTOR = 0x05
     NAME = "base.built_in_test"
@@ -540,7 +622,6 @@ class BuiltInTest(Command[BuiltInTestResponse]):
         return b""
 
 
-@dataclass(slots=True)
 class Resume(Command[None]):
     """Resume (0x01,0x06).
 
@@ -559,6 +640,8 @@ class Resume(Command[None]):
     - 3dm-cv7-gnss-ins: Resume (0x01,0x06)
     """
 
+    __slots__ = ()
+
     SET = 0x01
     DESCRIPTOR = 0x06
     NAME = "base.resume"
@@ -572,7 +655,6 @@ class Resume(Command[None]):
         return b""
 
 
-@dataclass(slots=True)
 class GetExtendedDescriptors(Command[GetExtendedDescriptorsResponse]):
     """Get device descriptors (extended) (0x01,0x07).
 
@@ -586,6 +668,8 @@ class GetExtendedDescriptors(Command[GetExtendedDescriptorsResponse]):
     - 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07)
     - 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07)
     """
+
+    __slots__ = ()
 
     SET = 0x01
     DESCRIPTOR = 0x07
@@ -601,7 +685,6 @@ class GetExtendedDescriptors(Command[GetExtendedDescriptorsResponse]):
         return b""
 
 
-@dataclass(slots=True)
 class ContinuousBuiltInTest(Command[ContinuousBuiltInTestResponse]):
     """Continuous built-in test (0x01,0x08).
 
@@ -616,6 +699,8 @@ class ContinuousBuiltInTest(Command[ContinuousBuiltInTestResponse]):
 
     - 3dm-cv7-gnss-ins: Continuous built-in test (0x01,0x08)
     """
+
+    __slots__ = ()
 
     SET = 0x01
     DESCRIPTOR = 0x08
@@ -637,7 +722,6 @@ _COMM_SPEED_2 = codec.Block("I", "baud")
 _COMM_SPEED_GROUPS = ((1, ("port",), False), (2, ("baud",), False))
 
 
-@dataclass(slots=True)
 class CommSpeed(Command[R]):
     """Comm port speed (0x01,0x09).
 
@@ -653,6 +737,9 @@ class CommSpeed(Command[R]):
     - 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09)
     """
 
+    __slots__ = ("function", "port", "baud")
+    __match_args__ = ("function", "port", "baud")
+
     SET = 0x01
     DESCRIPTOR = 0x09
     NAME = "base.comm_speed"
@@ -662,10 +749,17 @@ class CommSpeed(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    port: int | None = None
+    port: int | None
     """Port id of the device; 0 means all ports, and is for save, load and default only."""
-    baud: int | None = None
+    baud: int | None
     """Baud rate; one that the port supports. Unit: Bd. Required for `write`."""
+
+    def __init__(
+        self, function: FunctionSelector, port: int | None = None, baud: int | None = None
+    ) -> None:
+        self.function = function
+        self.port = port
+        self.baud = baud
 
     @classmethod
     def write(cls: ClassOf[CommSpeed[Any]], port: int, baud: int) -> CommSpeed[None]:
@@ -743,7 +837,6 @@ _GPS_TIME_UPDATE_2 = codec.Block("I", "value")
 _GPS_TIME_UPDATE_GROUPS = ((1, ("field_id",), False), (2, ("value",), False))
 
 
-@dataclass(slots=True)
 class GpsTimeUpdate(Command[R]):
     """GPS time update (0x01,0x72).
 
@@ -763,6 +856,9 @@ class GpsTimeUpdate(Command[R]):
     - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
     """
 
+    __slots__ = ("function", "field_id", "value")
+    __match_args__ = ("function", "field_id", "value")
+
     SET = 0x01
     DESCRIPTOR = 0x72
     NAME = "base.gps_time_update"
@@ -772,14 +868,24 @@ class GpsTimeUpdate(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    field_id: GpsTimeField | None = None
+    field_id: GpsTimeField | None
     """What the value is."""
-    value: int | None = None
+    value: int | None
     """What `field_id` says. Required for `write` and `apply`.
 
     - If `field_id` is `GpsTimeField.WEEK_NUMBER`: unit week. GPS week number since 6 January 1980.
     - If `field_id` is `GpsTimeField.TOW`: unit s. Whole seconds of the GPS week.
     """
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        field_id: GpsTimeField | None = None,
+        value: int | None = None,
+    ) -> None:
+        self.function = function
+        self.field_id = field_id
+        self.value = value
 
     @classmethod
     def write(
@@ -853,7 +959,6 @@ class GpsTimeUpdate(Command[R]):
         return codec.finished(out)
 
 
-@dataclass(slots=True)
 class SoftReset(Command[None]):
     """Reset device (0x01,0x7E).
 
@@ -865,6 +970,8 @@ class SoftReset(Command[None]):
     - 3dm-gx5-15: 4.1.9 Device Reset (0x01, 0x7E)
     - 3dm-cv7-gnss-ins: Reset device (0x01,0x7E)
     """
+
+    __slots__ = ()
 
     SET = 0x01
     DESCRIPTOR = 0x7E

@@ -30,10 +30,15 @@ class _Help(dict[str, str]):
         self._kind = kind
 
     def __getitem__(self, name: str) -> str:
-        try:
-            return self._kind.INFO[name].text
-        except (AttributeError, LookupError):
-            return ""
+        return help_of(self._kind, name)
+
+
+def help_of(kind: type[Described], name: str) -> str:
+    """The text of a parameter."""
+    try:
+        return kind.INFO[name].text
+    except (AttributeError, LookupError):  # of a class of the user's own
+        return ""
 
 
 class Described:
@@ -51,7 +56,8 @@ class Described:
         super().__init_subclass__(**arguments)
         slots = cls.__dict__.get("__slots__")
         if slots:
-            cls.__slots__ = _Help(cls, (slots,) if isinstance(slots, str) else slots)
+            names = (slots,) if isinstance(slots, str) else slots
+            cls.__slots__ = _Help(cls, names)  # type: ignore[assignment]
 
     def is_valid(self, name: str, device: str | None = None) -> bool:
         """Is a value valid according to its flags? One that nothing vouches for is.
@@ -111,4 +117,4 @@ class Described:
         return self.to_text()
 
 
-__all__ = ["Described"]
+__all__ = ["Described", "help_of"]

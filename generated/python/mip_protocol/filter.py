@@ -8,7 +8,6 @@ Commands that set up, start and aid the navigation filter.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
 from enum import IntFlag
 from typing import Any
 
@@ -304,7 +303,6 @@ class ReferencePoint(codec.OpenEnum):
 _VEHICLE_DYNAMICS_MODE_RESPONSE_0 = codec.Block("B", "mode")
 
 
-@dataclass(slots=True)
 class VehicleDynamicsModeResponse(Response):
     """Vehicle dynamics mode response (0x0D,0x80).
 
@@ -314,13 +312,20 @@ class VehicleDynamicsModeResponse(Response):
     - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
     """
 
+    __slots__ = ("mode",)
+    __match_args__ = ("mode",)
+
     SET = 0x0D
     DESCRIPTOR = 0x80
     NAME = "filter.vehicle_dynamics_mode_response"
     ROLE = "response"
+    _LAYOUT = (("mode", "B", DynamicsMode),)
 
     mode: DynamicsMode
     """Kind of vehicle."""
+
+    def __init__(self, mode: DynamicsMode) -> None:
+        self.mode = mode
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[VehicleDynamicsModeResponse, int]:
@@ -337,7 +342,6 @@ class VehicleDynamicsModeResponse(Response):
 _SENSOR_TO_VEHICLE_ROTATION_EULER_RESPONSE_0 = codec.Block("fff", "roll", "pitch", "yaw")
 
 
-@dataclass(slots=True)
 class SensorToVehicleRotationEulerResponse(Response):
     """Sensor to vehicle frame transformation response (0x0D,0x81).
 
@@ -346,10 +350,14 @@ class SensorToVehicleRotationEulerResponse(Response):
     - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
     """
 
+    __slots__ = ("roll", "pitch", "yaw")
+    __match_args__ = ("roll", "pitch", "yaw")
+
     SET = 0x0D
     DESCRIPTOR = 0x81
     NAME = "filter.sensor_to_vehicle_rotation_euler_response"
     ROLE = "response"
+    _LAYOUT = (("roll", "f", None), ("pitch", "f", None), ("yaw", "f", None))
 
     roll: float
     """Roll angle. Unit: rad."""
@@ -357,6 +365,11 @@ class SensorToVehicleRotationEulerResponse(Response):
     """Pitch angle. Unit: rad."""
     yaw: float
     """Yaw angle. Unit: rad."""
+
+    def __init__(self, roll: float, pitch: float, yaw: float) -> None:
+        self.roll = roll
+        self.pitch = pitch
+        self.yaw = yaw
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationEulerResponse, int]:
@@ -375,7 +388,6 @@ class SensorToVehicleRotationEulerResponse(Response):
 _SENSOR_TO_VEHICLE_OFFSET_RESPONSE_0 = codec.Block("fff", *["offset"] * 3)
 
 
-@dataclass(slots=True)
 class SensorToVehicleOffsetResponse(Response):
     """Sensor to vehicle offset response (0x0D,0x82).
 
@@ -385,32 +397,39 @@ class SensorToVehicleOffsetResponse(Response):
     - mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12)
     """
 
+    __slots__ = ("offset",)
+    __match_args__ = ("offset",)
+
     SET = 0x0D
     DESCRIPTOR = 0x82
     NAME = "filter.sensor_to_vehicle_offset_response"
     ROLE = "response"
+    _LAYOUT = (("offset", "fff", types.Vector3f),)
+    _VECTORS = {"offset": (types.Vector3f,)}
 
     offset: types.Vector3f
     """From the sensor to the origin of the vehicle frame. Elements: x, y, z. Unit: m. Frame:
     sensor. Range: magnitude at most 10.
     """
 
+    def __init__(self, offset: types.Vector3f | codec.Numbers) -> None:
+        self.offset = codec.vector(offset, types.Vector3f)
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleOffsetResponse, int]:
         v = _SENSOR_TO_VEHICLE_OFFSET_RESPONSE_0.read(raw, at)
         at += 12
-        offset = v[0:3]
+        offset = types.Vector3f._make(v[0:3])
         return cls(offset), at
 
     def _write(self) -> bytes:
-        out = _SENSOR_TO_VEHICLE_OFFSET_RESPONSE_0.write(*codec.exactly("offset", self.offset, 3))
+        out = _SENSOR_TO_VEHICLE_OFFSET_RESPONSE_0.write(*codec.elements("offset", self.offset, 3))
         return codec.finished(out)
 
 
 _ANTENNA_OFFSET_RESPONSE_0 = codec.Block("fff", *["offset"] * 3)
 
 
-@dataclass(slots=True)
 class AntennaOffsetResponse(Response):
     """GNSS antenna offset response (0x0D,0x83).
 
@@ -419,32 +438,39 @@ class AntennaOffsetResponse(Response):
     - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
     """
 
+    __slots__ = ("offset",)
+    __match_args__ = ("offset",)
+
     SET = 0x0D
     DESCRIPTOR = 0x83
     NAME = "filter.antenna_offset_response"
     ROLE = "response"
+    _LAYOUT = (("offset", "fff", types.Vector3f),)
+    _VECTORS = {"offset": (types.Vector3f,)}
 
     offset: types.Vector3f
     """From the sensor origin to the centre of the antenna. Elements: x, y, z. Unit: m. Frame:
     vehicle. Range: magnitude at most 10.
     """
 
+    def __init__(self, offset: types.Vector3f | codec.Numbers) -> None:
+        self.offset = codec.vector(offset, types.Vector3f)
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AntennaOffsetResponse, int]:
         v = _ANTENNA_OFFSET_RESPONSE_0.read(raw, at)
         at += 12
-        offset = v[0:3]
+        offset = types.Vector3f._make(v[0:3])
         return cls(offset), at
 
     def _write(self) -> bytes:
-        out = _ANTENNA_OFFSET_RESPONSE_0.write(*codec.exactly("offset", self.offset, 3))
+        out = _ANTENNA_OFFSET_RESPONSE_0.write(*codec.elements("offset", self.offset, 3))
         return codec.finished(out)
 
 
 _ESTIMATION_CONTROL_RESPONSE_0 = codec.Block("H", "flags")
 
 
-@dataclass(slots=True)
 class EstimationControlResponse(Response):
     """Estimation control flags response (0x0D,0x84).
 
@@ -455,13 +481,20 @@ class EstimationControlResponse(Response):
     - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
     """
 
+    __slots__ = ("flags",)
+    __match_args__ = ("flags",)
+
     SET = 0x0D
     DESCRIPTOR = 0x84
     NAME = "filter.estimation_control_response"
     ROLE = "response"
+    _LAYOUT = (("flags", "H", EstimatedStates),)
 
     flags: EstimatedStates
     """States to estimate."""
+
+    def __init__(self, flags: EstimatedStates) -> None:
+        self.flags = flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EstimationControlResponse, int]:
@@ -478,7 +511,6 @@ class EstimationControlResponse(Response):
 _GNSS_SOURCE_RESPONSE_0 = codec.Block("B", "source")
 
 
-@dataclass(slots=True)
 class GnssSourceResponse(Response):
     """GNSS aiding source response (0x0D,0x86).
 
@@ -487,13 +519,20 @@ class GnssSourceResponse(Response):
     - 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
     """
 
+    __slots__ = ("source",)
+    __match_args__ = ("source",)
+
     SET = 0x0D
     DESCRIPTOR = 0x86
     NAME = "filter.gnss_source_response"
     ROLE = "response"
+    _LAYOUT = (("source", "B", GnssAidingSource),)
 
     source: GnssAidingSource
     """Source of the GNSS data."""
+
+    def __init__(self, source: GnssAidingSource) -> None:
+        self.source = source
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssSourceResponse, int]:
@@ -510,7 +549,6 @@ class GnssSourceResponse(Response):
 _HEADING_SOURCE_RESPONSE_0 = codec.Block("B", "source")
 
 
-@dataclass(slots=True)
 class HeadingSourceResponse(Response):
     """Heading update control response (0x0D,0x87).
 
@@ -521,13 +559,20 @@ class HeadingSourceResponse(Response):
     - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
     """
 
+    __slots__ = ("source",)
+    __match_args__ = ("source",)
+
     SET = 0x0D
     DESCRIPTOR = 0x87
     NAME = "filter.heading_source_response"
     ROLE = "response"
+    _LAYOUT = (("source", "B", HeadingUpdateSource),)
 
     source: HeadingUpdateSource
     """Source of the heading."""
+
+    def __init__(self, source: HeadingUpdateSource) -> None:
+        self.source = source
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[HeadingSourceResponse, int]:
@@ -544,7 +589,6 @@ class HeadingSourceResponse(Response):
 _AUTO_INITIALIZATION_CONTROL_RESPONSE_0 = codec.Block("B", "enable")
 
 
-@dataclass(slots=True)
 class AutoInitializationControlResponse(Response):
     """Automatic initialization response (0x0D,0x88).
 
@@ -554,13 +598,20 @@ class AutoInitializationControlResponse(Response):
     - 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19)
     """
 
+    __slots__ = ("enable",)
+    __match_args__ = ("enable",)
+
     SET = 0x0D
     DESCRIPTOR = 0x88
     NAME = "filter.auto_initialization_control_response"
     ROLE = "response"
+    _LAYOUT = (("enable", "B", None),)
 
     enable: int
     """0 disables, 1 enables. Range: 0 to 1."""
+
+    def __init__(self, enable: int) -> None:
+        self.enable = enable
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AutoInitializationControlResponse, int]:
@@ -577,7 +628,6 @@ class AutoInitializationControlResponse(Response):
 _ACCEL_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
 
 
-@dataclass(slots=True)
 class AccelNoiseResponse(Response):
     """Accelerometer noise response (0x0D,0x89).
 
@@ -587,30 +637,37 @@ class AccelNoiseResponse(Response):
     - 3dm-gx5-15: 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A)
     """
 
+    __slots__ = ("noise",)
+    __match_args__ = ("noise",)
+
     SET = 0x0D
     DESCRIPTOR = 0x89
     NAME = "filter.accel_noise_response"
     ROLE = "response"
+    _LAYOUT = (("noise", "fff", types.Vector3f),)
+    _VECTORS = {"noise": (types.Vector3f,)}
 
     noise: types.Vector3f
     """Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. Range: greater than 0."""
+
+    def __init__(self, noise: types.Vector3f | codec.Numbers) -> None:
+        self.noise = codec.vector(noise, types.Vector3f)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AccelNoiseResponse, int]:
         v = _ACCEL_NOISE_RESPONSE_0.read(raw, at)
         at += 12
-        noise = v[0:3]
+        noise = types.Vector3f._make(v[0:3])
         return cls(noise), at
 
     def _write(self) -> bytes:
-        out = _ACCEL_NOISE_RESPONSE_0.write(*codec.exactly("noise", self.noise, 3))
+        out = _ACCEL_NOISE_RESPONSE_0.write(*codec.elements("noise", self.noise, 3))
         return codec.finished(out)
 
 
 _GYRO_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
 
 
-@dataclass(slots=True)
 class GyroNoiseResponse(Response):
     """Gyroscope noise response (0x0D,0x8A).
 
@@ -620,30 +677,37 @@ class GyroNoiseResponse(Response):
     - 3dm-gx5-15: 4.3.13 Gyroscope Noise Standard Deviation (0x0D, 0x1B)
     """
 
+    __slots__ = ("noise",)
+    __match_args__ = ("noise",)
+
     SET = 0x0D
     DESCRIPTOR = 0x8A
     NAME = "filter.gyro_noise_response"
     ROLE = "response"
+    _LAYOUT = (("noise", "fff", types.Vector3f),)
+    _VECTORS = {"noise": (types.Vector3f,)}
 
     noise: types.Vector3f
     """Standard deviation per axis. Elements: x, y, z. Unit: rad/s. Range: greater than 0."""
+
+    def __init__(self, noise: types.Vector3f | codec.Numbers) -> None:
+        self.noise = codec.vector(noise, types.Vector3f)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GyroNoiseResponse, int]:
         v = _GYRO_NOISE_RESPONSE_0.read(raw, at)
         at += 12
-        noise = v[0:3]
+        noise = types.Vector3f._make(v[0:3])
         return cls(noise), at
 
     def _write(self) -> bytes:
-        out = _GYRO_NOISE_RESPONSE_0.write(*codec.exactly("noise", self.noise, 3))
+        out = _GYRO_NOISE_RESPONSE_0.write(*codec.elements("noise", self.noise, 3))
         return codec.finished(out)
 
 
 _ACCEL_BIAS_MODEL_RESPONSE_0 = codec.Block("ffffff", *["beta"] * 3, *["noise"] * 3)
 
 
-@dataclass(slots=True)
 class AccelBiasModelResponse(Response):
     """Accelerometer bias model response (0x0D,0x8B).
 
@@ -652,10 +716,15 @@ class AccelBiasModelResponse(Response):
     - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
     """
 
+    __slots__ = ("beta", "noise")
+    __match_args__ = ("beta", "noise")
+
     SET = 0x0D
     DESCRIPTOR = 0x8B
     NAME = "filter.accel_bias_model_response"
     ROLE = "response"
+    _LAYOUT = (("beta", "fff", types.Vector3f), ("noise", "fff", types.Vector3f))
+    _VECTORS = {"beta": (types.Vector3f,), "noise": (types.Vector3f,)}
 
     beta: types.Vector3f
     """Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s."""
@@ -664,17 +733,23 @@ class AccelBiasModelResponse(Response):
     0.
     """
 
+    def __init__(
+        self, beta: types.Vector3f | codec.Numbers, noise: types.Vector3f | codec.Numbers
+    ) -> None:
+        self.beta = codec.vector(beta, types.Vector3f)
+        self.noise = codec.vector(noise, types.Vector3f)
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AccelBiasModelResponse, int]:
         v = _ACCEL_BIAS_MODEL_RESPONSE_0.read(raw, at)
         at += 24
-        beta = v[0:3]
-        noise = v[3:6]
+        beta = types.Vector3f._make(v[0:3])
+        noise = types.Vector3f._make(v[3:6])
         return cls(beta, noise), at
 
     def _write(self) -> bytes:
         out = _ACCEL_BIAS_MODEL_RESPONSE_0.write(
-            *codec.exactly("beta", self.beta, 3), *codec.exactly("noise", self.noise, 3)
+            *codec.elements("beta", self.beta, 3), *codec.elements("noise", self.noise, 3)
         )
         return codec.finished(out)
 
@@ -682,7 +757,6 @@ class AccelBiasModelResponse(Response):
 _GYRO_BIAS_MODEL_RESPONSE_0 = codec.Block("ffffff", *["beta"] * 3, *["noise"] * 3)
 
 
-@dataclass(slots=True)
 class GyroBiasModelResponse(Response):
     """Gyroscope bias model response (0x0D,0x8C).
 
@@ -692,10 +766,15 @@ class GyroBiasModelResponse(Response):
     - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
     """
 
+    __slots__ = ("beta", "noise")
+    __match_args__ = ("beta", "noise")
+
     SET = 0x0D
     DESCRIPTOR = 0x8C
     NAME = "filter.gyro_bias_model_response"
     ROLE = "response"
+    _LAYOUT = (("beta", "fff", types.Vector3f), ("noise", "fff", types.Vector3f))
+    _VECTORS = {"beta": (types.Vector3f,), "noise": (types.Vector3f,)}
 
     beta: types.Vector3f
     """Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s."""
@@ -704,17 +783,23 @@ class GyroBiasModelResponse(Response):
     0.
     """
 
+    def __init__(
+        self, beta: types.Vector3f | codec.Numbers, noise: types.Vector3f | codec.Numbers
+    ) -> None:
+        self.beta = codec.vector(beta, types.Vector3f)
+        self.noise = codec.vector(noise, types.Vector3f)
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GyroBiasModelResponse, int]:
         v = _GYRO_BIAS_MODEL_RESPONSE_0.read(raw, at)
         at += 24
-        beta = v[0:3]
-        noise = v[3:6]
+        beta = types.Vector3f._make(v[0:3])
+        noise = types.Vector3f._make(v[3:6])
         return cls(beta, noise), at
 
     def _write(self) -> bytes:
         out = _GYRO_BIAS_MODEL_RESPONSE_0.write(
-            *codec.exactly("beta", self.beta, 3), *codec.exactly("noise", self.noise, 3)
+            *codec.elements("beta", self.beta, 3), *codec.elements("noise", self.noise, 3)
         )
         return codec.finished(out)
 
@@ -722,7 +807,6 @@ class GyroBiasModelResponse(Response):
 _AUTO_ZUPT_RESPONSE_0 = codec.Block("Bf", "enable", "threshold")
 
 
-@dataclass(slots=True)
 class AutoZuptResponse(Response):
     """Automatic zero velocity update response (0x0D,0x8D).
 
@@ -732,15 +816,23 @@ class AutoZuptResponse(Response):
     - mip-sdk-4: Auto Zupt (0x0D,0x1E)
     """
 
+    __slots__ = ("enable", "threshold")
+    __match_args__ = ("enable", "threshold")
+
     SET = 0x0D
     DESCRIPTOR = 0x8D
     NAME = "filter.auto_zupt_response"
     ROLE = "response"
+    _LAYOUT = (("enable", "B", None), ("threshold", "f", None))
 
     enable: int
     """0 disables, 1 enables. Range: 0 to 1."""
     threshold: float
     """Largest speed that is taken as zero. Unit: m/s. Range: at least 0."""
+
+    def __init__(self, enable: int, threshold: float) -> None:
+        self.enable = enable
+        self.threshold = threshold
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AutoZuptResponse, int]:
@@ -758,7 +850,6 @@ class AutoZuptResponse(Response):
 _AUTO_ANGULAR_ZUPT_RESPONSE_0 = codec.Block("Bf", "enable", "threshold")
 
 
-@dataclass(slots=True)
 class AutoAngularZuptResponse(Response):
     """Zero angular rate update response (0x0D,0x8E).
 
@@ -769,15 +860,23 @@ class AutoAngularZuptResponse(Response):
     - 3dm-gx5-15: 4.3.15 Zero Angular Rate Update Control (0x0D, 0x20)
     """
 
+    __slots__ = ("enable", "threshold")
+    __match_args__ = ("enable", "threshold")
+
     SET = 0x0D
     DESCRIPTOR = 0x8E
     NAME = "filter.auto_angular_zupt_response"
     ROLE = "response"
+    _LAYOUT = (("enable", "B", None), ("threshold", "f", None))
 
     enable: int
     """0 disables, 1 enables. Range: 0 to 1."""
     threshold: float
     """Largest angular rate that is taken as zero. Unit: rad/s. Range: at least 0."""
+
+    def __init__(self, enable: int, threshold: float) -> None:
+        self.enable = enable
+        self.threshold = threshold
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AutoAngularZuptResponse, int]:
@@ -795,7 +894,6 @@ class AutoAngularZuptResponse(Response):
 _REFERENCE_POSITION_RESPONSE_0 = codec.Block("Bddd", "enable", "latitude", "longitude", "altitude")
 
 
-@dataclass(slots=True)
 class ReferencePositionResponse(Response):
     """Set reference position response (0x0D,0x90).
 
@@ -804,10 +902,19 @@ class ReferencePositionResponse(Response):
     - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
     """
 
+    __slots__ = ("enable", "latitude", "longitude", "altitude")
+    __match_args__ = ("enable", "latitude", "longitude", "altitude")
+
     SET = 0x0D
     DESCRIPTOR = 0x90
     NAME = "filter.reference_position_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("enable", "B", None),
+        ("latitude", "d", None),
+        ("longitude", "d", None),
+        ("altitude", "d", None),
+    )
 
     enable: int
     """0 disables, 1 enables. Range: 0 to 1."""
@@ -817,6 +924,12 @@ class ReferencePositionResponse(Response):
     """Longitude. Unit: deg. Frame: llh."""
     altitude: float
     """Altitude. Unit: m. Frame: llh."""
+
+    def __init__(self, enable: int, latitude: float, longitude: float, altitude: float) -> None:
+        self.enable = enable
+        self.latitude = latitude
+        self.longitude = longitude
+        self.altitude = altitude
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ReferencePositionResponse, int]:
@@ -838,7 +951,6 @@ class ReferencePositionResponse(Response):
 _GRAVITY_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
 
 
-@dataclass(slots=True)
 class GravityNoiseResponse(Response):
     """Gravity noise response (0x0D,0x93).
 
@@ -848,30 +960,37 @@ class GravityNoiseResponse(Response):
     - 3dm-gx5-15: 4.3.11 Gravity Noise Standard Deviation (0x0D, 0x28)
     """
 
+    __slots__ = ("noise",)
+    __match_args__ = ("noise",)
+
     SET = 0x0D
     DESCRIPTOR = 0x93
     NAME = "filter.gravity_noise_response"
     ROLE = "response"
+    _LAYOUT = (("noise", "fff", types.Vector3f),)
+    _VECTORS = {"noise": (types.Vector3f,)}
 
     noise: types.Vector3f
     """Standard deviation per axis. Elements: x, y, z. Unit: g. Range: greater than 0."""
+
+    def __init__(self, noise: types.Vector3f | codec.Numbers) -> None:
+        self.noise = codec.vector(noise, types.Vector3f)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GravityNoiseResponse, int]:
         v = _GRAVITY_NOISE_RESPONSE_0.read(raw, at)
         at += 12
-        noise = v[0:3]
+        noise = types.Vector3f._make(v[0:3])
         return cls(noise), at
 
     def _write(self) -> bytes:
-        out = _GRAVITY_NOISE_RESPONSE_0.write(*codec.exactly("noise", self.noise, 3))
+        out = _GRAVITY_NOISE_RESPONSE_0.write(*codec.elements("noise", self.noise, 3))
         return codec.finished(out)
 
 
 _PRESSURE_ALTITUDE_NOISE_RESPONSE_0 = codec.Block("f", "noise")
 
 
-@dataclass(slots=True)
 class PressureAltitudeNoiseResponse(Response):
     """Pressure altitude noise response (0x0D,0x94).
 
@@ -881,13 +1000,20 @@ class PressureAltitudeNoiseResponse(Response):
     - mip-sdk-4: Pressure Altitude Noise (0x0D,0x29)
     """
 
+    __slots__ = ("noise",)
+    __match_args__ = ("noise",)
+
     SET = 0x0D
     DESCRIPTOR = 0x94
     NAME = "filter.pressure_altitude_noise_response"
     ROLE = "response"
+    _LAYOUT = (("noise", "f", None),)
 
     noise: float
     """Standard deviation. Unit: m. Range: greater than 0."""
+
+    def __init__(self, noise: float) -> None:
+        self.noise = noise
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PressureAltitudeNoiseResponse, int]:
@@ -904,7 +1030,6 @@ class PressureAltitudeNoiseResponse(Response):
 _HARD_IRON_OFFSET_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
 
 
-@dataclass(slots=True)
 class HardIronOffsetNoiseResponse(Response):
     """Hard iron offset noise response (0x0D,0x96).
 
@@ -913,30 +1038,37 @@ class HardIronOffsetNoiseResponse(Response):
     - mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B)
     """
 
+    __slots__ = ("noise",)
+    __match_args__ = ("noise",)
+
     SET = 0x0D
     DESCRIPTOR = 0x96
     NAME = "filter.hard_iron_offset_noise_response"
     ROLE = "response"
+    _LAYOUT = (("noise", "fff", types.Vector3f),)
+    _VECTORS = {"noise": (types.Vector3f,)}
 
     noise: types.Vector3f
     """Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0."""
+
+    def __init__(self, noise: types.Vector3f | codec.Numbers) -> None:
+        self.noise = codec.vector(noise, types.Vector3f)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[HardIronOffsetNoiseResponse, int]:
         v = _HARD_IRON_OFFSET_NOISE_RESPONSE_0.read(raw, at)
         at += 12
-        noise = v[0:3]
+        noise = types.Vector3f._make(v[0:3])
         return cls(noise), at
 
     def _write(self) -> bytes:
-        out = _HARD_IRON_OFFSET_NOISE_RESPONSE_0.write(*codec.exactly("noise", self.noise, 3))
+        out = _HARD_IRON_OFFSET_NOISE_RESPONSE_0.write(*codec.elements("noise", self.noise, 3))
         return codec.finished(out)
 
 
 _SOFT_IRON_MATRIX_NOISE_RESPONSE_0 = codec.Block("fffffffff", *["noise"] * 9)
 
 
-@dataclass(slots=True)
 class SoftIronMatrixNoiseResponse(Response):
     """Soft iron matrix noise response (0x0D,0x97).
 
@@ -945,32 +1077,39 @@ class SoftIronMatrixNoiseResponse(Response):
     - mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C)
     """
 
+    __slots__ = ("noise",)
+    __match_args__ = ("noise",)
+
     SET = 0x0D
     DESCRIPTOR = 0x97
     NAME = "filter.soft_iron_matrix_noise_response"
     ROLE = "response"
+    _LAYOUT = (("noise", "fffffffff", types.Matrix3f),)
+    _VECTORS = {"noise": (types.Matrix3f,)}
 
     noise: types.Matrix3f
     """Standard deviation per element. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
     1. Range: greater than 0.
     """
 
+    def __init__(self, noise: types.Matrix3f | codec.Rows) -> None:
+        self.noise = codec.vector(noise, types.Matrix3f)
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SoftIronMatrixNoiseResponse, int]:
         v = _SOFT_IRON_MATRIX_NOISE_RESPONSE_0.read(raw, at)
         at += 36
-        noise = v[0:9]
+        noise = types.Matrix3f._make(v[0:9])
         return cls(noise), at
 
     def _write(self) -> bytes:
-        out = _SOFT_IRON_MATRIX_NOISE_RESPONSE_0.write(*codec.exactly("noise", self.noise, 9))
+        out = _SOFT_IRON_MATRIX_NOISE_RESPONSE_0.write(*codec.elements("noise", self.noise, 9))
         return codec.finished(out)
 
 
 _TARE_ORIENTATION_RESPONSE_0 = codec.Block("B", "axes")
 
 
-@dataclass(slots=True)
 class TareOrientationResponse(Response):
     """Tare orientation response (0x0D,0xA1).
 
@@ -981,13 +1120,20 @@ class TareOrientationResponse(Response):
     - mip-sdk-4: Tare Orientation (0x0D,0x21)
     """
 
+    __slots__ = ("axes",)
+    __match_args__ = ("axes",)
+
     SET = 0x0D
     DESCRIPTOR = 0xA1
     NAME = "filter.tare_orientation_response"
     ROLE = "response"
+    _LAYOUT = (("axes", "B", TareAxes),)
 
     axes: TareAxes
     """Axes to tare; 0 resets all axes."""
+
+    def __init__(self, axes: TareAxes) -> None:
+        self.axes = axes
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[TareOrientationResponse, int]:
@@ -1004,7 +1150,6 @@ class TareOrientationResponse(Response):
 _ENABLE_MEASUREMENTS_RESPONSE_0 = codec.Block("H", "control")
 
 
-@dataclass(slots=True)
 class EnableMeasurementsResponse(Response):
     """Enable or disable measurements response (0x0D,0xB0).
 
@@ -1013,13 +1158,20 @@ class EnableMeasurementsResponse(Response):
     - 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
     """
 
+    __slots__ = ("control",)
+    __match_args__ = ("control",)
+
     SET = 0x0D
     DESCRIPTOR = 0xB0
     NAME = "filter.enable_measurements_response"
     ROLE = "response"
+    _LAYOUT = (("control", "H", MeasurementFlags),)
 
     control: MeasurementFlags
     """Measurements to use."""
+
+    def __init__(self, control: MeasurementFlags) -> None:
+        self.control = control
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EnableMeasurementsResponse, int]:
@@ -1036,7 +1188,6 @@ class EnableMeasurementsResponse(Response):
 _MAG_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
 
 
-@dataclass(slots=True)
 class MagNoiseResponse(Response):
     """Magnetometer noise response (0x0D,0xB1).
 
@@ -1045,30 +1196,37 @@ class MagNoiseResponse(Response):
     - mip-sdk-4: Mag Noise (0x0D,0x42)
     """
 
+    __slots__ = ("noise",)
+    __match_args__ = ("noise",)
+
     SET = 0x0D
     DESCRIPTOR = 0xB1
     NAME = "filter.mag_noise_response"
     ROLE = "response"
+    _LAYOUT = (("noise", "fff", types.Vector3f),)
+    _VECTORS = {"noise": (types.Vector3f,)}
 
     noise: types.Vector3f
     """Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0."""
+
+    def __init__(self, noise: types.Vector3f | codec.Numbers) -> None:
+        self.noise = codec.vector(noise, types.Vector3f)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagNoiseResponse, int]:
         v = _MAG_NOISE_RESPONSE_0.read(raw, at)
         at += 12
-        noise = v[0:3]
+        noise = types.Vector3f._make(v[0:3])
         return cls(noise), at
 
     def _write(self) -> bytes:
-        out = _MAG_NOISE_RESPONSE_0.write(*codec.exactly("noise", self.noise, 3))
+        out = _MAG_NOISE_RESPONSE_0.write(*codec.elements("noise", self.noise, 3))
         return codec.finished(out)
 
 
 _MAGNETIC_DECLINATION_SOURCE_RESPONSE_0 = codec.Block("Bf", "source", "declination")
 
 
-@dataclass(slots=True)
 class MagneticDeclinationSourceResponse(Response):
     """Magnetic declination source response (0x0D,0xB2).
 
@@ -1078,15 +1236,23 @@ class MagneticDeclinationSourceResponse(Response):
     - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
     """
 
+    __slots__ = ("source", "declination")
+    __match_args__ = ("source", "declination")
+
     SET = 0x0D
     DESCRIPTOR = 0xB2
     NAME = "filter.magnetic_declination_source_response"
     ROLE = "response"
+    _LAYOUT = (("source", "B", MagParameterSource), ("declination", "f", None))
 
     source: MagParameterSource
     """Source of the declination."""
     declination: float
     """Declination; used only if `source` is manual. Unit: rad."""
+
+    def __init__(self, source: MagParameterSource, declination: float) -> None:
+        self.source = source
+        self.declination = declination
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagneticDeclinationSourceResponse, int]:
@@ -1113,7 +1279,6 @@ _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class AccelMagnitudeErrorAdaptiveMeasurementResponse(Response):
     """Gravity magnitude error adaptive measurement response (0x0D,0xB3).
 
@@ -1124,10 +1289,38 @@ class AccelMagnitudeErrorAdaptiveMeasurementResponse(Response):
     - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
     """
 
+    __slots__ = (
+        "adaptive_measurement",
+        "frequency",
+        "low_limit",
+        "high_limit",
+        "low_limit_uncertainty",
+        "high_limit_uncertainty",
+        "minimum_uncertainty",
+    )
+    __match_args__ = (
+        "adaptive_measurement",
+        "frequency",
+        "low_limit",
+        "high_limit",
+        "low_limit_uncertainty",
+        "high_limit_uncertainty",
+        "minimum_uncertainty",
+    )
+
     SET = 0x0D
     DESCRIPTOR = 0xB3
     NAME = "filter.accel_magnitude_error_adaptive_measurement_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("adaptive_measurement", "B", AdaptiveMeasurementSelector),
+        ("frequency", "f", None),
+        ("low_limit", "f", None),
+        ("high_limit", "f", None),
+        ("low_limit_uncertainty", "f", None),
+        ("high_limit_uncertainty", "f", None),
+        ("minimum_uncertainty", "f", None),
+    )
 
     adaptive_measurement: AdaptiveMeasurementSelector
     """Kind of adaptation."""
@@ -1143,6 +1336,24 @@ class AccelMagnitudeErrorAdaptiveMeasurementResponse(Response):
     """Standard deviation at the upper limit. Unit: m/s^2."""
     minimum_uncertainty: float
     """Smallest standard deviation. Unit: m/s^2."""
+
+    def __init__(
+        self,
+        adaptive_measurement: AdaptiveMeasurementSelector,
+        frequency: float,
+        low_limit: float,
+        high_limit: float,
+        low_limit_uncertainty: float,
+        high_limit_uncertainty: float,
+        minimum_uncertainty: float,
+    ) -> None:
+        self.adaptive_measurement = adaptive_measurement
+        self.frequency = frequency
+        self.low_limit = low_limit
+        self.high_limit = high_limit
+        self.low_limit_uncertainty = low_limit_uncertainty
+        self.high_limit_uncertainty = high_limit_uncertainty
+        self.minimum_uncertainty = minimum_uncertainty
 
     @classmethod
     def _read(
@@ -1192,7 +1403,6 @@ _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class MagMagnitudeErrorAdaptiveMeasurementResponse(Response):
     """Magnetometer magnitude error adaptive measurement response (0x0D,0xB4).
 
@@ -1203,10 +1413,38 @@ class MagMagnitudeErrorAdaptiveMeasurementResponse(Response):
     - mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
     """
 
+    __slots__ = (
+        "adaptive_measurement",
+        "frequency",
+        "low_limit",
+        "high_limit",
+        "low_limit_uncertainty",
+        "high_limit_uncertainty",
+        "minimum_uncertainty",
+    )
+    __match_args__ = (
+        "adaptive_measurement",
+        "frequency",
+        "low_limit",
+        "high_limit",
+        "low_limit_uncertainty",
+        "high_limit_uncertainty",
+        "minimum_uncertainty",
+    )
+
     SET = 0x0D
     DESCRIPTOR = 0xB4
     NAME = "filter.mag_magnitude_error_adaptive_measurement_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("adaptive_measurement", "B", AdaptiveMeasurementSelector),
+        ("frequency", "f", None),
+        ("low_limit", "f", None),
+        ("high_limit", "f", None),
+        ("low_limit_uncertainty", "f", None),
+        ("high_limit_uncertainty", "f", None),
+        ("minimum_uncertainty", "f", None),
+    )
 
     adaptive_measurement: AdaptiveMeasurementSelector
     """Kind of adaptation."""
@@ -1232,6 +1470,24 @@ class MagMagnitudeErrorAdaptiveMeasurementResponse(Response):
     """Smallest standard deviation. Unit: gauss. Uncertain: The unit. The SDK prints m/s^2; a manual
     of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
     """
+
+    def __init__(
+        self,
+        adaptive_measurement: AdaptiveMeasurementSelector,
+        frequency: float,
+        low_limit: float,
+        high_limit: float,
+        low_limit_uncertainty: float,
+        high_limit_uncertainty: float,
+        minimum_uncertainty: float,
+    ) -> None:
+        self.adaptive_measurement = adaptive_measurement
+        self.frequency = frequency
+        self.low_limit = low_limit
+        self.high_limit = high_limit
+        self.low_limit_uncertainty = low_limit_uncertainty
+        self.high_limit_uncertainty = high_limit_uncertainty
+        self.minimum_uncertainty = minimum_uncertainty
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagMagnitudeErrorAdaptiveMeasurementResponse, int]:
@@ -1272,7 +1528,6 @@ _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class MagDipAngleErrorAdaptiveMeasurementResponse(Response):
     """Magnetometer dip angle error adaptive measurement response (0x0D,0xB5).
 
@@ -1282,10 +1537,32 @@ class MagDipAngleErrorAdaptiveMeasurementResponse(Response):
     - mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
     """
 
+    __slots__ = (
+        "enable",
+        "frequency",
+        "high_limit",
+        "high_limit_uncertainty",
+        "minimum_uncertainty",
+    )
+    __match_args__ = (
+        "enable",
+        "frequency",
+        "high_limit",
+        "high_limit_uncertainty",
+        "minimum_uncertainty",
+    )
+
     SET = 0x0D
     DESCRIPTOR = 0xB5
     NAME = "filter.mag_dip_angle_error_adaptive_measurement_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("enable", "B", codec.truth),
+        ("frequency", "f", None),
+        ("high_limit", "f", None),
+        ("high_limit_uncertainty", "f", None),
+        ("minimum_uncertainty", "f", None),
+    )
 
     enable: bool
     """Whether the adaptation is on."""
@@ -1303,6 +1580,20 @@ class MagDipAngleErrorAdaptiveMeasurementResponse(Response):
     """Smallest standard deviation. Unit: rad. Uncertain: The unit. The SDK prints m/s^2; rad is
     inferred from the quantity.
     """
+
+    def __init__(
+        self,
+        enable: bool,
+        frequency: float,
+        high_limit: float,
+        high_limit_uncertainty: float,
+        minimum_uncertainty: float,
+    ) -> None:
+        self.enable = enable
+        self.frequency = frequency
+        self.high_limit = high_limit
+        self.high_limit_uncertainty = high_limit_uncertainty
+        self.minimum_uncertainty = minimum_uncertainty
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagDipAngleErrorAdaptiveMeasurementResponse, int]:
@@ -1329,7 +1620,6 @@ class MagDipAngleErrorAdaptiveMeasurementResponse(Response):
 _ALTITUDE_AIDING_RESPONSE_0 = codec.Block("B", "selector")
 
 
-@dataclass(slots=True)
 class AltitudeAidingResponse(Response):
     """Altitude aiding response (0x0D,0xB7).
 
@@ -1338,13 +1628,20 @@ class AltitudeAidingResponse(Response):
     - mip-sdk-4: Altitude Aiding (0x0D,0x47)
     """
 
+    __slots__ = ("selector",)
+    __match_args__ = ("selector",)
+
     SET = 0x0D
     DESCRIPTOR = 0xB7
     NAME = "filter.altitude_aiding_response"
     ROLE = "response"
+    _LAYOUT = (("selector", "B", AltitudeAidingSource),)
 
     selector: AltitudeAidingSource
     """Source of the aiding."""
+
+    def __init__(self, selector: AltitudeAidingSource) -> None:
+        self.selector = selector
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AltitudeAidingResponse, int]:
@@ -1361,7 +1658,6 @@ class AltitudeAidingResponse(Response):
 _PITCH_ROLL_AIDING_RESPONSE_0 = codec.Block("B", "aiding")
 
 
-@dataclass(slots=True)
 class PitchRollAidingResponse(Response):
     """Pitch and roll aiding response (0x0D,0xBB).
 
@@ -1370,13 +1666,20 @@ class PitchRollAidingResponse(Response):
     - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
     """
 
+    __slots__ = ("aiding",)
+    __match_args__ = ("aiding",)
+
     SET = 0x0D
     DESCRIPTOR = 0xBB
     NAME = "filter.pitch_roll_aiding_response"
     ROLE = "response"
+    _LAYOUT = (("aiding", "B", PitchRollAidingSource),)
 
     aiding: PitchRollAidingSource
     """Source of the aiding."""
+
+    def __init__(self, aiding: PitchRollAidingSource) -> None:
+        self.aiding = aiding
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PitchRollAidingResponse, int]:
@@ -1393,7 +1696,6 @@ class PitchRollAidingResponse(Response):
 _MAGNETIC_INCLINATION_SOURCE_RESPONSE_0 = codec.Block("Bf", "source", "inclination")
 
 
-@dataclass(slots=True)
 class MagneticInclinationSourceResponse(Response):
     """Magnetic inclination source response (0x0D,0xBC).
 
@@ -1403,10 +1705,14 @@ class MagneticInclinationSourceResponse(Response):
     - mip-sdk-4: Inclination Source (0x0D,0x4C)
     """
 
+    __slots__ = ("source", "inclination")
+    __match_args__ = ("source", "inclination")
+
     SET = 0x0D
     DESCRIPTOR = 0xBC
     NAME = "filter.magnetic_inclination_source_response"
     ROLE = "response"
+    _LAYOUT = (("source", "B", MagParameterSource), ("inclination", "f", None))
 
     source: MagParameterSource
     """Source of the inclination."""
@@ -1414,6 +1720,10 @@ class MagneticInclinationSourceResponse(Response):
     """Inclination; used only if `source` is manual. Unit: rad. Uncertain: Whether it may be left
     out if `source` is not manual. The SDK sends it always.
     """
+
+    def __init__(self, source: MagParameterSource, inclination: float) -> None:
+        self.source = source
+        self.inclination = inclination
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagneticInclinationSourceResponse, int]:
@@ -1431,7 +1741,6 @@ class MagneticInclinationSourceResponse(Response):
 _MAGNETIC_MAGNITUDE_SOURCE_RESPONSE_0 = codec.Block("Bf", "source", "magnitude")
 
 
-@dataclass(slots=True)
 class MagneticMagnitudeSourceResponse(Response):
     """Magnetic field magnitude source response (0x0D,0xBD).
 
@@ -1441,10 +1750,14 @@ class MagneticMagnitudeSourceResponse(Response):
     - mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D)
     """
 
+    __slots__ = ("source", "magnitude")
+    __match_args__ = ("source", "magnitude")
+
     SET = 0x0D
     DESCRIPTOR = 0xBD
     NAME = "filter.magnetic_magnitude_source_response"
     ROLE = "response"
+    _LAYOUT = (("source", "B", MagParameterSource), ("magnitude", "f", None))
 
     source: MagParameterSource
     """Source of the magnitude."""
@@ -1452,6 +1765,10 @@ class MagneticMagnitudeSourceResponse(Response):
     """Magnitude; used only if `source` is manual. Unit: gauss. Uncertain: Whether it may be left
     out if `source` is not manual. The SDK sends it always.
     """
+
+    def __init__(self, source: MagParameterSource, magnitude: float) -> None:
+        self.source = source
+        self.magnitude = magnitude
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagneticMagnitudeSourceResponse, int]:
@@ -1469,7 +1786,6 @@ class MagneticMagnitudeSourceResponse(Response):
 _SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_0 = codec.Block("fffffffff", *["dcm"] * 9)
 
 
-@dataclass(slots=True)
 class SensorToVehicleRotationDcmResponse(Response):
     """Sensor to vehicle rotation, matrix response (0x0D,0xBE).
 
@@ -1478,32 +1794,39 @@ class SensorToVehicleRotationDcmResponse(Response):
     - mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E)
     """
 
+    __slots__ = ("dcm",)
+    __match_args__ = ("dcm",)
+
     SET = 0x0D
     DESCRIPTOR = 0xBE
     NAME = "filter.sensor_to_vehicle_rotation_dcm_response"
     ROLE = "response"
+    _LAYOUT = (("dcm", "fffffffff", types.Matrix3f),)
+    _VECTORS = {"dcm": (types.Matrix3f,)}
 
     dcm: types.Matrix3f
     """Rotation matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
     Unit: 1.
     """
 
+    def __init__(self, dcm: types.Matrix3f | codec.Rows) -> None:
+        self.dcm = codec.vector(dcm, types.Matrix3f)
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationDcmResponse, int]:
         v = _SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_0.read(raw, at)
         at += 36
-        dcm = v[0:9]
+        dcm = types.Matrix3f._make(v[0:9])
         return cls(dcm), at
 
     def _write(self) -> bytes:
-        out = _SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_0.write(*codec.exactly("dcm", self.dcm, 9))
+        out = _SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_0.write(*codec.elements("dcm", self.dcm, 9))
         return codec.finished(out)
 
 
 _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE_0 = codec.Block("ffff", *["q"] * 4)
 
 
-@dataclass(slots=True)
 class SensorToVehicleRotationQuaternionResponse(Response):
     """Sensor to vehicle rotation, quaternion response (0x0D,0xBF).
 
@@ -1512,26 +1835,34 @@ class SensorToVehicleRotationQuaternionResponse(Response):
     - mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F)
     """
 
+    __slots__ = ("q",)
+    __match_args__ = ("q",)
+
     SET = 0x0D
     DESCRIPTOR = 0xBF
     NAME = "filter.sensor_to_vehicle_rotation_quaternion_response"
     ROLE = "response"
+    _LAYOUT = (("q", "ffff", types.Quatf),)
+    _VECTORS = {"q": (types.Quatf,)}
 
     q: types.Quatf
     """Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Range: magnitude 0.999 to
     1.001.
     """
 
+    def __init__(self, q: types.Quatf | codec.Numbers) -> None:
+        self.q = codec.vector(q, types.Quatf)
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationQuaternionResponse, int]:
         v = _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE_0.read(raw, at)
         at += 16
-        q = v[0:4]
+        q = types.Quatf._make(v[0:4])
         return cls(q), at
 
     def _write(self) -> bytes:
         out = _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE_0.write(
-            *codec.exactly("q", self.q, 4)
+            *codec.elements("q", self.q, 4)
         )
         return codec.finished(out)
 
@@ -1539,7 +1870,6 @@ class SensorToVehicleRotationQuaternionResponse(Response):
 _AIDING_MEASUREMENT_ENABLE_RESPONSE_0 = codec.Block("HB", "aiding_source", "enable")
 
 
-@dataclass(slots=True)
 class AidingMeasurementEnableResponse(Response):
     """Aiding measurement control response (0x0D,0xD0).
 
@@ -1549,15 +1879,23 @@ class AidingMeasurementEnableResponse(Response):
     - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
     """
 
+    __slots__ = ("aiding_source", "enable")
+    __match_args__ = ("aiding_source", "enable")
+
     SET = 0x0D
     DESCRIPTOR = 0xD0
     NAME = "filter.aiding_measurement_enable_response"
     ROLE = "response"
+    _LAYOUT = (("aiding_source", "H", AidingSource), ("enable", "B", codec.truth))
 
     aiding_source: AidingSource
     """The source; `all` is for save, load and default."""
     enable: bool
     """Whether the filter uses the source."""
+
+    def __init__(self, aiding_source: AidingSource, enable: bool) -> None:
+        self.aiding_source = aiding_source
+        self.enable = enable
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AidingMeasurementEnableResponse, int]:
@@ -1577,7 +1915,6 @@ _KINEMATIC_CONSTRAINT_RESPONSE_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class KinematicConstraintResponse(Response):
     """Kinematic constraint response (0x0D,0xD1).
 
@@ -1586,10 +1923,18 @@ class KinematicConstraintResponse(Response):
     - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
     """
 
+    __slots__ = ("accel_constraint", "velocity_constraint", "angular_constraint")
+    __match_args__ = ("accel_constraint", "velocity_constraint", "angular_constraint")
+
     SET = 0x0D
     DESCRIPTOR = 0xD1
     NAME = "filter.kinematic_constraint_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("accel_constraint", "B", AccelConstraint),
+        ("velocity_constraint", "B", VelocityConstraint),
+        ("angular_constraint", "B", AngularConstraint),
+    )
 
     accel_constraint: AccelConstraint
     """Assumption about the acceleration. Default: `AccelConstraint.NONE`."""
@@ -1597,6 +1942,16 @@ class KinematicConstraintResponse(Response):
     """Assumption about the velocity. Default: `VelocityConstraint.NONE`."""
     angular_constraint: AngularConstraint
     """Assumption about the angular rate. Default: `AngularConstraint.NONE`."""
+
+    def __init__(
+        self,
+        accel_constraint: AccelConstraint,
+        velocity_constraint: VelocityConstraint,
+        angular_constraint: AngularConstraint,
+    ) -> None:
+        self.accel_constraint = accel_constraint
+        self.velocity_constraint = velocity_constraint
+        self.angular_constraint = angular_constraint
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[KinematicConstraintResponse, int]:
@@ -1628,7 +1983,6 @@ _INITIALIZATION_CONFIG_RESPONSE_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class InitializationConfigResponse(Response):
     """Navigation filter initialization response (0x0D,0xD2).
 
@@ -1638,10 +1992,45 @@ class InitializationConfigResponse(Response):
     - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
     """
 
+    __slots__ = (
+        "wait_for_run_command",
+        "initial_condition_source",
+        "auto_heading_alignment_selector",
+        "initial_heading",
+        "initial_pitch",
+        "initial_roll",
+        "initial_position",
+        "initial_velocity",
+        "reference_frame_selector",
+    )
+    __match_args__ = (
+        "wait_for_run_command",
+        "initial_condition_source",
+        "auto_heading_alignment_selector",
+        "initial_heading",
+        "initial_pitch",
+        "initial_roll",
+        "initial_position",
+        "initial_velocity",
+        "reference_frame_selector",
+    )
+
     SET = 0x0D
     DESCRIPTOR = 0xD2
     NAME = "filter.initialization_config_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("wait_for_run_command", "B", None),
+        ("initial_condition_source", "B", InitialConditionSource),
+        ("auto_heading_alignment_selector", "B", HeadingAlignment),
+        ("initial_heading", "f", None),
+        ("initial_pitch", "f", None),
+        ("initial_roll", "f", None),
+        ("initial_position", "fff", types.Vector3f),
+        ("initial_velocity", "fff", types.Vector3f),
+        ("reference_frame_selector", "B", ReferenceFrame),
+    )
+    _VECTORS = {"initial_position": (types.Vector3f,), "initial_velocity": (types.Vector3f,)}
 
     wait_for_run_command: int
     """1: the filter starts only after `Run`; 0: as soon as it can. Range: 0 to 1."""
@@ -1670,6 +2059,28 @@ class InitializationConfigResponse(Response):
     reference_frame_selector: ReferenceFrame
     """Frame of the given position and velocity."""
 
+    def __init__(
+        self,
+        wait_for_run_command: int,
+        initial_condition_source: InitialConditionSource,
+        auto_heading_alignment_selector: HeadingAlignment,
+        initial_heading: float,
+        initial_pitch: float,
+        initial_roll: float,
+        initial_position: types.Vector3f | codec.Numbers,
+        initial_velocity: types.Vector3f | codec.Numbers,
+        reference_frame_selector: ReferenceFrame,
+    ) -> None:
+        self.wait_for_run_command = wait_for_run_command
+        self.initial_condition_source = initial_condition_source
+        self.auto_heading_alignment_selector = auto_heading_alignment_selector
+        self.initial_heading = initial_heading
+        self.initial_pitch = initial_pitch
+        self.initial_roll = initial_roll
+        self.initial_position = codec.vector(initial_position, types.Vector3f)
+        self.initial_velocity = codec.vector(initial_velocity, types.Vector3f)
+        self.reference_frame_selector = reference_frame_selector
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[InitializationConfigResponse, int]:
         v = _INITIALIZATION_CONFIG_RESPONSE_0.read(raw, at)
@@ -1680,8 +2091,8 @@ class InitializationConfigResponse(Response):
         initial_heading = v[3]
         initial_pitch = v[4]
         initial_roll = v[5]
-        initial_position = v[6:9]
-        initial_velocity = v[9:12]
+        initial_position = types.Vector3f._make(v[6:9])
+        initial_velocity = types.Vector3f._make(v[9:12])
         reference_frame_selector = ReferenceFrame(v[12])
         return cls(
             wait_for_run_command,
@@ -1703,8 +2114,8 @@ class InitializationConfigResponse(Response):
             self.initial_heading,
             self.initial_pitch,
             self.initial_roll,
-            *codec.exactly("initial_position", self.initial_position, 3),
-            *codec.exactly("initial_velocity", self.initial_velocity, 3),
+            *codec.elements("initial_position", self.initial_position, 3),
+            *codec.elements("initial_velocity", self.initial_velocity, 3),
             self.reference_frame_selector,
         )
         return codec.finished(out)
@@ -1713,7 +2124,6 @@ class InitializationConfigResponse(Response):
 _ADAPTIVE_FILTER_OPTIONS_RESPONSE_0 = codec.Block("BH", "level", "time_limit")
 
 
-@dataclass(slots=True)
 class AdaptiveFilterOptionsResponse(Response):
     """Adaptive filter control response (0x0D,0xD3).
 
@@ -1722,15 +2132,23 @@ class AdaptiveFilterOptionsResponse(Response):
     - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
     """
 
+    __slots__ = ("level", "time_limit")
+    __match_args__ = ("level", "time_limit")
+
     SET = 0x0D
     DESCRIPTOR = 0xD3
     NAME = "filter.adaptive_filter_options_response"
     ROLE = "response"
+    _LAYOUT = (("level", "B", AdaptiveLevel), ("time_limit", "H", None))
 
     level: AdaptiveLevel
     """Strength of the adaptation. Default: 2."""
     time_limit: int
     """Longest time for which measurements are rejected before the filter recovers. Unit: ms."""
+
+    def __init__(self, level: AdaptiveLevel, time_limit: int) -> None:
+        self.level = level
+        self.time_limit = time_limit
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AdaptiveFilterOptionsResponse, int]:
@@ -1748,7 +2166,6 @@ class AdaptiveFilterOptionsResponse(Response):
 _MULTI_ANTENNA_OFFSET_RESPONSE_0 = codec.Block("Bfff", "receiver_id", *["antenna_offset"] * 3)
 
 
-@dataclass(slots=True)
 class MultiAntennaOffsetResponse(Response):
     """GNSS multi-antenna offset response (0x0D,0xD4).
 
@@ -1757,10 +2174,15 @@ class MultiAntennaOffsetResponse(Response):
     - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
     """
 
+    __slots__ = ("receiver_id", "antenna_offset")
+    __match_args__ = ("receiver_id", "antenna_offset")
+
     SET = 0x0D
     DESCRIPTOR = 0xD4
     NAME = "filter.multi_antenna_offset_response"
     ROLE = "response"
+    _LAYOUT = (("receiver_id", "B", None), ("antenna_offset", "fff", types.Vector3f))
+    _VECTORS = {"antenna_offset": (types.Vector3f,)}
 
     receiver_id: int
     """Number of the receiver, from 1. Range: at least 1."""
@@ -1769,17 +2191,21 @@ class MultiAntennaOffsetResponse(Response):
     at most 10.
     """
 
+    def __init__(self, receiver_id: int, antenna_offset: types.Vector3f | codec.Numbers) -> None:
+        self.receiver_id = receiver_id
+        self.antenna_offset = codec.vector(antenna_offset, types.Vector3f)
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MultiAntennaOffsetResponse, int]:
         v = _MULTI_ANTENNA_OFFSET_RESPONSE_0.read(raw, at)
         at += 13
         receiver_id = v[0]
-        antenna_offset = v[1:4]
+        antenna_offset = types.Vector3f._make(v[1:4])
         return cls(receiver_id, antenna_offset), at
 
     def _write(self) -> bytes:
         out = _MULTI_ANTENNA_OFFSET_RESPONSE_0.write(
-            self.receiver_id, *codec.exactly("antenna_offset", self.antenna_offset, 3)
+            self.receiver_id, *codec.elements("antenna_offset", self.antenna_offset, 3)
         )
         return codec.finished(out)
 
@@ -1789,7 +2215,6 @@ _RELATIVE_POSITION_CONFIG_RESPONSE_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class RelativePositionConfigResponse(Response):
     """Relative position configuration response (0x0D,0xD5).
 
@@ -1799,10 +2224,19 @@ class RelativePositionConfigResponse(Response):
     - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
     """
 
+    __slots__ = ("source", "reference_frame_selector", "reference_coordinates")
+    __match_args__ = ("source", "reference_frame_selector", "reference_coordinates")
+
     SET = 0x0D
     DESCRIPTOR = 0xD5
     NAME = "filter.relative_position_config_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("source", "B", RelativePositionSource),
+        ("reference_frame_selector", "B", ReferenceFrame),
+        ("reference_coordinates", "ddd", types.Vector3d),
+    )
+    _VECTORS = {"reference_coordinates": (types.Vector3d,)}
 
     source: RelativePositionSource
     """Source of the reference point."""
@@ -1815,20 +2249,30 @@ class RelativePositionConfigResponse(Response):
     - If `reference_frame_selector` is `ReferenceFrame.LLH`: unit deg, deg, m; frame llh.
     """
 
+    def __init__(
+        self,
+        source: RelativePositionSource,
+        reference_frame_selector: ReferenceFrame,
+        reference_coordinates: types.Vector3d | codec.Numbers,
+    ) -> None:
+        self.source = source
+        self.reference_frame_selector = reference_frame_selector
+        self.reference_coordinates = codec.vector(reference_coordinates, types.Vector3d)
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[RelativePositionConfigResponse, int]:
         v = _RELATIVE_POSITION_CONFIG_RESPONSE_0.read(raw, at)
         at += 26
         source = RelativePositionSource(v[0])
         reference_frame_selector = ReferenceFrame(v[1])
-        reference_coordinates = v[2:5]
+        reference_coordinates = types.Vector3d._make(v[2:5])
         return cls(source, reference_frame_selector, reference_coordinates), at
 
     def _write(self) -> bytes:
         out = _RELATIVE_POSITION_CONFIG_RESPONSE_0.write(
             self.source,
             self.reference_frame_selector,
-            *codec.exactly("reference_coordinates", self.reference_coordinates, 3),
+            *codec.elements("reference_coordinates", self.reference_coordinates, 3),
         )
         return codec.finished(out)
 
@@ -1838,7 +2282,6 @@ _REFERENCE_POINT_LEVER_ARM_RESPONSE_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class ReferencePointLeverArmResponse(Response):
     """Reference point lever arm response (0x0D,0xD6).
 
@@ -1848,10 +2291,18 @@ class ReferencePointLeverArmResponse(Response):
     - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
     """
 
+    __slots__ = ("reference_point", "lever_arm_offset")
+    __match_args__ = ("reference_point", "lever_arm_offset")
+
     SET = 0x0D
     DESCRIPTOR = 0xD6
     NAME = "filter.reference_point_lever_arm_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("reference_point", "B", ReferencePoint),
+        ("lever_arm_offset", "fff", types.Vector3f),
+    )
+    _VECTORS = {"lever_arm_offset": (types.Vector3f,)}
 
     reference_point: ReferencePoint
     """Point to move; it must be 1."""
@@ -1860,17 +2311,23 @@ class ReferencePointLeverArmResponse(Response):
     most 10.
     """
 
+    def __init__(
+        self, reference_point: ReferencePoint, lever_arm_offset: types.Vector3f | codec.Numbers
+    ) -> None:
+        self.reference_point = reference_point
+        self.lever_arm_offset = codec.vector(lever_arm_offset, types.Vector3f)
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ReferencePointLeverArmResponse, int]:
         v = _REFERENCE_POINT_LEVER_ARM_RESPONSE_0.read(raw, at)
         at += 13
         reference_point = ReferencePoint(v[0])
-        lever_arm_offset = v[1:4]
+        lever_arm_offset = types.Vector3f._make(v[1:4])
         return cls(reference_point, lever_arm_offset), at
 
     def _write(self) -> bytes:
         out = _REFERENCE_POINT_LEVER_ARM_RESPONSE_0.write(
-            self.reference_point, *codec.exactly("lever_arm_offset", self.lever_arm_offset, 3)
+            self.reference_point, *codec.elements("lever_arm_offset", self.lever_arm_offset, 3)
         )
         return codec.finished(out)
 
@@ -1878,7 +2335,6 @@ class ReferencePointLeverArmResponse(Response):
 _SPEED_LEVER_ARM_RESPONSE_0 = codec.Block("Bfff", "source", *["lever_arm_offset"] * 3)
 
 
-@dataclass(slots=True)
 class SpeedLeverArmResponse(Response):
     """Speed measurement lever arm response (0x0D,0xE1).
 
@@ -1887,27 +2343,38 @@ class SpeedLeverArmResponse(Response):
     - 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61)
     """
 
+    __slots__ = ("source", "lever_arm_offset")
+    __match_args__ = ("lever_arm_offset",)
+
     SET = 0x0D
     DESCRIPTOR = 0xE1
     NAME = "filter.speed_lever_arm_response"
     ROLE = "response"
+    _LAYOUT = (("source", "B", None), ("lever_arm_offset", "fff", types.Vector3f))
+    _VECTORS = {"lever_arm_offset": (types.Vector3f,)}
 
-    source: int = field(default=1, kw_only=True)
+    source: int
     """Reserved."""
     lever_arm_offset: types.Vector3f
     """From the sensor to the point of measurement. Elements: x, y, z. Unit: m. Frame: vehicle."""
+
+    def __init__(
+        self, lever_arm_offset: types.Vector3f | codec.Numbers, *, source: int = 1
+    ) -> None:
+        self.source = source
+        self.lever_arm_offset = codec.vector(lever_arm_offset, types.Vector3f)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SpeedLeverArmResponse, int]:
         v = _SPEED_LEVER_ARM_RESPONSE_0.read(raw, at)
         at += 13
         source = v[0]
-        lever_arm_offset = v[1:4]
+        lever_arm_offset = types.Vector3f._make(v[1:4])
         return cls(lever_arm_offset, source=source), at
 
     def _write(self) -> bytes:
         out = _SPEED_LEVER_ARM_RESPONSE_0.write(
-            self.source, *codec.exactly("lever_arm_offset", self.lever_arm_offset, 3)
+            self.source, *codec.elements("lever_arm_offset", self.lever_arm_offset, 3)
         )
         return codec.finished(out)
 
@@ -1915,7 +2382,6 @@ class SpeedLeverArmResponse(Response):
 _VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE_0 = codec.Block("B", "enable")
 
 
-@dataclass(slots=True)
 class VerticalGyroConstraintControlResponse(Response):
     """Vertical gyro constraint response (0x0D,0xE2).
 
@@ -1924,13 +2390,20 @@ class VerticalGyroConstraintControlResponse(Response):
     - mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62)
     """
 
+    __slots__ = ("enable",)
+    __match_args__ = ("enable",)
+
     SET = 0x0D
     DESCRIPTOR = 0xE2
     NAME = "filter.vertical_gyro_constraint_control_response"
     ROLE = "response"
+    _LAYOUT = (("enable", "B", None),)
 
     enable: int
     """0 disables, 1 enables. Range: 0 to 1."""
+
+    def __init__(self, enable: int) -> None:
+        self.enable = enable
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[VerticalGyroConstraintControlResponse, int]:
@@ -1947,7 +2420,6 @@ class VerticalGyroConstraintControlResponse(Response):
 _WHEELED_VEHICLE_CONSTRAINT_CONTROL_RESPONSE_0 = codec.Block("B", "enable")
 
 
-@dataclass(slots=True)
 class WheeledVehicleConstraintControlResponse(Response):
     """Wheeled vehicle constraint response (0x0D,0xE3).
 
@@ -1956,13 +2428,20 @@ class WheeledVehicleConstraintControlResponse(Response):
     - 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63)
     """
 
+    __slots__ = ("enable",)
+    __match_args__ = ("enable",)
+
     SET = 0x0D
     DESCRIPTOR = 0xE3
     NAME = "filter.wheeled_vehicle_constraint_control_response"
     ROLE = "response"
+    _LAYOUT = (("enable", "B", None),)
 
     enable: int
     """0 disables, 1 enables. Range: 0 to 1."""
+
+    def __init__(self, enable: int) -> None:
+        self.enable = enable
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[WheeledVehicleConstraintControlResponse, int]:
@@ -1979,7 +2458,6 @@ class WheeledVehicleConstraintControlResponse(Response):
 _GNSS_ANTENNA_CALIBRATION_CONTROL_RESPONSE_0 = codec.Block("Bf", "enable", "max_offset")
 
 
-@dataclass(slots=True)
 class GnssAntennaCalibrationControlResponse(Response):
     """GNSS antenna offset calibration response (0x0D,0xE4).
 
@@ -1990,10 +2468,14 @@ class GnssAntennaCalibrationControlResponse(Response):
     - 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration
     """
 
+    __slots__ = ("enable", "max_offset")
+    __match_args__ = ("enable", "max_offset")
+
     SET = 0x0D
     DESCRIPTOR = 0xE4
     NAME = "filter.gnss_antenna_calibration_control_response"
     ROLE = "response"
+    _LAYOUT = (("enable", "B", None), ("max_offset", "f", None))
 
     enable: int
     """0 disables, 1 enables. Range: 0 to 1."""
@@ -2001,6 +2483,10 @@ class GnssAntennaCalibrationControlResponse(Response):
     """Largest absolute error that is tracked; the limits are those of the 3DM-CV7. Unit: m. Frame:
     vehicle. Range: 0 to 0.5. Default: 0.1.
     """
+
+    def __init__(self, enable: int, max_offset: float) -> None:
+        self.enable = enable
+        self.max_offset = max_offset
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssAntennaCalibrationControlResponse, int]:
@@ -2015,7 +2501,6 @@ class GnssAntennaCalibrationControlResponse(Response):
         return codec.finished(out)
 
 
-@dataclass(slots=True)
 class Reset(Command[None]):
     """Reset navigation filter (0x0D,0x01).
 
@@ -2031,6 +2516,8 @@ class Reset(Command[None]):
     - 3dm-cv7-gnss-ins: Reset Navigation Filter (0x0D,0x01)
     - 3dm-gx5-15: 4.3.1 Reset Filter (0x0D, 0x01)
     """
+
+    __slots__ = ()
 
     SET = 0x0D
     DESCRIPTOR = 0x01
@@ -2048,7 +2535,6 @@ class Reset(Command[None]):
 _SET_INITIAL_ATTITUDE_0 = codec.Block("fff", "roll", "pitch", "heading")
 
 
-@dataclass(slots=True)
 class SetInitialAttitude(Command[None]):
     """Set initial attitude (0x0D,0x02).
 
@@ -2061,10 +2547,14 @@ class SetInitialAttitude(Command[None]):
     - 3dm-gx5-15: 4.3.2 Set Initial Attitude (0x0D, 0x02)
     """
 
+    __slots__ = ("roll", "pitch", "heading")
+    __match_args__ = ("roll", "pitch", "heading")
+
     SET = 0x0D
     DESCRIPTOR = 0x02
     NAME = "filter.set_initial_attitude"
     ROLE = "command"
+    _LAYOUT = (("roll", "f", None), ("pitch", "f", None), ("heading", "f", None))
 
     roll: float
     """Roll angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793."""
@@ -2073,6 +2563,11 @@ class SetInitialAttitude(Command[None]):
     heading: float
     """Heading (yaw) angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
     """
+
+    def __init__(self, roll: float, pitch: float, heading: float) -> None:
+        self.roll = roll
+        self.pitch = pitch
+        self.heading = heading
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SetInitialAttitude, int]:
@@ -2091,7 +2586,6 @@ class SetInitialAttitude(Command[None]):
 _SET_INITIAL_HEADING_0 = codec.Block("f", "heading")
 
 
-@dataclass(slots=True)
 class SetInitialHeading(Command[None]):
     """Set initial heading (0x0D,0x03).
 
@@ -2107,13 +2601,20 @@ class SetInitialHeading(Command[None]):
     - 3dm-gx5-15: 4.3.3 Set Initial Heading (0x0D, 0x03)
     """
 
+    __slots__ = ("heading",)
+    __match_args__ = ("heading",)
+
     SET = 0x0D
     DESCRIPTOR = 0x03
     NAME = "filter.set_initial_heading"
     ROLE = "command"
+    _LAYOUT = (("heading", "f", None),)
 
     heading: float
     """Initial heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793."""
+
+    def __init__(self, heading: float) -> None:
+        self.heading = heading
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SetInitialHeading, int]:
@@ -2127,7 +2628,6 @@ class SetInitialHeading(Command[None]):
         return codec.finished(out)
 
 
-@dataclass(slots=True)
 class Run(Command[None]):
     """Run navigation filter (0x0D,0x05).
 
@@ -2140,6 +2640,8 @@ class Run(Command[None]):
 
     - 3dm-cv7-gnss-ins: Run Navigation Filter (0x0D,0x05)
     """
+
+    __slots__ = ()
 
     SET = 0x0D
     DESCRIPTOR = 0x05
@@ -2159,7 +2661,6 @@ _VEHICLE_DYNAMICS_MODE_1 = codec.Block("B", "mode")
 _VEHICLE_DYNAMICS_MODE_GROUPS = ((1, ("mode",), False),)
 
 
-@dataclass(slots=True)
 class VehicleDynamicsMode(Command[R]):
     """Vehicle dynamics mode (0x0D,0x10).
 
@@ -2172,6 +2673,9 @@ class VehicleDynamicsMode(Command[R]):
     - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
     """
 
+    __slots__ = ("function", "mode")
+    __match_args__ = ("function", "mode")
+
     SET = 0x0D
     DESCRIPTOR = 0x10
     NAME = "filter.vehicle_dynamics_mode"
@@ -2181,12 +2685,16 @@ class VehicleDynamicsMode(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    mode: DynamicsMode | None = None
+    mode: DynamicsMode | None
     """Kind of vehicle. Required for `write`.
 
     - On the 3DM-GX3-45: only `DynamicsMode.PORTABLE`, `DynamicsMode.AUTOMOTIVE` and
       `DynamicsMode.AIRBORNE`.
     """
+
+    def __init__(self, function: FunctionSelector, mode: DynamicsMode | None = None) -> None:
+        self.function = function
+        self.mode = mode
 
     @classmethod
     def write(
@@ -2264,7 +2772,6 @@ _SENSOR_TO_VEHICLE_ROTATION_EULER_GROUPS = (
 )
 
 
-@dataclass(slots=True)
 class SensorToVehicleRotationEuler(Command[R]):
     """Sensor to vehicle frame transformation (0x0D,0x11).
 
@@ -2281,6 +2788,9 @@ class SensorToVehicleRotationEuler(Command[R]):
     - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
     """
 
+    __slots__ = ("function", "roll", "pitch", "yaw")
+    __match_args__ = ("function", "roll", "pitch", "yaw")
+
     SET = 0x0D
     DESCRIPTOR = 0x11
     NAME = "filter.sensor_to_vehicle_rotation_euler"
@@ -2290,12 +2800,24 @@ class SensorToVehicleRotationEuler(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    roll: float | None = None
+    roll: float | None
     """Roll angle. Unit: rad. Required for `write`."""
-    pitch: float | None = None
+    pitch: float | None
     """Pitch angle. Unit: rad. Required for `write`."""
-    yaw: float | None = None
+    yaw: float | None
     """Yaw angle. Unit: rad. Required for `write`."""
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        roll: float | None = None,
+        pitch: float | None = None,
+        yaw: float | None = None,
+    ) -> None:
+        self.function = function
+        self.roll = roll
+        self.pitch = pitch
+        self.yaw = yaw
 
     @classmethod
     def write(
@@ -2387,7 +2909,6 @@ _SENSOR_TO_VEHICLE_OFFSET_1 = codec.Block("fff", *["offset"] * 3)
 _SENSOR_TO_VEHICLE_OFFSET_GROUPS = ((1, ("offset",), False),)
 
 
-@dataclass(slots=True)
 class SensorToVehicleOffset(Command[R]):
     """Sensor to vehicle offset (0x0D,0x12).
 
@@ -2404,23 +2925,33 @@ class SensorToVehicleOffset(Command[R]):
     - mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12)
     """
 
+    __slots__ = ("function", "offset")
+    __match_args__ = ("function", "offset")
+
     SET = 0x0D
     DESCRIPTOR = 0x12
     NAME = "filter.sensor_to_vehicle_offset"
     ROLE = "command"
     RESPONSES = (SensorToVehicleOffsetResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _VECTORS = {"offset": (types.Vector3f,)}
 
     function: FunctionSelector
     """What to do with the setting."""
-    offset: types.Vector3f | None = None
+    offset: types.Vector3f | None
     """From the sensor to the origin of the vehicle frame. Elements: x, y, z. Unit: m. Frame:
     sensor. Range: magnitude at most 10. Required for `write`.
     """
 
+    def __init__(
+        self, function: FunctionSelector, offset: types.Vector3f | None | codec.Numbers = None
+    ) -> None:
+        self.function = function
+        self.offset = codec.vector(offset, types.Vector3f)
+
     @classmethod
     def write(
-        cls: ClassOf[SensorToVehicleOffset[Any]], offset: types.Vector3f
+        cls: ClassOf[SensorToVehicleOffset[Any]], offset: types.Vector3f | codec.Numbers
     ) -> SensorToVehicleOffset[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, offset=offset)
@@ -2466,7 +2997,7 @@ class SensorToVehicleOffset(Command[R]):
                 raise Truncated(1, 0)
             v = _SENSOR_TO_VEHICLE_OFFSET_1.read(raw, at)
             at += 12
-            offset = v[0:3]
+            offset = types.Vector3f._make(v[0:3])
             done, end = 1, at
         except Truncated:
             if done < required:
@@ -2479,7 +3010,7 @@ class SensorToVehicleOffset(Command[R]):
         required = self.REQUIRED.get(self.function, 0)
         there = codec.present(self, required, _SENSOR_TO_VEHICLE_OFFSET_GROUPS)
         if there >= 1:
-            out += _SENSOR_TO_VEHICLE_OFFSET_1.write(*codec.exactly("offset", self.offset, 3))
+            out += _SENSOR_TO_VEHICLE_OFFSET_1.write(*codec.elements("offset", self.offset, 3))
         return codec.finished(out)
 
 
@@ -2488,7 +3019,6 @@ _ANTENNA_OFFSET_1 = codec.Block("fff", *["offset"] * 3)
 _ANTENNA_OFFSET_GROUPS = ((1, ("offset",), False),)
 
 
-@dataclass(slots=True)
 class AntennaOffset(Command[R]):
     """GNSS antenna offset (0x0D,0x13).
 
@@ -2504,22 +3034,34 @@ class AntennaOffset(Command[R]):
     - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
     """
 
+    __slots__ = ("function", "offset")
+    __match_args__ = ("function", "offset")
+
     SET = 0x0D
     DESCRIPTOR = 0x13
     NAME = "filter.antenna_offset"
     ROLE = "command"
     RESPONSES = (AntennaOffsetResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _VECTORS = {"offset": (types.Vector3f,)}
 
     function: FunctionSelector
     """What to do with the setting."""
-    offset: types.Vector3f | None = None
+    offset: types.Vector3f | None
     """From the sensor origin to the centre of the antenna. Elements: x, y, z. Unit: m. Frame:
     vehicle. Range: magnitude at most 10. Required for `write`.
     """
 
+    def __init__(
+        self, function: FunctionSelector, offset: types.Vector3f | None | codec.Numbers = None
+    ) -> None:
+        self.function = function
+        self.offset = codec.vector(offset, types.Vector3f)
+
     @classmethod
-    def write(cls: ClassOf[AntennaOffset[Any]], offset: types.Vector3f) -> AntennaOffset[None]:
+    def write(
+        cls: ClassOf[AntennaOffset[Any]], offset: types.Vector3f | codec.Numbers
+    ) -> AntennaOffset[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, offset=offset)
 
@@ -2562,7 +3104,7 @@ class AntennaOffset(Command[R]):
                 raise Truncated(1, 0)
             v = _ANTENNA_OFFSET_1.read(raw, at)
             at += 12
-            offset = v[0:3]
+            offset = types.Vector3f._make(v[0:3])
             done, end = 1, at
         except Truncated:
             if done < required:
@@ -2575,7 +3117,7 @@ class AntennaOffset(Command[R]):
         required = self.REQUIRED.get(self.function, 0)
         there = codec.present(self, required, _ANTENNA_OFFSET_GROUPS)
         if there >= 1:
-            out += _ANTENNA_OFFSET_1.write(*codec.exactly("offset", self.offset, 3))
+            out += _ANTENNA_OFFSET_1.write(*codec.elements("offset", self.offset, 3))
         return codec.finished(out)
 
 
@@ -2584,7 +3126,6 @@ _ESTIMATION_CONTROL_1 = codec.Block("H", "flags")
 _ESTIMATION_CONTROL_GROUPS = ((1, ("flags",), False),)
 
 
-@dataclass(slots=True)
 class EstimationControl(Command[R]):
     """Estimation control flags (0x0D,0x14).
 
@@ -2598,6 +3139,9 @@ class EstimationControl(Command[R]):
     - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
     """
 
+    __slots__ = ("function", "flags")
+    __match_args__ = ("function", "flags")
+
     SET = 0x0D
     DESCRIPTOR = 0x14
     NAME = "filter.estimation_control"
@@ -2607,7 +3151,7 @@ class EstimationControl(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    flags: EstimatedStates | None = None
+    flags: EstimatedStates | None
     """States to estimate. Required for `write`.
 
     - On the 3DM-CL5-15, 3DM-CV5-15, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25 and 3DM-GX5-15: only
@@ -2619,6 +3163,10 @@ class EstimationControl(Command[R]):
       `EstimatedStates.GYRO_SCALE_FACTOR`, `EstimatedStates.ACCEL_SCALE_FACTOR` and
       `EstimatedStates.ANTENNA_OFFSET`.
     """
+
+    def __init__(self, function: FunctionSelector, flags: EstimatedStates | None = None) -> None:
+        self.function = function
+        self.flags = flags
 
     @classmethod
     def write(
@@ -2688,7 +3236,6 @@ _GNSS_SOURCE_1 = codec.Block("B", "source")
 _GNSS_SOURCE_GROUPS = ((1, ("source",), False),)
 
 
-@dataclass(slots=True)
 class GnssSource(Command[R]):
     """GNSS aiding source (0x0D,0x15).
 
@@ -2703,6 +3250,9 @@ class GnssSource(Command[R]):
     - 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
     """
 
+    __slots__ = ("function", "source")
+    __match_args__ = ("function", "source")
+
     SET = 0x0D
     DESCRIPTOR = 0x15
     NAME = "filter.gnss_source"
@@ -2712,8 +3262,12 @@ class GnssSource(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    source: GnssAidingSource | None = None
+    source: GnssAidingSource | None
     """Source of the GNSS data. Required for `write`."""
+
+    def __init__(self, function: FunctionSelector, source: GnssAidingSource | None = None) -> None:
+        self.function = function
+        self.source = source
 
     @classmethod
     def write(cls: ClassOf[GnssSource[Any]], source: GnssAidingSource) -> GnssSource[None]:
@@ -2789,7 +3343,6 @@ _EXTERNAL_GNSS_UPDATE_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class ExternalGnssUpdate(Command[None]):
     """External GNSS update (0x0D,0x16).
 
@@ -2802,10 +3355,46 @@ class ExternalGnssUpdate(Command[None]):
     - mip-sdk-4: External Gnss Update (0x0D,0x16)
     """
 
+    __slots__ = (
+        "tow",
+        "week_number",
+        "latitude",
+        "longitude",
+        "height",
+        "velocity",
+        "position_uncertainty",
+        "velocity_uncertainty",
+    )
+    __match_args__ = (
+        "tow",
+        "week_number",
+        "latitude",
+        "longitude",
+        "height",
+        "velocity",
+        "position_uncertainty",
+        "velocity_uncertainty",
+    )
+
     SET = 0x0D
     DESCRIPTOR = 0x16
     NAME = "filter.external_gnss_update"
     ROLE = "command"
+    _LAYOUT = (
+        ("tow", "d", None),
+        ("week_number", "H", None),
+        ("latitude", "d", None),
+        ("longitude", "d", None),
+        ("height", "d", None),
+        ("velocity", "fff", types.Vector3f),
+        ("position_uncertainty", "fff", types.Vector3f),
+        ("velocity_uncertainty", "fff", types.Vector3f),
+    )
+    _VECTORS = {
+        "velocity": (types.Vector3f,),
+        "position_uncertainty": (types.Vector3f,),
+        "velocity_uncertainty": (types.Vector3f,),
+    }
 
     tow: float
     """GPS time of week. Unit: s."""
@@ -2824,6 +3413,26 @@ class ExternalGnssUpdate(Command[None]):
     velocity_uncertainty: types.Vector3f
     """Standard deviation of the velocity. Elements: x, y, z. Unit: m/s. Frame: ned."""
 
+    def __init__(
+        self,
+        tow: float,
+        week_number: int,
+        latitude: float,
+        longitude: float,
+        height: float,
+        velocity: types.Vector3f | codec.Numbers,
+        position_uncertainty: types.Vector3f | codec.Numbers,
+        velocity_uncertainty: types.Vector3f | codec.Numbers,
+    ) -> None:
+        self.tow = tow
+        self.week_number = week_number
+        self.latitude = latitude
+        self.longitude = longitude
+        self.height = height
+        self.velocity = codec.vector(velocity, types.Vector3f)
+        self.position_uncertainty = codec.vector(position_uncertainty, types.Vector3f)
+        self.velocity_uncertainty = codec.vector(velocity_uncertainty, types.Vector3f)
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ExternalGnssUpdate, int]:
         v = _EXTERNAL_GNSS_UPDATE_0.read(raw, at)
@@ -2833,9 +3442,9 @@ class ExternalGnssUpdate(Command[None]):
         latitude = v[2]
         longitude = v[3]
         height = v[4]
-        velocity = v[5:8]
-        position_uncertainty = v[8:11]
-        velocity_uncertainty = v[11:14]
+        velocity = types.Vector3f._make(v[5:8])
+        position_uncertainty = types.Vector3f._make(v[8:11])
+        velocity_uncertainty = types.Vector3f._make(v[11:14])
         return cls(
             tow,
             week_number,
@@ -2854,9 +3463,9 @@ class ExternalGnssUpdate(Command[None]):
             self.latitude,
             self.longitude,
             self.height,
-            *codec.exactly("velocity", self.velocity, 3),
-            *codec.exactly("position_uncertainty", self.position_uncertainty, 3),
-            *codec.exactly("velocity_uncertainty", self.velocity_uncertainty, 3),
+            *codec.elements("velocity", self.velocity, 3),
+            *codec.elements("position_uncertainty", self.position_uncertainty, 3),
+            *codec.elements("velocity_uncertainty", self.velocity_uncertainty, 3),
         )
         return codec.finished(out)
 
@@ -2864,7 +3473,6 @@ class ExternalGnssUpdate(Command[None]):
 _EXTERNAL_HEADING_UPDATE_0 = codec.Block("ffB", "heading", "heading_uncertainty", "type")
 
 
-@dataclass(slots=True)
 class ExternalHeadingUpdate(Command[None]):
     """External heading update (0x0D,0x17).
 
@@ -2881,10 +3489,18 @@ class ExternalHeadingUpdate(Command[None]):
     - 3dm-gx5-15: 4.3.7 External Heading Update (0x0D, 0x17)
     """
 
+    __slots__ = ("heading", "heading_uncertainty", "type")
+    __match_args__ = ("heading", "heading_uncertainty", "type")
+
     SET = 0x0D
     DESCRIPTOR = 0x17
     NAME = "filter.external_heading_update"
     ROLE = "command"
+    _LAYOUT = (
+        ("heading", "f", None),
+        ("heading_uncertainty", "f", None),
+        ("type", "B", HeadingType),
+    )
 
     heading: float
     """Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
@@ -2896,6 +3512,11 @@ class ExternalHeadingUpdate(Command[None]):
     """
     type: HeadingType
     """North that the heading refers to."""
+
+    def __init__(self, heading: float, heading_uncertainty: float, type: HeadingType) -> None:
+        self.heading = heading
+        self.heading_uncertainty = heading_uncertainty
+        self.type = type
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ExternalHeadingUpdate, int]:
@@ -2916,7 +3537,6 @@ _HEADING_SOURCE_1 = codec.Block("B", "source")
 _HEADING_SOURCE_GROUPS = ((1, ("source",), False),)
 
 
-@dataclass(slots=True)
 class HeadingSource(Command[R]):
     """Heading update control (0x0D,0x18).
 
@@ -2930,6 +3550,9 @@ class HeadingSource(Command[R]):
     - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
     """
 
+    __slots__ = ("function", "source")
+    __match_args__ = ("function", "source")
+
     SET = 0x0D
     DESCRIPTOR = 0x18
     NAME = "filter.heading_source"
@@ -2939,7 +3562,7 @@ class HeadingSource(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    source: HeadingUpdateSource | None = None
+    source: HeadingUpdateSource | None
     """Source of the heading. Required for `write`.
 
     - On the 3DM-CL5-15, 3DM-CV5-15 and 3DM-GX5-15: only `HeadingUpdateSource.NONE` and
@@ -2952,6 +3575,12 @@ class HeadingSource(Command[R]):
     - On the 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: only `HeadingUpdateSource.NONE`,
       `HeadingUpdateSource.GNSS_VELOCITY` and `HeadingUpdateSource.EXTERNAL`.
     """
+
+    def __init__(
+        self, function: FunctionSelector, source: HeadingUpdateSource | None = None
+    ) -> None:
+        self.function = function
+        self.source = source
 
     @classmethod
     def write(cls: ClassOf[HeadingSource[Any]], source: HeadingUpdateSource) -> HeadingSource[None]:
@@ -3019,7 +3648,6 @@ _AUTO_INITIALIZATION_CONTROL_1 = codec.Block("B", "enable")
 _AUTO_INITIALIZATION_CONTROL_GROUPS = ((1, ("enable",), False),)
 
 
-@dataclass(slots=True)
 class AutoInitializationControl(Command[R]):
     """Automatic initialization (0x0D,0x19).
 
@@ -3033,6 +3661,9 @@ class AutoInitializationControl(Command[R]):
     - 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19)
     """
 
+    __slots__ = ("function", "enable")
+    __match_args__ = ("function", "enable")
+
     SET = 0x0D
     DESCRIPTOR = 0x19
     NAME = "filter.auto_initialization_control"
@@ -3042,8 +3673,12 @@ class AutoInitializationControl(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    enable: int | None = None
+    enable: int | None
     """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
+
+    def __init__(self, function: FunctionSelector, enable: int | None = None) -> None:
+        self.function = function
+        self.enable = enable
 
     @classmethod
     def write(
@@ -3115,7 +3750,6 @@ _ACCEL_NOISE_1 = codec.Block("fff", *["noise"] * 3)
 _ACCEL_NOISE_GROUPS = ((1, ("noise",), False),)
 
 
-@dataclass(slots=True)
 class AccelNoise(Command[R]):
     """Accelerometer noise (0x0D,0x1A).
 
@@ -3130,22 +3764,34 @@ class AccelNoise(Command[R]):
     - 3dm-gx5-15: 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A)
     """
 
+    __slots__ = ("function", "noise")
+    __match_args__ = ("function", "noise")
+
     SET = 0x0D
     DESCRIPTOR = 0x1A
     NAME = "filter.accel_noise"
     ROLE = "command"
     RESPONSES = (AccelNoiseResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _VECTORS = {"noise": (types.Vector3f,)}
 
     function: FunctionSelector
     """What to do with the setting."""
-    noise: types.Vector3f | None = None
+    noise: types.Vector3f | None
     """Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. Range: greater than 0. Required
     for `write`.
     """
 
+    def __init__(
+        self, function: FunctionSelector, noise: types.Vector3f | None | codec.Numbers = None
+    ) -> None:
+        self.function = function
+        self.noise = codec.vector(noise, types.Vector3f)
+
     @classmethod
-    def write(cls: ClassOf[AccelNoise[Any]], noise: types.Vector3f) -> AccelNoise[None]:
+    def write(
+        cls: ClassOf[AccelNoise[Any]], noise: types.Vector3f | codec.Numbers
+    ) -> AccelNoise[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, noise=noise)
 
@@ -3188,7 +3834,7 @@ class AccelNoise(Command[R]):
                 raise Truncated(1, 0)
             v = _ACCEL_NOISE_1.read(raw, at)
             at += 12
-            noise = v[0:3]
+            noise = types.Vector3f._make(v[0:3])
             done, end = 1, at
         except Truncated:
             if done < required:
@@ -3201,7 +3847,7 @@ class AccelNoise(Command[R]):
         required = self.REQUIRED.get(self.function, 0)
         there = codec.present(self, required, _ACCEL_NOISE_GROUPS)
         if there >= 1:
-            out += _ACCEL_NOISE_1.write(*codec.exactly("noise", self.noise, 3))
+            out += _ACCEL_NOISE_1.write(*codec.elements("noise", self.noise, 3))
         return codec.finished(out)
 
 
@@ -3210,7 +3856,6 @@ _GYRO_NOISE_1 = codec.Block("fff", *["noise"] * 3)
 _GYRO_NOISE_GROUPS = ((1, ("noise",), False),)
 
 
-@dataclass(slots=True)
 class GyroNoise(Command[R]):
     """Gyroscope noise (0x0D,0x1B).
 
@@ -3225,22 +3870,34 @@ class GyroNoise(Command[R]):
     - 3dm-gx5-15: 4.3.13 Gyroscope Noise Standard Deviation (0x0D, 0x1B)
     """
 
+    __slots__ = ("function", "noise")
+    __match_args__ = ("function", "noise")
+
     SET = 0x0D
     DESCRIPTOR = 0x1B
     NAME = "filter.gyro_noise"
     ROLE = "command"
     RESPONSES = (GyroNoiseResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _VECTORS = {"noise": (types.Vector3f,)}
 
     function: FunctionSelector
     """What to do with the setting."""
-    noise: types.Vector3f | None = None
+    noise: types.Vector3f | None
     """Standard deviation per axis. Elements: x, y, z. Unit: rad/s. Range: greater than 0. Required
     for `write`.
     """
 
+    def __init__(
+        self, function: FunctionSelector, noise: types.Vector3f | None | codec.Numbers = None
+    ) -> None:
+        self.function = function
+        self.noise = codec.vector(noise, types.Vector3f)
+
     @classmethod
-    def write(cls: ClassOf[GyroNoise[Any]], noise: types.Vector3f) -> GyroNoise[None]:
+    def write(
+        cls: ClassOf[GyroNoise[Any]], noise: types.Vector3f | codec.Numbers
+    ) -> GyroNoise[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, noise=noise)
 
@@ -3283,7 +3940,7 @@ class GyroNoise(Command[R]):
                 raise Truncated(1, 0)
             v = _GYRO_NOISE_1.read(raw, at)
             at += 12
-            noise = v[0:3]
+            noise = types.Vector3f._make(v[0:3])
             done, end = 1, at
         except Truncated:
             if done < required:
@@ -3296,7 +3953,7 @@ class GyroNoise(Command[R]):
         required = self.REQUIRED.get(self.function, 0)
         there = codec.present(self, required, _GYRO_NOISE_GROUPS)
         if there >= 1:
-            out += _GYRO_NOISE_1.write(*codec.exactly("noise", self.noise, 3))
+            out += _GYRO_NOISE_1.write(*codec.elements("noise", self.noise, 3))
         return codec.finished(out)
 
 
@@ -3306,7 +3963,6 @@ _ACCEL_BIAS_MODEL_2 = codec.Block("fff", *["noise"] * 3)
 _ACCEL_BIAS_MODEL_GROUPS = ((1, ("beta",), False), (2, ("noise",), False))
 
 
-@dataclass(slots=True)
 class AccelBiasModel(Command[R]):
     """Accelerometer bias model (0x0D,0x1C).
 
@@ -3318,27 +3974,43 @@ class AccelBiasModel(Command[R]):
     - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
     """
 
+    __slots__ = ("function", "beta", "noise")
+    __match_args__ = ("function", "beta", "noise")
+
     SET = 0x0D
     DESCRIPTOR = 0x1C
     NAME = "filter.accel_bias_model"
     ROLE = "command"
     RESPONSES = (AccelBiasModelResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+    _VECTORS = {"beta": (types.Vector3f,), "noise": (types.Vector3f,)}
 
     function: FunctionSelector
     """What to do with the setting."""
-    beta: types.Vector3f | None = None
+    beta: types.Vector3f | None
     """Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. Required for
     `write`.
     """
-    noise: types.Vector3f | None = None
+    noise: types.Vector3f | None
     """Standard deviation of the noise per axis. Elements: x, y, z. Unit: m/s^2. Range: greater than
     0. Required for `write`.
     """
 
+    def __init__(
+        self,
+        function: FunctionSelector,
+        beta: types.Vector3f | None | codec.Numbers = None,
+        noise: types.Vector3f | None | codec.Numbers = None,
+    ) -> None:
+        self.function = function
+        self.beta = codec.vector(beta, types.Vector3f)
+        self.noise = codec.vector(noise, types.Vector3f)
+
     @classmethod
     def write(
-        cls: ClassOf[AccelBiasModel[Any]], beta: types.Vector3f, noise: types.Vector3f
+        cls: ClassOf[AccelBiasModel[Any]],
+        beta: types.Vector3f | codec.Numbers,
+        noise: types.Vector3f | codec.Numbers,
     ) -> AccelBiasModel[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, beta=beta, noise=noise)
@@ -3383,13 +4055,13 @@ class AccelBiasModel(Command[R]):
                 raise Truncated(1, 0)
             v = _ACCEL_BIAS_MODEL_1.read(raw, at)
             at += 12
-            beta = v[0:3]
+            beta = types.Vector3f._make(v[0:3])
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
             v = _ACCEL_BIAS_MODEL_2.read(raw, at)
             at += 12
-            noise = v[0:3]
+            noise = types.Vector3f._make(v[0:3])
             done, end = 2, at
         except Truncated:
             if done < required:
@@ -3402,9 +4074,9 @@ class AccelBiasModel(Command[R]):
         required = self.REQUIRED.get(self.function, 0)
         there = codec.present(self, required, _ACCEL_BIAS_MODEL_GROUPS)
         if there >= 1:
-            out += _ACCEL_BIAS_MODEL_1.write(*codec.exactly("beta", self.beta, 3))
+            out += _ACCEL_BIAS_MODEL_1.write(*codec.elements("beta", self.beta, 3))
         if there >= 2:
-            out += _ACCEL_BIAS_MODEL_2.write(*codec.exactly("noise", self.noise, 3))
+            out += _ACCEL_BIAS_MODEL_2.write(*codec.elements("noise", self.noise, 3))
         return codec.finished(out)
 
 
@@ -3414,7 +4086,6 @@ _GYRO_BIAS_MODEL_2 = codec.Block("fff", *["noise"] * 3)
 _GYRO_BIAS_MODEL_GROUPS = ((1, ("beta",), False), (2, ("noise",), False))
 
 
-@dataclass(slots=True)
 class GyroBiasModel(Command[R]):
     """Gyroscope bias model (0x0D,0x1D).
 
@@ -3427,27 +4098,43 @@ class GyroBiasModel(Command[R]):
     - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
     """
 
+    __slots__ = ("function", "beta", "noise")
+    __match_args__ = ("function", "beta", "noise")
+
     SET = 0x0D
     DESCRIPTOR = 0x1D
     NAME = "filter.gyro_bias_model"
     ROLE = "command"
     RESPONSES = (GyroBiasModelResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+    _VECTORS = {"beta": (types.Vector3f,), "noise": (types.Vector3f,)}
 
     function: FunctionSelector
     """What to do with the setting."""
-    beta: types.Vector3f | None = None
+    beta: types.Vector3f | None
     """Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. Required for
     `write`.
     """
-    noise: types.Vector3f | None = None
+    noise: types.Vector3f | None
     """Standard deviation of the noise per axis. Elements: x, y, z. Unit: rad/s. Range: greater than
     0. Required for `write`.
     """
 
+    def __init__(
+        self,
+        function: FunctionSelector,
+        beta: types.Vector3f | None | codec.Numbers = None,
+        noise: types.Vector3f | None | codec.Numbers = None,
+    ) -> None:
+        self.function = function
+        self.beta = codec.vector(beta, types.Vector3f)
+        self.noise = codec.vector(noise, types.Vector3f)
+
     @classmethod
     def write(
-        cls: ClassOf[GyroBiasModel[Any]], beta: types.Vector3f, noise: types.Vector3f
+        cls: ClassOf[GyroBiasModel[Any]],
+        beta: types.Vector3f | codec.Numbers,
+        noise: types.Vector3f | codec.Numbers,
     ) -> GyroBiasModel[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, beta=beta, noise=noise)
@@ -3492,13 +4179,13 @@ class GyroBiasModel(Command[R]):
                 raise Truncated(1, 0)
             v = _GYRO_BIAS_MODEL_1.read(raw, at)
             at += 12
-            beta = v[0:3]
+            beta = types.Vector3f._make(v[0:3])
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
             v = _GYRO_BIAS_MODEL_2.read(raw, at)
             at += 12
-            noise = v[0:3]
+            noise = types.Vector3f._make(v[0:3])
             done, end = 2, at
         except Truncated:
             if done < required:
@@ -3511,9 +4198,9 @@ class GyroBiasModel(Command[R]):
         required = self.REQUIRED.get(self.function, 0)
         there = codec.present(self, required, _GYRO_BIAS_MODEL_GROUPS)
         if there >= 1:
-            out += _GYRO_BIAS_MODEL_1.write(*codec.exactly("beta", self.beta, 3))
+            out += _GYRO_BIAS_MODEL_1.write(*codec.elements("beta", self.beta, 3))
         if there >= 2:
-            out += _GYRO_BIAS_MODEL_2.write(*codec.exactly("noise", self.noise, 3))
+            out += _GYRO_BIAS_MODEL_2.write(*codec.elements("noise", self.noise, 3))
         return codec.finished(out)
 
 
@@ -3523,7 +4210,6 @@ _AUTO_ZUPT_2 = codec.Block("f", "threshold")
 _AUTO_ZUPT_GROUPS = ((1, ("enable",), False), (2, ("threshold",), False))
 
 
-@dataclass(slots=True)
 class AutoZupt(Command[R]):
     """Automatic zero velocity update (0x0D,0x1E).
 
@@ -3537,6 +4223,9 @@ class AutoZupt(Command[R]):
     - mip-sdk-4: Auto Zupt (0x0D,0x1E)
     """
 
+    __slots__ = ("function", "enable", "threshold")
+    __match_args__ = ("function", "enable", "threshold")
+
     SET = 0x0D
     DESCRIPTOR = 0x1E
     NAME = "filter.auto_zupt"
@@ -3546,10 +4235,17 @@ class AutoZupt(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    enable: int | None = None
+    enable: int | None
     """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
-    threshold: float | None = None
+    threshold: float | None
     """Largest speed that is taken as zero. Unit: m/s. Range: at least 0. Required for `write`."""
+
+    def __init__(
+        self, function: FunctionSelector, enable: int | None = None, threshold: float | None = None
+    ) -> None:
+        self.function = function
+        self.enable = enable
+        self.threshold = threshold
 
     @classmethod
     def write(cls: ClassOf[AutoZupt[Any]], enable: int, threshold: float) -> AutoZupt[None]:
@@ -3626,7 +4322,6 @@ _EXTERNAL_HEADING_UPDATE_WITH_TIME_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class ExternalHeadingUpdateWithTime(Command[None]):
     """External heading update with time (0x0D,0x1F).
 
@@ -3644,10 +4339,20 @@ class ExternalHeadingUpdateWithTime(Command[None]):
     - 3dm-gx5-15: 4.3.8 External Heading Update with Timestamp (0x0D, 0x1F)
     """
 
+    __slots__ = ("tow", "week_number", "heading", "heading_uncertainty", "type")
+    __match_args__ = ("tow", "week_number", "heading", "heading_uncertainty", "type")
+
     SET = 0x0D
     DESCRIPTOR = 0x1F
     NAME = "filter.external_heading_update_with_time"
     ROLE = "command"
+    _LAYOUT = (
+        ("tow", "d", None),
+        ("week_number", "H", None),
+        ("heading", "f", None),
+        ("heading_uncertainty", "f", None),
+        ("type", "B", HeadingType),
+    )
 
     tow: float
     """GPS time of week of the measurement. Unit: s."""
@@ -3663,6 +4368,20 @@ class ExternalHeadingUpdateWithTime(Command[None]):
     """
     type: HeadingType
     """North that the heading refers to."""
+
+    def __init__(
+        self,
+        tow: float,
+        week_number: int,
+        heading: float,
+        heading_uncertainty: float,
+        type: HeadingType,
+    ) -> None:
+        self.tow = tow
+        self.week_number = week_number
+        self.heading = heading
+        self.heading_uncertainty = heading_uncertainty
+        self.type = type
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ExternalHeadingUpdateWithTime, int]:
@@ -3688,7 +4407,6 @@ _AUTO_ANGULAR_ZUPT_2 = codec.Block("f", "threshold")
 _AUTO_ANGULAR_ZUPT_GROUPS = ((1, ("enable",), False), (2, ("threshold",), False))
 
 
-@dataclass(slots=True)
 class AutoAngularZupt(Command[R]):
     """Zero angular rate update (0x0D,0x20).
 
@@ -3703,6 +4421,9 @@ class AutoAngularZupt(Command[R]):
     - 3dm-gx5-15: 4.3.15 Zero Angular Rate Update Control (0x0D, 0x20)
     """
 
+    __slots__ = ("function", "enable", "threshold")
+    __match_args__ = ("function", "enable", "threshold")
+
     SET = 0x0D
     DESCRIPTOR = 0x20
     NAME = "filter.auto_angular_zupt"
@@ -3712,12 +4433,19 @@ class AutoAngularZupt(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    enable: int | None = None
+    enable: int | None
     """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
-    threshold: float | None = None
+    threshold: float | None
     """Largest angular rate that is taken as zero. Unit: rad/s. Range: at least 0. Required for
     `write`.
     """
+
+    def __init__(
+        self, function: FunctionSelector, enable: int | None = None, threshold: float | None = None
+    ) -> None:
+        self.function = function
+        self.enable = enable
+        self.threshold = threshold
 
     @classmethod
     def write(
@@ -3796,7 +4524,6 @@ _TARE_ORIENTATION_1 = codec.Block("B", "axes")
 _TARE_ORIENTATION_GROUPS = ((1, ("axes",), False),)
 
 
-@dataclass(slots=True)
 class TareOrientation(Command[R]):
     """Tare orientation (0x0D,0x21).
 
@@ -3812,6 +4539,9 @@ class TareOrientation(Command[R]):
     - mip-sdk-4: Tare Orientation (0x0D,0x21)
     """
 
+    __slots__ = ("function", "axes")
+    __match_args__ = ("function", "axes")
+
     SET = 0x0D
     DESCRIPTOR = 0x21
     NAME = "filter.tare_orientation"
@@ -3821,8 +4551,12 @@ class TareOrientation(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    axes: TareAxes | None = None
+    axes: TareAxes | None
     """Axes to tare; 0 resets all axes. Required for `write`."""
+
+    def __init__(self, function: FunctionSelector, axes: TareAxes | None = None) -> None:
+        self.function = function
+        self.axes = axes
 
     @classmethod
     def write(cls: ClassOf[TareOrientation[Any]], axes: TareAxes) -> TareOrientation[None]:
@@ -3885,7 +4619,6 @@ class TareOrientation(Command[R]):
         return codec.finished(out)
 
 
-@dataclass(slots=True)
 class CommandedZupt(Command[None]):
     """Commanded zero velocity update (0x0D,0x22).
 
@@ -3897,6 +4630,8 @@ class CommandedZupt(Command[None]):
 
     - mip-sdk-4: Commanded Zupt (0x0D,0x22)
     """
+
+    __slots__ = ()
 
     SET = 0x0D
     DESCRIPTOR = 0x22
@@ -3911,7 +4646,6 @@ class CommandedZupt(Command[None]):
         return b""
 
 
-@dataclass(slots=True)
 class CommandedAngularZupt(Command[None]):
     """Commanded zero angular rate update (0x0D,0x23).
 
@@ -3923,6 +4657,8 @@ class CommandedAngularZupt(Command[None]):
 
     - 3dm-gx5-15: 4.3.17 Commanded Zero-Angular Rate Update (0x0D, 0x23)
     """
+
+    __slots__ = ()
 
     SET = 0x0D
     DESCRIPTOR = 0x23
@@ -3950,7 +4686,6 @@ _REFERENCE_POSITION_GROUPS = (
 )
 
 
-@dataclass(slots=True)
 class ReferencePosition(Command[R]):
     """Set reference position (0x0D,0x26).
 
@@ -3962,6 +4697,9 @@ class ReferencePosition(Command[R]):
     - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
     """
 
+    __slots__ = ("function", "enable", "latitude", "longitude", "altitude")
+    __match_args__ = ("function", "enable", "latitude", "longitude", "altitude")
+
     SET = 0x0D
     DESCRIPTOR = 0x26
     NAME = "filter.reference_position"
@@ -3971,14 +4709,28 @@ class ReferencePosition(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    enable: int | None = None
+    enable: int | None
     """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
-    latitude: float | None = None
+    latitude: float | None
     """Latitude. Unit: deg. Frame: llh. Required for `write`."""
-    longitude: float | None = None
+    longitude: float | None
     """Longitude. Unit: deg. Frame: llh. Required for `write`."""
-    altitude: float | None = None
+    altitude: float | None
     """Altitude. Unit: m. Frame: llh. Required for `write`."""
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        enable: int | None = None,
+        latitude: float | None = None,
+        longitude: float | None = None,
+        altitude: float | None = None,
+    ) -> None:
+        self.function = function
+        self.enable = enable
+        self.latitude = latitude
+        self.longitude = longitude
+        self.altitude = altitude
 
     @classmethod
     def write(
@@ -4083,7 +4835,6 @@ class ReferencePosition(Command[R]):
 _MAG_CAPTURE_AUTO_CALIBRATION_0 = codec.Block("B", "function")
 
 
-@dataclass(slots=True)
 class MagCaptureAutoCalibration(Command[None]):
     """Capture automatic magnetometer calibration (0x0D,0x27).
 
@@ -4099,6 +4850,9 @@ class MagCaptureAutoCalibration(Command[None]):
     - mip-sdk-4: Mag Capture Auto Cal (0x0D,0x27)
     """
 
+    __slots__ = ("function",)
+    __match_args__ = ("function",)
+
     SET = 0x0D
     DESCRIPTOR = 0x27
     NAME = "filter.mag_capture_auto_calibration"
@@ -4107,6 +4861,9 @@ class MagCaptureAutoCalibration(Command[None]):
 
     function: FunctionSelector
     """What to do with the setting."""
+
+    def __init__(self, function: FunctionSelector) -> None:
+        self.function = function
 
     @classmethod
     def write(cls) -> MagCaptureAutoCalibration:
@@ -4135,7 +4892,6 @@ _GRAVITY_NOISE_1 = codec.Block("fff", *["noise"] * 3)
 _GRAVITY_NOISE_GROUPS = ((1, ("noise",), False),)
 
 
-@dataclass(slots=True)
 class GravityNoise(Command[R]):
     """Gravity noise (0x0D,0x28).
 
@@ -4150,22 +4906,34 @@ class GravityNoise(Command[R]):
     - 3dm-gx5-15: 4.3.11 Gravity Noise Standard Deviation (0x0D, 0x28)
     """
 
+    __slots__ = ("function", "noise")
+    __match_args__ = ("function", "noise")
+
     SET = 0x0D
     DESCRIPTOR = 0x28
     NAME = "filter.gravity_noise"
     ROLE = "command"
     RESPONSES = (GravityNoiseResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _VECTORS = {"noise": (types.Vector3f,)}
 
     function: FunctionSelector
     """What to do with the setting."""
-    noise: types.Vector3f | None = None
+    noise: types.Vector3f | None
     """Standard deviation per axis. Elements: x, y, z. Unit: g. Range: greater than 0. Required for
     `write`.
     """
 
+    def __init__(
+        self, function: FunctionSelector, noise: types.Vector3f | None | codec.Numbers = None
+    ) -> None:
+        self.function = function
+        self.noise = codec.vector(noise, types.Vector3f)
+
     @classmethod
-    def write(cls: ClassOf[GravityNoise[Any]], noise: types.Vector3f) -> GravityNoise[None]:
+    def write(
+        cls: ClassOf[GravityNoise[Any]], noise: types.Vector3f | codec.Numbers
+    ) -> GravityNoise[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, noise=noise)
 
@@ -4208,7 +4976,7 @@ class GravityNoise(Command[R]):
                 raise Truncated(1, 0)
             v = _GRAVITY_NOISE_1.read(raw, at)
             at += 12
-            noise = v[0:3]
+            noise = types.Vector3f._make(v[0:3])
             done, end = 1, at
         except Truncated:
             if done < required:
@@ -4221,7 +4989,7 @@ class GravityNoise(Command[R]):
         required = self.REQUIRED.get(self.function, 0)
         there = codec.present(self, required, _GRAVITY_NOISE_GROUPS)
         if there >= 1:
-            out += _GRAVITY_NOISE_1.write(*codec.exactly("noise", self.noise, 3))
+            out += _GRAVITY_NOISE_1.write(*codec.elements("noise", self.noise, 3))
         return codec.finished(out)
 
 
@@ -4230,7 +4998,6 @@ _PRESSURE_ALTITUDE_NOISE_1 = codec.Block("f", "noise")
 _PRESSURE_ALTITUDE_NOISE_GROUPS = ((1, ("noise",), False),)
 
 
-@dataclass(slots=True)
 class PressureAltitudeNoise(Command[R]):
     """Pressure altitude noise (0x0D,0x29).
 
@@ -4245,6 +5012,9 @@ class PressureAltitudeNoise(Command[R]):
     - mip-sdk-4: Pressure Altitude Noise (0x0D,0x29)
     """
 
+    __slots__ = ("function", "noise")
+    __match_args__ = ("function", "noise")
+
     SET = 0x0D
     DESCRIPTOR = 0x29
     NAME = "filter.pressure_altitude_noise"
@@ -4254,8 +5024,12 @@ class PressureAltitudeNoise(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    noise: float | None = None
+    noise: float | None
     """Standard deviation. Unit: m. Range: greater than 0. Required for `write`."""
+
+    def __init__(self, function: FunctionSelector, noise: float | None = None) -> None:
+        self.function = function
+        self.noise = noise
 
     @classmethod
     def write(
@@ -4327,7 +5101,6 @@ _HARD_IRON_OFFSET_NOISE_1 = codec.Block("fff", *["noise"] * 3)
 _HARD_IRON_OFFSET_NOISE_GROUPS = ((1, ("noise",), False),)
 
 
-@dataclass(slots=True)
 class HardIronOffsetNoise(Command[R]):
     """Hard iron offset noise (0x0D,0x2B).
 
@@ -4339,23 +5112,33 @@ class HardIronOffsetNoise(Command[R]):
     - mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B)
     """
 
+    __slots__ = ("function", "noise")
+    __match_args__ = ("function", "noise")
+
     SET = 0x0D
     DESCRIPTOR = 0x2B
     NAME = "filter.hard_iron_offset_noise"
     ROLE = "command"
     RESPONSES = (HardIronOffsetNoiseResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _VECTORS = {"noise": (types.Vector3f,)}
 
     function: FunctionSelector
     """What to do with the setting."""
-    noise: types.Vector3f | None = None
+    noise: types.Vector3f | None
     """Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0. Required
     for `write`.
     """
 
+    def __init__(
+        self, function: FunctionSelector, noise: types.Vector3f | None | codec.Numbers = None
+    ) -> None:
+        self.function = function
+        self.noise = codec.vector(noise, types.Vector3f)
+
     @classmethod
     def write(
-        cls: ClassOf[HardIronOffsetNoise[Any]], noise: types.Vector3f
+        cls: ClassOf[HardIronOffsetNoise[Any]], noise: types.Vector3f | codec.Numbers
     ) -> HardIronOffsetNoise[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, noise=noise)
@@ -4401,7 +5184,7 @@ class HardIronOffsetNoise(Command[R]):
                 raise Truncated(1, 0)
             v = _HARD_IRON_OFFSET_NOISE_1.read(raw, at)
             at += 12
-            noise = v[0:3]
+            noise = types.Vector3f._make(v[0:3])
             done, end = 1, at
         except Truncated:
             if done < required:
@@ -4414,7 +5197,7 @@ class HardIronOffsetNoise(Command[R]):
         required = self.REQUIRED.get(self.function, 0)
         there = codec.present(self, required, _HARD_IRON_OFFSET_NOISE_GROUPS)
         if there >= 1:
-            out += _HARD_IRON_OFFSET_NOISE_1.write(*codec.exactly("noise", self.noise, 3))
+            out += _HARD_IRON_OFFSET_NOISE_1.write(*codec.elements("noise", self.noise, 3))
         return codec.finished(out)
 
 
@@ -4423,7 +5206,6 @@ _SOFT_IRON_MATRIX_NOISE_1 = codec.Block("fffffffff", *["noise"] * 9)
 _SOFT_IRON_MATRIX_NOISE_GROUPS = ((1, ("noise",), False),)
 
 
-@dataclass(slots=True)
 class SoftIronMatrixNoise(Command[R]):
     """Soft iron matrix noise (0x0D,0x2C).
 
@@ -4435,23 +5217,33 @@ class SoftIronMatrixNoise(Command[R]):
     - mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C)
     """
 
+    __slots__ = ("function", "noise")
+    __match_args__ = ("function", "noise")
+
     SET = 0x0D
     DESCRIPTOR = 0x2C
     NAME = "filter.soft_iron_matrix_noise"
     ROLE = "command"
     RESPONSES = (SoftIronMatrixNoiseResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _VECTORS = {"noise": (types.Matrix3f,)}
 
     function: FunctionSelector
     """What to do with the setting."""
-    noise: types.Matrix3f | None = None
+    noise: types.Matrix3f | None
     """Standard deviation per element. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
     1. Range: greater than 0. Required for `write`.
     """
 
+    def __init__(
+        self, function: FunctionSelector, noise: types.Matrix3f | None | codec.Rows = None
+    ) -> None:
+        self.function = function
+        self.noise = codec.vector(noise, types.Matrix3f)
+
     @classmethod
     def write(
-        cls: ClassOf[SoftIronMatrixNoise[Any]], noise: types.Matrix3f
+        cls: ClassOf[SoftIronMatrixNoise[Any]], noise: types.Matrix3f | codec.Rows
     ) -> SoftIronMatrixNoise[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, noise=noise)
@@ -4497,7 +5289,7 @@ class SoftIronMatrixNoise(Command[R]):
                 raise Truncated(1, 0)
             v = _SOFT_IRON_MATRIX_NOISE_1.read(raw, at)
             at += 36
-            noise = v[0:9]
+            noise = types.Matrix3f._make(v[0:9])
             done, end = 1, at
         except Truncated:
             if done < required:
@@ -4510,7 +5302,7 @@ class SoftIronMatrixNoise(Command[R]):
         required = self.REQUIRED.get(self.function, 0)
         there = codec.present(self, required, _SOFT_IRON_MATRIX_NOISE_GROUPS)
         if there >= 1:
-            out += _SOFT_IRON_MATRIX_NOISE_1.write(*codec.exactly("noise", self.noise, 9))
+            out += _SOFT_IRON_MATRIX_NOISE_1.write(*codec.elements("noise", self.noise, 9))
         return codec.finished(out)
 
 
@@ -4519,7 +5311,6 @@ _ENABLE_MEASUREMENTS_1 = codec.Block("H", "control")
 _ENABLE_MEASUREMENTS_GROUPS = ((1, ("control",), False),)
 
 
-@dataclass(slots=True)
 class EnableMeasurements(Command[R]):
     """Enable or disable measurements (0x0D,0x41).
 
@@ -4531,6 +5322,9 @@ class EnableMeasurements(Command[R]):
     - 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
     """
 
+    __slots__ = ("function", "control")
+    __match_args__ = ("function", "control")
+
     SET = 0x0D
     DESCRIPTOR = 0x41
     NAME = "filter.enable_measurements"
@@ -4540,8 +5334,12 @@ class EnableMeasurements(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    control: MeasurementFlags | None = None
+    control: MeasurementFlags | None
     """Measurements to use. Required for `write`."""
+
+    def __init__(self, function: FunctionSelector, control: MeasurementFlags | None = None) -> None:
+        self.function = function
+        self.control = control
 
     @classmethod
     def write(
@@ -4613,7 +5411,6 @@ _MAG_NOISE_1 = codec.Block("fff", *["noise"] * 3)
 _MAG_NOISE_GROUPS = ((1, ("noise",), False),)
 
 
-@dataclass(slots=True)
 class MagNoise(Command[R]):
     """Magnetometer noise (0x0D,0x42).
 
@@ -4626,22 +5423,32 @@ class MagNoise(Command[R]):
     - mip-sdk-4: Mag Noise (0x0D,0x42)
     """
 
+    __slots__ = ("function", "noise")
+    __match_args__ = ("function", "noise")
+
     SET = 0x0D
     DESCRIPTOR = 0x42
     NAME = "filter.mag_noise"
     ROLE = "command"
     RESPONSES = (MagNoiseResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _VECTORS = {"noise": (types.Vector3f,)}
 
     function: FunctionSelector
     """What to do with the setting."""
-    noise: types.Vector3f | None = None
+    noise: types.Vector3f | None
     """Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0. Required
     for `write`.
     """
 
+    def __init__(
+        self, function: FunctionSelector, noise: types.Vector3f | None | codec.Numbers = None
+    ) -> None:
+        self.function = function
+        self.noise = codec.vector(noise, types.Vector3f)
+
     @classmethod
-    def write(cls: ClassOf[MagNoise[Any]], noise: types.Vector3f) -> MagNoise[None]:
+    def write(cls: ClassOf[MagNoise[Any]], noise: types.Vector3f | codec.Numbers) -> MagNoise[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, noise=noise)
 
@@ -4684,7 +5491,7 @@ class MagNoise(Command[R]):
                 raise Truncated(1, 0)
             v = _MAG_NOISE_1.read(raw, at)
             at += 12
-            noise = v[0:3]
+            noise = types.Vector3f._make(v[0:3])
             done, end = 1, at
         except Truncated:
             if done < required:
@@ -4697,7 +5504,7 @@ class MagNoise(Command[R]):
         required = self.REQUIRED.get(self.function, 0)
         there = codec.present(self, required, _MAG_NOISE_GROUPS)
         if there >= 1:
-            out += _MAG_NOISE_1.write(*codec.exactly("noise", self.noise, 3))
+            out += _MAG_NOISE_1.write(*codec.elements("noise", self.noise, 3))
         return codec.finished(out)
 
 
@@ -4707,7 +5514,6 @@ _MAGNETIC_DECLINATION_SOURCE_2 = codec.Block("f", "declination")
 _MAGNETIC_DECLINATION_SOURCE_GROUPS = ((1, ("source",), False), (2, ("declination",), False))
 
 
-@dataclass(slots=True)
 class MagneticDeclinationSource(Command[R]):
     """Magnetic declination source (0x0D,0x43).
 
@@ -4722,6 +5528,9 @@ class MagneticDeclinationSource(Command[R]):
     - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
     """
 
+    __slots__ = ("function", "source", "declination")
+    __match_args__ = ("function", "source", "declination")
+
     SET = 0x0D
     DESCRIPTOR = 0x43
     NAME = "filter.magnetic_declination_source"
@@ -4731,13 +5540,23 @@ class MagneticDeclinationSource(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    source: MagParameterSource | None = None
+    source: MagParameterSource | None
     """Source of the declination. Required for `write`.
 
     - On the 3DM-GQ7-GNSS/INS: only `MagParameterSource.WMM` and `MagParameterSource.MANUAL`.
     """
-    declination: float | None = None
+    declination: float | None
     """Declination; used only if `source` is manual. Unit: rad. Required for `write`."""
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        source: MagParameterSource | None = None,
+        declination: float | None = None,
+    ) -> None:
+        self.function = function
+        self.source = source
+        self.declination = declination
 
     @classmethod
     def write(
@@ -4832,7 +5651,6 @@ _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_GROUPS = (
 )
 
 
-@dataclass(slots=True)
 class AccelMagnitudeErrorAdaptiveMeasurement(Command[R]):
     """Gravity magnitude error adaptive measurement (0x0D,0x44).
 
@@ -4851,6 +5669,27 @@ class AccelMagnitudeErrorAdaptiveMeasurement(Command[R]):
     - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
     """
 
+    __slots__ = (
+        "function",
+        "adaptive_measurement",
+        "frequency",
+        "low_limit",
+        "high_limit",
+        "low_limit_uncertainty",
+        "high_limit_uncertainty",
+        "minimum_uncertainty",
+    )
+    __match_args__ = (
+        "function",
+        "adaptive_measurement",
+        "frequency",
+        "low_limit",
+        "high_limit",
+        "low_limit_uncertainty",
+        "high_limit_uncertainty",
+        "minimum_uncertainty",
+    )
+
     SET = 0x0D
     DESCRIPTOR = 0x44
     NAME = "filter.accel_magnitude_error_adaptive_measurement"
@@ -4860,25 +5699,45 @@ class AccelMagnitudeErrorAdaptiveMeasurement(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    adaptive_measurement: AdaptiveMeasurementSelector | None = None
+    adaptive_measurement: AdaptiveMeasurementSelector | None
     """Kind of adaptation. Required for `write`.
 
     - On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and
       3DM-RQ1-45-ST: only `AdaptiveMeasurementSelector.DISABLED` and
       `AdaptiveMeasurementSelector.FIXED`.
     """
-    frequency: float | None = None
+    frequency: float | None
     """Cut-off frequency of the low-pass filter. Unit: Hz. Optional."""
-    low_limit: float | None = None
+    low_limit: float | None
     """Lower limit of the error. Unit: m/s^2. Optional."""
-    high_limit: float | None = None
+    high_limit: float | None
     """Upper limit of the error. Unit: m/s^2. Optional."""
-    low_limit_uncertainty: float | None = None
+    low_limit_uncertainty: float | None
     """Standard deviation at the lower limit. Unit: m/s^2. Optional."""
-    high_limit_uncertainty: float | None = None
+    high_limit_uncertainty: float | None
     """Standard deviation at the upper limit. Unit: m/s^2. Optional."""
-    minimum_uncertainty: float | None = None
+    minimum_uncertainty: float | None
     """Smallest standard deviation. Unit: m/s^2. Optional."""
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        adaptive_measurement: AdaptiveMeasurementSelector | None = None,
+        frequency: float | None = None,
+        low_limit: float | None = None,
+        high_limit: float | None = None,
+        low_limit_uncertainty: float | None = None,
+        high_limit_uncertainty: float | None = None,
+        minimum_uncertainty: float | None = None,
+    ) -> None:
+        self.function = function
+        self.adaptive_measurement = adaptive_measurement
+        self.frequency = frequency
+        self.low_limit = low_limit
+        self.high_limit = high_limit
+        self.low_limit_uncertainty = low_limit_uncertainty
+        self.high_limit_uncertainty = high_limit_uncertainty
+        self.minimum_uncertainty = minimum_uncertainty
 
     @classmethod
     def write(
@@ -5049,7 +5908,6 @@ _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_GROUPS = (
 )
 
 
-@dataclass(slots=True)
 class MagMagnitudeErrorAdaptiveMeasurement(Command[R]):
     """Magnetometer magnitude error adaptive measurement (0x0D,0x45).
 
@@ -5068,6 +5926,27 @@ class MagMagnitudeErrorAdaptiveMeasurement(Command[R]):
     - mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
     """
 
+    __slots__ = (
+        "function",
+        "adaptive_measurement",
+        "frequency",
+        "low_limit",
+        "high_limit",
+        "low_limit_uncertainty",
+        "high_limit_uncertainty",
+        "minimum_uncertainty",
+    )
+    __match_args__ = (
+        "function",
+        "adaptive_measurement",
+        "frequency",
+        "low_limit",
+        "high_limit",
+        "low_limit_uncertainty",
+        "high_limit_uncertainty",
+        "minimum_uncertainty",
+    )
+
     SET = 0x0D
     DESCRIPTOR = 0x45
     NAME = "filter.mag_magnitude_error_adaptive_measurement"
@@ -5077,37 +5956,57 @@ class MagMagnitudeErrorAdaptiveMeasurement(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    adaptive_measurement: AdaptiveMeasurementSelector | None = None
+    adaptive_measurement: AdaptiveMeasurementSelector | None
     """Kind of adaptation. Required for `write`.
 
     - On the 3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and
       3DM-RQ1-45-ST: only `AdaptiveMeasurementSelector.DISABLED` and
       `AdaptiveMeasurementSelector.FIXED`.
     """
-    frequency: float | None = None
+    frequency: float | None
     """Cut-off frequency of the low-pass filter. Unit: Hz. Required for `write`."""
-    low_limit: float | None = None
+    low_limit: float | None
     """Lower limit of the error. Unit: gauss. Required for `write`. Uncertain: The unit. The SDK
     prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
     """
-    high_limit: float | None = None
+    high_limit: float | None
     """Upper limit of the error. Unit: gauss. Required for `write`. Uncertain: The unit. The SDK
     prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
     """
-    low_limit_uncertainty: float | None = None
+    low_limit_uncertainty: float | None
     """Standard deviation at the lower limit. Unit: gauss. Required for `write`. Uncertain: The
     unit. The SDK prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in
     the response.
     """
-    high_limit_uncertainty: float | None = None
+    high_limit_uncertainty: float | None
     """Standard deviation at the upper limit. Unit: gauss. Required for `write`. Uncertain: The
     unit. The SDK prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in
     the response.
     """
-    minimum_uncertainty: float | None = None
+    minimum_uncertainty: float | None
     """Smallest standard deviation. Unit: gauss. Required for `write`. Uncertain: The unit. The SDK
     prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
     """
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        adaptive_measurement: AdaptiveMeasurementSelector | None = None,
+        frequency: float | None = None,
+        low_limit: float | None = None,
+        high_limit: float | None = None,
+        low_limit_uncertainty: float | None = None,
+        high_limit_uncertainty: float | None = None,
+        minimum_uncertainty: float | None = None,
+    ) -> None:
+        self.function = function
+        self.adaptive_measurement = adaptive_measurement
+        self.frequency = frequency
+        self.low_limit = low_limit
+        self.high_limit = high_limit
+        self.low_limit_uncertainty = low_limit_uncertainty
+        self.high_limit_uncertainty = high_limit_uncertainty
+        self.minimum_uncertainty = minimum_uncertainty
 
     @classmethod
     def write(
@@ -5274,7 +6173,6 @@ _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_GROUPS = (
 )
 
 
-@dataclass(slots=True)
 class MagDipAngleErrorAdaptiveMeasurement(Command[R]):
     """Magnetometer dip angle error adaptive measurement (0x0D,0x46).
 
@@ -5291,6 +6189,23 @@ class MagDipAngleErrorAdaptiveMeasurement(Command[R]):
     - mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
     """
 
+    __slots__ = (
+        "function",
+        "enable",
+        "frequency",
+        "high_limit",
+        "high_limit_uncertainty",
+        "minimum_uncertainty",
+    )
+    __match_args__ = (
+        "function",
+        "enable",
+        "frequency",
+        "high_limit",
+        "high_limit_uncertainty",
+        "minimum_uncertainty",
+    )
+
     SET = 0x0D
     DESCRIPTOR = 0x46
     NAME = "filter.mag_dip_angle_error_adaptive_measurement"
@@ -5300,22 +6215,38 @@ class MagDipAngleErrorAdaptiveMeasurement(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    enable: bool | None = None
+    enable: bool | None
     """Whether the adaptation is on. Required for `write`."""
-    frequency: float | None = None
+    frequency: float | None
     """Cut-off frequency of the low-pass filter. Unit: Hz. Required for `write`."""
-    high_limit: float | None = None
+    high_limit: float | None
     """Upper limit of the error. Unit: rad. Required for `write`. Uncertain: The unit. The SDK
     prints m/s^2; rad is inferred from the quantity.
     """
-    high_limit_uncertainty: float | None = None
+    high_limit_uncertainty: float | None
     """Standard deviation at the upper limit. Unit: rad. Required for `write`. Uncertain: The unit.
     The SDK prints m/s^2; rad is inferred from the quantity.
     """
-    minimum_uncertainty: float | None = None
+    minimum_uncertainty: float | None
     """Smallest standard deviation. Unit: rad. Required for `write`. Uncertain: The unit. The SDK
     prints m/s^2; rad is inferred from the quantity.
     """
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        enable: bool | None = None,
+        frequency: float | None = None,
+        high_limit: float | None = None,
+        high_limit_uncertainty: float | None = None,
+        minimum_uncertainty: float | None = None,
+    ) -> None:
+        self.function = function
+        self.enable = enable
+        self.frequency = frequency
+        self.high_limit = high_limit
+        self.high_limit_uncertainty = high_limit_uncertainty
+        self.minimum_uncertainty = minimum_uncertainty
 
     @classmethod
     def write(
@@ -5443,7 +6374,6 @@ _ALTITUDE_AIDING_1 = codec.Block("B", "selector")
 _ALTITUDE_AIDING_GROUPS = ((1, ("selector",), False),)
 
 
-@dataclass(slots=True)
 class AltitudeAiding(Command[R]):
     """Altitude aiding (0x0D,0x47).
 
@@ -5458,6 +6388,9 @@ class AltitudeAiding(Command[R]):
     - mip-sdk-4: Altitude Aiding (0x0D,0x47)
     """
 
+    __slots__ = ("function", "selector")
+    __match_args__ = ("function", "selector")
+
     SET = 0x0D
     DESCRIPTOR = 0x47
     NAME = "filter.altitude_aiding"
@@ -5467,8 +6400,14 @@ class AltitudeAiding(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    selector: AltitudeAidingSource | None = None
+    selector: AltitudeAidingSource | None
     """Source of the aiding. Required for `write`."""
+
+    def __init__(
+        self, function: FunctionSelector, selector: AltitudeAidingSource | None = None
+    ) -> None:
+        self.function = function
+        self.selector = selector
 
     @classmethod
     def write(
@@ -5538,7 +6477,6 @@ _PITCH_ROLL_AIDING_1 = codec.Block("B", "aiding")
 _PITCH_ROLL_AIDING_GROUPS = ((1, ("aiding",), False),)
 
 
-@dataclass(slots=True)
 class PitchRollAiding(Command[R]):
     """Pitch and roll aiding (0x0D,0x4B).
 
@@ -5550,6 +6488,9 @@ class PitchRollAiding(Command[R]):
     - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
     """
 
+    __slots__ = ("function", "aiding")
+    __match_args__ = ("function", "aiding")
+
     SET = 0x0D
     DESCRIPTOR = 0x4B
     NAME = "filter.pitch_roll_aiding"
@@ -5559,8 +6500,14 @@ class PitchRollAiding(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    aiding: PitchRollAidingSource | None = None
+    aiding: PitchRollAidingSource | None
     """Source of the aiding. Required for `write`."""
+
+    def __init__(
+        self, function: FunctionSelector, aiding: PitchRollAidingSource | None = None
+    ) -> None:
+        self.function = function
+        self.aiding = aiding
 
     @classmethod
     def write(
@@ -5631,7 +6578,6 @@ _MAGNETIC_INCLINATION_SOURCE_2 = codec.Block("f", "inclination")
 _MAGNETIC_INCLINATION_SOURCE_GROUPS = ((1, ("source",), False), (2, ("inclination",), False))
 
 
-@dataclass(slots=True)
 class MagneticInclinationSource(Command[R]):
     """Magnetic inclination source (0x0D,0x4C).
 
@@ -5646,6 +6592,9 @@ class MagneticInclinationSource(Command[R]):
     - mip-sdk-4: Inclination Source (0x0D,0x4C)
     """
 
+    __slots__ = ("function", "source", "inclination")
+    __match_args__ = ("function", "source", "inclination")
+
     SET = 0x0D
     DESCRIPTOR = 0x4C
     NAME = "filter.magnetic_inclination_source"
@@ -5655,12 +6604,22 @@ class MagneticInclinationSource(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    source: MagParameterSource | None = None
+    source: MagParameterSource | None
     """Source of the inclination. Required for `write`."""
-    inclination: float | None = None
+    inclination: float | None
     """Inclination; used only if `source` is manual. Unit: rad. Required for `write`. Uncertain:
     Whether it may be left out if `source` is not manual. The SDK sends it always.
     """
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        source: MagParameterSource | None = None,
+        inclination: float | None = None,
+    ) -> None:
+        self.function = function
+        self.source = source
+        self.inclination = inclination
 
     @classmethod
     def write(
@@ -5742,7 +6701,6 @@ _MAGNETIC_MAGNITUDE_SOURCE_2 = codec.Block("f", "magnitude")
 _MAGNETIC_MAGNITUDE_SOURCE_GROUPS = ((1, ("source",), False), (2, ("magnitude",), False))
 
 
-@dataclass(slots=True)
 class MagneticMagnitudeSource(Command[R]):
     """Magnetic field magnitude source (0x0D,0x4D).
 
@@ -5758,6 +6716,9 @@ class MagneticMagnitudeSource(Command[R]):
     - mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D)
     """
 
+    __slots__ = ("function", "source", "magnitude")
+    __match_args__ = ("function", "source", "magnitude")
+
     SET = 0x0D
     DESCRIPTOR = 0x4D
     NAME = "filter.magnetic_magnitude_source"
@@ -5767,12 +6728,22 @@ class MagneticMagnitudeSource(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    source: MagParameterSource | None = None
+    source: MagParameterSource | None
     """Source of the magnitude. Required for `write`."""
-    magnitude: float | None = None
+    magnitude: float | None
     """Magnitude; used only if `source` is manual. Unit: gauss. Required for `write`. Uncertain:
     Whether it may be left out if `source` is not manual. The SDK sends it always.
     """
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        source: MagParameterSource | None = None,
+        magnitude: float | None = None,
+    ) -> None:
+        self.function = function
+        self.source = source
+        self.magnitude = magnitude
 
     @classmethod
     def write(
@@ -5853,7 +6824,6 @@ _SENSOR_TO_VEHICLE_ROTATION_DCM_1 = codec.Block("fffffffff", *["dcm"] * 9)
 _SENSOR_TO_VEHICLE_ROTATION_DCM_GROUPS = ((1, ("dcm",), False),)
 
 
-@dataclass(slots=True)
 class SensorToVehicleRotationDcm(Command[R]):
     """Sensor to vehicle rotation, matrix (0x0D,0x4E).
 
@@ -5872,23 +6842,33 @@ class SensorToVehicleRotationDcm(Command[R]):
     - mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E)
     """
 
+    __slots__ = ("function", "dcm")
+    __match_args__ = ("function", "dcm")
+
     SET = 0x0D
     DESCRIPTOR = 0x4E
     NAME = "filter.sensor_to_vehicle_rotation_dcm"
     ROLE = "command"
     RESPONSES = (SensorToVehicleRotationDcmResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _VECTORS = {"dcm": (types.Matrix3f,)}
 
     function: FunctionSelector
     """What to do with the setting."""
-    dcm: types.Matrix3f | None = None
+    dcm: types.Matrix3f | None
     """Rotation matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
     Unit: 1. Required for `write`.
     """
 
+    def __init__(
+        self, function: FunctionSelector, dcm: types.Matrix3f | None | codec.Rows = None
+    ) -> None:
+        self.function = function
+        self.dcm = codec.vector(dcm, types.Matrix3f)
+
     @classmethod
     def write(
-        cls: ClassOf[SensorToVehicleRotationDcm[Any]], dcm: types.Matrix3f
+        cls: ClassOf[SensorToVehicleRotationDcm[Any]], dcm: types.Matrix3f | codec.Rows
     ) -> SensorToVehicleRotationDcm[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, dcm=dcm)
@@ -5934,7 +6914,7 @@ class SensorToVehicleRotationDcm(Command[R]):
                 raise Truncated(1, 0)
             v = _SENSOR_TO_VEHICLE_ROTATION_DCM_1.read(raw, at)
             at += 36
-            dcm = v[0:9]
+            dcm = types.Matrix3f._make(v[0:9])
             done, end = 1, at
         except Truncated:
             if done < required:
@@ -5947,7 +6927,7 @@ class SensorToVehicleRotationDcm(Command[R]):
         required = self.REQUIRED.get(self.function, 0)
         there = codec.present(self, required, _SENSOR_TO_VEHICLE_ROTATION_DCM_GROUPS)
         if there >= 1:
-            out += _SENSOR_TO_VEHICLE_ROTATION_DCM_1.write(*codec.exactly("dcm", self.dcm, 9))
+            out += _SENSOR_TO_VEHICLE_ROTATION_DCM_1.write(*codec.elements("dcm", self.dcm, 9))
         return codec.finished(out)
 
 
@@ -5956,7 +6936,6 @@ _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_1 = codec.Block("ffff", *["q"] * 4)
 _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_GROUPS = ((1, ("q",), False),)
 
 
-@dataclass(slots=True)
 class SensorToVehicleRotationQuaternion(Command[R]):
     """Sensor to vehicle rotation, quaternion (0x0D,0x4F).
 
@@ -5974,23 +6953,33 @@ class SensorToVehicleRotationQuaternion(Command[R]):
     - mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F)
     """
 
+    __slots__ = ("function", "q")
+    __match_args__ = ("function", "q")
+
     SET = 0x0D
     DESCRIPTOR = 0x4F
     NAME = "filter.sensor_to_vehicle_rotation_quaternion"
     ROLE = "command"
     RESPONSES = (SensorToVehicleRotationQuaternionResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _VECTORS = {"q": (types.Quatf,)}
 
     function: FunctionSelector
     """What to do with the setting."""
-    q: types.Quatf | None = None
+    q: types.Quatf | None
     """Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Range: magnitude 0.999 to
     1.001. Required for `write`.
     """
 
+    def __init__(
+        self, function: FunctionSelector, q: types.Quatf | None | codec.Numbers = None
+    ) -> None:
+        self.function = function
+        self.q = codec.vector(q, types.Quatf)
+
     @classmethod
     def write(
-        cls: ClassOf[SensorToVehicleRotationQuaternion[Any]], q: types.Quatf
+        cls: ClassOf[SensorToVehicleRotationQuaternion[Any]], q: types.Quatf | codec.Numbers
     ) -> SensorToVehicleRotationQuaternion[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, q=q)
@@ -6042,7 +7031,7 @@ class SensorToVehicleRotationQuaternion(Command[R]):
                 raise Truncated(1, 0)
             v = _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_1.read(raw, at)
             at += 16
-            q = v[0:4]
+            q = types.Quatf._make(v[0:4])
             done, end = 1, at
         except Truncated:
             if done < required:
@@ -6055,7 +7044,7 @@ class SensorToVehicleRotationQuaternion(Command[R]):
         required = self.REQUIRED.get(self.function, 0)
         there = codec.present(self, required, _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_GROUPS)
         if there >= 1:
-            out += _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_1.write(*codec.exactly("q", self.q, 4))
+            out += _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_1.write(*codec.elements("q", self.q, 4))
         return codec.finished(out)
 
 
@@ -6065,7 +7054,6 @@ _AIDING_MEASUREMENT_ENABLE_2 = codec.Block("B", "enable")
 _AIDING_MEASUREMENT_ENABLE_GROUPS = ((1, ("aiding_source",), False), (2, ("enable",), False))
 
 
-@dataclass(slots=True)
 class AidingMeasurementEnable(Command[R]):
     """Aiding measurement control (0x0D,0x50).
 
@@ -6078,6 +7066,9 @@ class AidingMeasurementEnable(Command[R]):
     - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
     """
 
+    __slots__ = ("function", "aiding_source", "enable")
+    __match_args__ = ("function", "aiding_source", "enable")
+
     SET = 0x0D
     DESCRIPTOR = 0x50
     NAME = "filter.aiding_measurement_enable"
@@ -6087,15 +7078,25 @@ class AidingMeasurementEnable(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    aiding_source: AidingSource | None = None
+    aiding_source: AidingSource | None
     """The source; `all` is for save, load and default.
 
     - On the 3DM-CV7-AHRS: only `AidingSource.MAG`, `AidingSource.EXTERNAL_HEADING` and
       `AidingSource.ALL`.
     - On the 3DM-CV7-AR: only `AidingSource.EXTERNAL_HEADING` and `AidingSource.ALL`.
     """
-    enable: bool | None = None
+    enable: bool | None
     """Whether the filter uses the source. Required for `write`."""
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        aiding_source: AidingSource | None = None,
+        enable: bool | None = None,
+    ) -> None:
+        self.function = function
+        self.aiding_source = aiding_source
+        self.enable = enable
 
     @classmethod
     def write(
@@ -6188,7 +7189,6 @@ _KINEMATIC_CONSTRAINT_GROUPS = (
 )
 
 
-@dataclass(slots=True)
 class KinematicConstraint(Command[R]):
     """Kinematic constraint (0x0D,0x51).
 
@@ -6202,6 +7202,9 @@ class KinematicConstraint(Command[R]):
     - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
     """
 
+    __slots__ = ("function", "accel_constraint", "velocity_constraint", "angular_constraint")
+    __match_args__ = ("function", "accel_constraint", "velocity_constraint", "angular_constraint")
+
     SET = 0x0D
     DESCRIPTOR = 0x51
     NAME = "filter.kinematic_constraint"
@@ -6211,13 +7214,25 @@ class KinematicConstraint(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    accel_constraint: AccelConstraint | None = None
+    accel_constraint: AccelConstraint | None
     """Assumption about the acceleration. Default: `AccelConstraint.NONE`. Required for `write`."""
-    velocity_constraint: VelocityConstraint | None = None
+    velocity_constraint: VelocityConstraint | None
     """Assumption about the velocity. Default: `VelocityConstraint.NONE`. Required for `write`."""
-    angular_constraint: AngularConstraint | None = None
+    angular_constraint: AngularConstraint | None
     """Assumption about the angular rate. Default: `AngularConstraint.NONE`. Required for `write`.
     """
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        accel_constraint: AccelConstraint | None = None,
+        velocity_constraint: VelocityConstraint | None = None,
+        angular_constraint: AngularConstraint | None = None,
+    ) -> None:
+        self.function = function
+        self.accel_constraint = accel_constraint
+        self.velocity_constraint = velocity_constraint
+        self.angular_constraint = angular_constraint
 
     @classmethod
     def write(
@@ -6333,7 +7348,6 @@ _INITIALIZATION_CONFIG_GROUPS = (
 )
 
 
-@dataclass(slots=True)
 class InitializationConfig(Command[R]):
     """Navigation filter initialization (0x0D,0x52).
 
@@ -6350,43 +7364,93 @@ class InitializationConfig(Command[R]):
     - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
     """
 
+    __slots__ = (
+        "function",
+        "wait_for_run_command",
+        "initial_condition_source",
+        "auto_heading_alignment_selector",
+        "initial_heading",
+        "initial_pitch",
+        "initial_roll",
+        "initial_position",
+        "initial_velocity",
+        "reference_frame_selector",
+    )
+    __match_args__ = (
+        "function",
+        "wait_for_run_command",
+        "initial_condition_source",
+        "auto_heading_alignment_selector",
+        "initial_heading",
+        "initial_pitch",
+        "initial_roll",
+        "initial_position",
+        "initial_velocity",
+        "reference_frame_selector",
+    )
+
     SET = 0x0D
     DESCRIPTOR = 0x52
     NAME = "filter.initialization_config"
     ROLE = "command"
     RESPONSES = (InitializationConfigResponse,)
     REQUIRED = {1: 9, 2: 0, 3: 0, 4: 0, 5: 0}
+    _VECTORS = {"initial_position": (types.Vector3f,), "initial_velocity": (types.Vector3f,)}
 
     function: FunctionSelector
     """What to do with the setting."""
-    wait_for_run_command: int | None = None
+    wait_for_run_command: int | None
     """1: the filter starts only after `Run`; 0: as soon as it can. Range: 0 to 1. Required for
     `write`.
     """
-    initial_condition_source: InitialConditionSource | None = None
+    initial_condition_source: InitialConditionSource | None
     """Which initial conditions are found and which are given. Required for `write`."""
-    auto_heading_alignment_selector: HeadingAlignment | None = None
+    auto_heading_alignment_selector: HeadingAlignment | None
     """Ways in which the initial heading may be found. Required for `write`."""
-    initial_heading: float | None = None
+    initial_heading: float | None
     """Given heading. Unit: deg. Required for `write`."""
-    initial_pitch: float | None = None
+    initial_pitch: float | None
     """Given pitch. Unit: deg. Required for `write`."""
-    initial_roll: float | None = None
+    initial_roll: float | None
     """Given roll. Unit: deg. Required for `write`."""
-    initial_position: types.Vector3f | None = None
+    initial_position: types.Vector3f | None
     """Given position. Elements: x, y, z. Required for `write`.
 
     - If `reference_frame_selector` is `ReferenceFrame.ECEF`: unit m; frame ecef.
     - If `reference_frame_selector` is `ReferenceFrame.LLH`: unit deg, deg, m; frame llh.
     """
-    initial_velocity: types.Vector3f | None = None
+    initial_velocity: types.Vector3f | None
     """Given velocity. Elements: x, y, z. Unit: m/s. Required for `write`.
 
     - If `reference_frame_selector` is `ReferenceFrame.ECEF`: frame ecef.
     - If `reference_frame_selector` is `ReferenceFrame.LLH`: frame ned.
     """
-    reference_frame_selector: ReferenceFrame | None = None
+    reference_frame_selector: ReferenceFrame | None
     """Frame of the given position and velocity. Required for `write`."""
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        wait_for_run_command: int | None = None,
+        initial_condition_source: InitialConditionSource | None = None,
+        auto_heading_alignment_selector: HeadingAlignment | None = None,
+        initial_heading: float | None = None,
+        initial_pitch: float | None = None,
+        initial_roll: float | None = None,
+        initial_position: types.Vector3f | None | codec.Numbers = None,
+        initial_velocity: types.Vector3f | None | codec.Numbers = None,
+        reference_frame_selector: ReferenceFrame | None = None,
+    ) -> None:
+        self.function = function
+        self.wait_for_run_command = wait_for_run_command
+        self.initial_condition_source = initial_condition_source
+        self.auto_heading_alignment_selector = auto_heading_alignment_selector
+        self.initial_heading = initial_heading
+        self.initial_pitch = initial_pitch
+        self.initial_roll = initial_roll
+        self.initial_position = codec.vector(initial_position, types.Vector3f)
+        self.initial_velocity = codec.vector(initial_velocity, types.Vector3f)
+        self.reference_frame_selector = reference_frame_selector
 
     @classmethod
     def write(
@@ -6397,8 +7461,8 @@ class InitializationConfig(Command[R]):
         initial_heading: float,
         initial_pitch: float,
         initial_roll: float,
-        initial_position: types.Vector3f,
-        initial_velocity: types.Vector3f,
+        initial_position: types.Vector3f | codec.Numbers,
+        initial_velocity: types.Vector3f | codec.Numbers,
         reference_frame_selector: ReferenceFrame,
     ) -> InitializationConfig[None]:
         """Apply the new setting."""
@@ -6500,13 +7564,13 @@ class InitializationConfig(Command[R]):
                 raise Truncated(1, 0)
             v = _INITIALIZATION_CONFIG_7.read(raw, at)
             at += 12
-            initial_position = v[0:3]
+            initial_position = types.Vector3f._make(v[0:3])
             done, end = 7, at
             if at == len(raw) and required < 8:
                 raise Truncated(1, 0)
             v = _INITIALIZATION_CONFIG_8.read(raw, at)
             at += 12
-            initial_velocity = v[0:3]
+            initial_velocity = types.Vector3f._make(v[0:3])
             done, end = 8, at
             if at == len(raw) and required < 9:
                 raise Truncated(1, 0)
@@ -6549,11 +7613,11 @@ class InitializationConfig(Command[R]):
             out += _INITIALIZATION_CONFIG_6.write(self.initial_roll)
         if there >= 7:
             out += _INITIALIZATION_CONFIG_7.write(
-                *codec.exactly("initial_position", self.initial_position, 3)
+                *codec.elements("initial_position", self.initial_position, 3)
             )
         if there >= 8:
             out += _INITIALIZATION_CONFIG_8.write(
-                *codec.exactly("initial_velocity", self.initial_velocity, 3)
+                *codec.elements("initial_velocity", self.initial_velocity, 3)
             )
         if there >= 9:
             out += _INITIALIZATION_CONFIG_9.write(self.reference_frame_selector)
@@ -6566,7 +7630,6 @@ _ADAPTIVE_FILTER_OPTIONS_2 = codec.Block("H", "time_limit")
 _ADAPTIVE_FILTER_OPTIONS_GROUPS = ((1, ("level",), False), (2, ("time_limit",), False))
 
 
-@dataclass(slots=True)
 class AdaptiveFilterOptions(Command[R]):
     """Adaptive filter control (0x0D,0x53).
 
@@ -6578,6 +7641,9 @@ class AdaptiveFilterOptions(Command[R]):
     - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
     """
 
+    __slots__ = ("function", "level", "time_limit")
+    __match_args__ = ("function", "level", "time_limit")
+
     SET = 0x0D
     DESCRIPTOR = 0x53
     NAME = "filter.adaptive_filter_options"
@@ -6587,15 +7653,25 @@ class AdaptiveFilterOptions(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    level: AdaptiveLevel | None = None
+    level: AdaptiveLevel | None
     """Strength of the adaptation. Default: 2. Required for `write`.
 
     - On the 3DM-GX5-45: only `AdaptiveLevel.OFF` and `AdaptiveLevel.MODERATE`.
     """
-    time_limit: int | None = None
+    time_limit: int | None
     """Longest time for which measurements are rejected before the filter recovers. Unit: ms.
     Required for `write`.
     """
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        level: AdaptiveLevel | None = None,
+        time_limit: int | None = None,
+    ) -> None:
+        self.function = function
+        self.level = level
+        self.time_limit = time_limit
 
     @classmethod
     def write(
@@ -6677,7 +7753,6 @@ _MULTI_ANTENNA_OFFSET_2 = codec.Block("fff", *["antenna_offset"] * 3)
 _MULTI_ANTENNA_OFFSET_GROUPS = ((1, ("receiver_id",), False), (2, ("antenna_offset",), False))
 
 
-@dataclass(slots=True)
 class MultiAntennaOffset(Command[R]):
     """GNSS multi-antenna offset (0x0D,0x54).
 
@@ -6689,25 +7764,41 @@ class MultiAntennaOffset(Command[R]):
     - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
     """
 
+    __slots__ = ("function", "receiver_id", "antenna_offset")
+    __match_args__ = ("function", "receiver_id", "antenna_offset")
+
     SET = 0x0D
     DESCRIPTOR = 0x54
     NAME = "filter.multi_antenna_offset"
     ROLE = "command"
     RESPONSES = (MultiAntennaOffsetResponse,)
     REQUIRED = {1: 2, 2: 1, 3: 1, 4: 1, 5: 1}
+    _VECTORS = {"antenna_offset": (types.Vector3f,)}
 
     function: FunctionSelector
     """What to do with the setting."""
-    receiver_id: int | None = None
+    receiver_id: int | None
     """Number of the receiver, from 1. Range: at least 1."""
-    antenna_offset: types.Vector3f | None = None
+    antenna_offset: types.Vector3f | None
     """From the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude
     at most 10. Required for `write`.
     """
 
+    def __init__(
+        self,
+        function: FunctionSelector,
+        receiver_id: int | None = None,
+        antenna_offset: types.Vector3f | None | codec.Numbers = None,
+    ) -> None:
+        self.function = function
+        self.receiver_id = receiver_id
+        self.antenna_offset = codec.vector(antenna_offset, types.Vector3f)
+
     @classmethod
     def write(
-        cls: ClassOf[MultiAntennaOffset[Any]], receiver_id: int, antenna_offset: types.Vector3f
+        cls: ClassOf[MultiAntennaOffset[Any]],
+        receiver_id: int,
+        antenna_offset: types.Vector3f | codec.Numbers,
     ) -> MultiAntennaOffset[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, receiver_id=receiver_id, antenna_offset=antenna_offset)
@@ -6762,7 +7853,7 @@ class MultiAntennaOffset(Command[R]):
                 raise Truncated(1, 0)
             v = _MULTI_ANTENNA_OFFSET_2.read(raw, at)
             at += 12
-            antenna_offset = v[0:3]
+            antenna_offset = types.Vector3f._make(v[0:3])
             done, end = 2, at
         except Truncated:
             if done < required:
@@ -6778,7 +7869,7 @@ class MultiAntennaOffset(Command[R]):
             out += _MULTI_ANTENNA_OFFSET_1.write(self.receiver_id)
         if there >= 2:
             out += _MULTI_ANTENNA_OFFSET_2.write(
-                *codec.exactly("antenna_offset", self.antenna_offset, 3)
+                *codec.elements("antenna_offset", self.antenna_offset, 3)
             )
         return codec.finished(out)
 
@@ -6794,7 +7885,6 @@ _RELATIVE_POSITION_CONFIG_GROUPS = (
 )
 
 
-@dataclass(slots=True)
 class RelativePositionConfig(Command[R]):
     """Relative position configuration (0x0D,0x55).
 
@@ -6806,32 +7896,48 @@ class RelativePositionConfig(Command[R]):
     - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
     """
 
+    __slots__ = ("function", "source", "reference_frame_selector", "reference_coordinates")
+    __match_args__ = ("function", "source", "reference_frame_selector", "reference_coordinates")
+
     SET = 0x0D
     DESCRIPTOR = 0x55
     NAME = "filter.relative_position_config"
     ROLE = "command"
     RESPONSES = (RelativePositionConfigResponse,)
     REQUIRED = {1: 3, 2: 0, 3: 0, 4: 0, 5: 0}
+    _VECTORS = {"reference_coordinates": (types.Vector3d,)}
 
     function: FunctionSelector
     """What to do with the setting."""
-    source: RelativePositionSource | None = None
+    source: RelativePositionSource | None
     """Source of the reference point. Required for `write`."""
-    reference_frame_selector: ReferenceFrame | None = None
+    reference_frame_selector: ReferenceFrame | None
     """Frame of the coordinates. Required for `write`."""
-    reference_coordinates: types.Vector3d | None = None
+    reference_coordinates: types.Vector3d | None
     """Reference point. Elements: x, y, z. Required for `write`.
 
     - If `reference_frame_selector` is `ReferenceFrame.ECEF`: unit m; frame ecef.
     - If `reference_frame_selector` is `ReferenceFrame.LLH`: unit deg, deg, m; frame llh.
     """
 
+    def __init__(
+        self,
+        function: FunctionSelector,
+        source: RelativePositionSource | None = None,
+        reference_frame_selector: ReferenceFrame | None = None,
+        reference_coordinates: types.Vector3d | None | codec.Numbers = None,
+    ) -> None:
+        self.function = function
+        self.source = source
+        self.reference_frame_selector = reference_frame_selector
+        self.reference_coordinates = codec.vector(reference_coordinates, types.Vector3d)
+
     @classmethod
     def write(
         cls: ClassOf[RelativePositionConfig[Any]],
         source: RelativePositionSource,
         reference_frame_selector: ReferenceFrame,
-        reference_coordinates: types.Vector3d,
+        reference_coordinates: types.Vector3d | codec.Numbers,
     ) -> RelativePositionConfig[None]:
         """Apply the new setting."""
         return cls(
@@ -6896,7 +8002,7 @@ class RelativePositionConfig(Command[R]):
                 raise Truncated(1, 0)
             v = _RELATIVE_POSITION_CONFIG_3.read(raw, at)
             at += 24
-            reference_coordinates = v[0:3]
+            reference_coordinates = types.Vector3d._make(v[0:3])
             done, end = 3, at
         except Truncated:
             if done < required:
@@ -6914,7 +8020,7 @@ class RelativePositionConfig(Command[R]):
             out += _RELATIVE_POSITION_CONFIG_2.write(self.reference_frame_selector)
         if there >= 3:
             out += _RELATIVE_POSITION_CONFIG_3.write(
-                *codec.exactly("reference_coordinates", self.reference_coordinates, 3)
+                *codec.elements("reference_coordinates", self.reference_coordinates, 3)
             )
         return codec.finished(out)
 
@@ -6928,7 +8034,6 @@ _REFERENCE_POINT_LEVER_ARM_GROUPS = (
 )
 
 
-@dataclass(slots=True)
 class ReferencePointLeverArm(Command[R]):
     """Reference point lever arm (0x0D,0x56).
 
@@ -6944,27 +8049,41 @@ class ReferencePointLeverArm(Command[R]):
     - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
     """
 
+    __slots__ = ("function", "reference_point", "lever_arm_offset")
+    __match_args__ = ("function", "reference_point", "lever_arm_offset")
+
     SET = 0x0D
     DESCRIPTOR = 0x56
     NAME = "filter.reference_point_lever_arm"
     ROLE = "command"
     RESPONSES = (ReferencePointLeverArmResponse,)
     REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+    _VECTORS = {"lever_arm_offset": (types.Vector3f,)}
 
     function: FunctionSelector
     """What to do with the setting."""
-    reference_point: ReferencePoint | None = None
+    reference_point: ReferencePoint | None
     """Point to move; it must be 1. Required for `write`."""
-    lever_arm_offset: types.Vector3f | None = None
+    lever_arm_offset: types.Vector3f | None
     """From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at
     most 10. Required for `write`.
     """
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        reference_point: ReferencePoint | None = None,
+        lever_arm_offset: types.Vector3f | None | codec.Numbers = None,
+    ) -> None:
+        self.function = function
+        self.reference_point = reference_point
+        self.lever_arm_offset = codec.vector(lever_arm_offset, types.Vector3f)
 
     @classmethod
     def write(
         cls: ClassOf[ReferencePointLeverArm[Any]],
         reference_point: ReferencePoint,
-        lever_arm_offset: types.Vector3f,
+        lever_arm_offset: types.Vector3f | codec.Numbers,
     ) -> ReferencePointLeverArm[None]:
         """Apply the new setting."""
         return cls(
@@ -7021,7 +8140,7 @@ class ReferencePointLeverArm(Command[R]):
                 raise Truncated(1, 0)
             v = _REFERENCE_POINT_LEVER_ARM_2.read(raw, at)
             at += 12
-            lever_arm_offset = v[0:3]
+            lever_arm_offset = types.Vector3f._make(v[0:3])
             done, end = 2, at
         except Truncated:
             if done < required:
@@ -7037,7 +8156,7 @@ class ReferencePointLeverArm(Command[R]):
             out += _REFERENCE_POINT_LEVER_ARM_1.write(self.reference_point)
         if there >= 2:
             out += _REFERENCE_POINT_LEVER_ARM_2.write(
-                *codec.exactly("lever_arm_offset", self.lever_arm_offset, 3)
+                *codec.elements("lever_arm_offset", self.lever_arm_offset, 3)
             )
         return codec.finished(out)
 
@@ -7045,7 +8164,6 @@ class ReferencePointLeverArm(Command[R]):
 _SPEED_MEASUREMENT_0 = codec.Block("Bfff", "source", "tow", "speed", "speed_uncertainty")
 
 
-@dataclass(slots=True)
 class SpeedMeasurement(Command[None]):
     """Speed measurement (0x0D,0x60).
 
@@ -7060,12 +8178,21 @@ class SpeedMeasurement(Command[None]):
     - mip-sdk-4: Speed Measurement (0x0D,0x60)
     """
 
+    __slots__ = ("source", "tow", "speed", "speed_uncertainty")
+    __match_args__ = ("tow", "speed", "speed_uncertainty")
+
     SET = 0x0D
     DESCRIPTOR = 0x60
     NAME = "filter.speed_measurement"
     ROLE = "command"
+    _LAYOUT = (
+        ("source", "B", None),
+        ("tow", "f", None),
+        ("speed", "f", None),
+        ("speed_uncertainty", "f", None),
+    )
 
-    source: int = field(default=1, kw_only=True)
+    source: int
     """Send 1. Reserved: send 1."""
     tow: float
     """GPS time of week of the measurement. Unit: s. Uncertain: The unit; the SDK prints none."""
@@ -7073,6 +8200,14 @@ class SpeedMeasurement(Command[None]):
     """Speed, negative in reverse. Unit: m/s. Frame: vehicle."""
     speed_uncertainty: float
     """Standard deviation of the speed. Unit: m/s."""
+
+    def __init__(
+        self, tow: float, speed: float, speed_uncertainty: float, *, source: int = 1
+    ) -> None:
+        self.source = source
+        self.tow = tow
+        self.speed = speed
+        self.speed_uncertainty = speed_uncertainty
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SpeedMeasurement, int]:
@@ -7095,7 +8230,6 @@ _SPEED_LEVER_ARM_2 = codec.Block("fff", *["lever_arm_offset"] * 3)
 _SPEED_LEVER_ARM_GROUPS = ((1, ("source",), False), (2, ("lever_arm_offset",), False))
 
 
-@dataclass(slots=True)
 class SpeedLeverArm(Command[R]):
     """Speed measurement lever arm (0x0D,0x61).
 
@@ -7109,25 +8243,39 @@ class SpeedLeverArm(Command[R]):
     - 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61)
     """
 
+    __slots__ = ("function", "source", "lever_arm_offset")
+    __match_args__ = ("function", "source", "lever_arm_offset")
+
     SET = 0x0D
     DESCRIPTOR = 0x61
     NAME = "filter.speed_lever_arm"
     ROLE = "command"
     RESPONSES = (SpeedLeverArmResponse,)
     REQUIRED = {1: 2, 2: 1, 3: 1, 4: 1, 5: 1}
+    _VECTORS = {"lever_arm_offset": (types.Vector3f,)}
 
     function: FunctionSelector
     """What to do with the setting."""
-    source: int | None = None
+    source: int | None
     """Reserved: send 1."""
-    lever_arm_offset: types.Vector3f | None = None
+    lever_arm_offset: types.Vector3f | None
     """From the sensor to the point of measurement. Elements: x, y, z. Unit: m. Frame: vehicle.
     Required for `write`.
     """
 
+    def __init__(
+        self,
+        function: FunctionSelector,
+        source: int | None = None,
+        lever_arm_offset: types.Vector3f | None | codec.Numbers = None,
+    ) -> None:
+        self.function = function
+        self.source = source
+        self.lever_arm_offset = codec.vector(lever_arm_offset, types.Vector3f)
+
     @classmethod
     def write(
-        cls: ClassOf[SpeedLeverArm[Any]], lever_arm_offset: types.Vector3f
+        cls: ClassOf[SpeedLeverArm[Any]], lever_arm_offset: types.Vector3f | codec.Numbers
     ) -> SpeedLeverArm[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, source=1, lever_arm_offset=lever_arm_offset)
@@ -7178,7 +8326,7 @@ class SpeedLeverArm(Command[R]):
                 raise Truncated(1, 0)
             v = _SPEED_LEVER_ARM_2.read(raw, at)
             at += 12
-            lever_arm_offset = v[0:3]
+            lever_arm_offset = types.Vector3f._make(v[0:3])
             done, end = 2, at
         except Truncated:
             if done < required:
@@ -7194,7 +8342,7 @@ class SpeedLeverArm(Command[R]):
             out += _SPEED_LEVER_ARM_1.write(self.source)
         if there >= 2:
             out += _SPEED_LEVER_ARM_2.write(
-                *codec.exactly("lever_arm_offset", self.lever_arm_offset, 3)
+                *codec.elements("lever_arm_offset", self.lever_arm_offset, 3)
             )
         return codec.finished(out)
 
@@ -7204,7 +8352,6 @@ _VERTICAL_GYRO_CONSTRAINT_CONTROL_1 = codec.Block("B", "enable")
 _VERTICAL_GYRO_CONSTRAINT_CONTROL_GROUPS = ((1, ("enable",), False),)
 
 
-@dataclass(slots=True)
 class VerticalGyroConstraintControl(Command[R]):
     """Vertical gyro constraint (0x0D,0x62).
 
@@ -7219,6 +8366,9 @@ class VerticalGyroConstraintControl(Command[R]):
     - mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62)
     """
 
+    __slots__ = ("function", "enable")
+    __match_args__ = ("function", "enable")
+
     SET = 0x0D
     DESCRIPTOR = 0x62
     NAME = "filter.vertical_gyro_constraint_control"
@@ -7228,8 +8378,12 @@ class VerticalGyroConstraintControl(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    enable: int | None = None
+    enable: int | None
     """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
+
+    def __init__(self, function: FunctionSelector, enable: int | None = None) -> None:
+        self.function = function
+        self.enable = enable
 
     @classmethod
     def write(
@@ -7307,7 +8461,6 @@ _WHEELED_VEHICLE_CONSTRAINT_CONTROL_1 = codec.Block("B", "enable")
 _WHEELED_VEHICLE_CONSTRAINT_CONTROL_GROUPS = ((1, ("enable",), False),)
 
 
-@dataclass(slots=True)
 class WheeledVehicleConstraintControl(Command[R]):
     """Wheeled vehicle constraint (0x0D,0x63).
 
@@ -7322,6 +8475,9 @@ class WheeledVehicleConstraintControl(Command[R]):
     - 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63)
     """
 
+    __slots__ = ("function", "enable")
+    __match_args__ = ("function", "enable")
+
     SET = 0x0D
     DESCRIPTOR = 0x63
     NAME = "filter.wheeled_vehicle_constraint_control"
@@ -7331,8 +8487,12 @@ class WheeledVehicleConstraintControl(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    enable: int | None = None
+    enable: int | None
     """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
+
+    def __init__(self, function: FunctionSelector, enable: int | None = None) -> None:
+        self.function = function
+        self.enable = enable
 
     @classmethod
     def write(
@@ -7411,7 +8571,6 @@ _GNSS_ANTENNA_CALIBRATION_CONTROL_2 = codec.Block("f", "max_offset")
 _GNSS_ANTENNA_CALIBRATION_CONTROL_GROUPS = ((1, ("enable",), False), (2, ("max_offset",), False))
 
 
-@dataclass(slots=True)
 class GnssAntennaCalibrationControl(Command[R]):
     """GNSS antenna offset calibration (0x0D,0x64).
 
@@ -7425,6 +8584,9 @@ class GnssAntennaCalibrationControl(Command[R]):
     - 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration
     """
 
+    __slots__ = ("function", "enable", "max_offset")
+    __match_args__ = ("function", "enable", "max_offset")
+
     SET = 0x0D
     DESCRIPTOR = 0x64
     NAME = "filter.gnss_antenna_calibration_control"
@@ -7434,12 +8596,19 @@ class GnssAntennaCalibrationControl(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    enable: int | None = None
+    enable: int | None
     """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
-    max_offset: float | None = None
+    max_offset: float | None
     """Largest absolute error that is tracked; the limits are those of the 3DM-CV7. Unit: m. Frame:
     vehicle. Range: 0 to 0.5. Default: 0.1. Required for `write`.
     """
+
+    def __init__(
+        self, function: FunctionSelector, enable: int | None = None, max_offset: float | None = None
+    ) -> None:
+        self.function = function
+        self.enable = enable
+        self.max_offset = max_offset
 
     @classmethod
     def write(

@@ -8,7 +8,6 @@ Estimates of the navigation filter and its status.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import IntFlag
 
 from . import codec, types
@@ -335,7 +334,6 @@ class Cv7StatusFlags(IntFlag):
 _LLH_POSITION_0 = codec.Block("dddH", "latitude", "longitude", "ellipsoid_height", "valid_flags")
 
 
-@dataclass(slots=True)
 class LlhPosition(Data):
     """LLH position (0x82,0x01).
 
@@ -346,10 +344,19 @@ class LlhPosition(Data):
     - 3dm-cv7-gnss-ins: LLH Position (0x82,0x01)
     """
 
+    __slots__ = ("latitude", "longitude", "ellipsoid_height", "valid_flags")
+    __match_args__ = ("latitude", "longitude", "ellipsoid_height", "valid_flags")
+
     SET = 0x82
     DESCRIPTOR = 0x01
     NAME = "filter_data.llh_position"
     ROLE = "data"
+    _LAYOUT = (
+        ("latitude", "d", None),
+        ("longitude", "d", None),
+        ("ellipsoid_height", "d", None),
+        ("valid_flags", "H", ValidFlags),
+    )
 
     latitude: float
     """Latitude. Unit: deg. Frame: llh. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
@@ -361,6 +368,14 @@ class LlhPosition(Data):
     """
     valid_flags: ValidFlags
     """Validity of the values."""
+
+    def __init__(
+        self, latitude: float, longitude: float, ellipsoid_height: float, valid_flags: ValidFlags
+    ) -> None:
+        self.latitude = latitude
+        self.longitude = longitude
+        self.ellipsoid_height = ellipsoid_height
+        self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[LlhPosition, int]:
@@ -382,7 +397,6 @@ class LlhPosition(Data):
 _NED_VELOCITY_0 = codec.Block("fffH", "north", "east", "down", "valid_flags")
 
 
-@dataclass(slots=True)
 class NedVelocity(Data):
     """NED velocity (0x82,0x02).
 
@@ -393,10 +407,19 @@ class NedVelocity(Data):
     - 3dm-cv7-gnss-ins: Velocity NED (0x82,0x02)
     """
 
+    __slots__ = ("north", "east", "down", "valid_flags")
+    __match_args__ = ("north", "east", "down", "valid_flags")
+
     SET = 0x82
     DESCRIPTOR = 0x02
     NAME = "filter_data.ned_velocity"
     ROLE = "data"
+    _LAYOUT = (
+        ("north", "f", None),
+        ("east", "f", None),
+        ("down", "f", None),
+        ("valid_flags", "H", ValidFlags),
+    )
 
     north: float
     """Velocity north. Unit: m/s. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags` is set.
@@ -407,6 +430,12 @@ class NedVelocity(Data):
     """Velocity down. Unit: m/s. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
     valid_flags: ValidFlags
     """Validity of the values."""
+
+    def __init__(self, north: float, east: float, down: float, valid_flags: ValidFlags) -> None:
+        self.north = north
+        self.east = east
+        self.down = down
+        self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[NedVelocity, int]:
@@ -426,7 +455,6 @@ class NedVelocity(Data):
 _ATTITUDE_QUATERNION_0 = codec.Block("ffffH", *["q"] * 4, "valid_flags")
 
 
-@dataclass(slots=True)
 class AttitudeQuaternion(Data):
     """Attitude quaternion (0x82,0x03).
 
@@ -440,10 +468,15 @@ class AttitudeQuaternion(Data):
     - 3dm-gx5-15: 5.2.3 Orientation, Quaternion (0x82, 0x03)
     """
 
+    __slots__ = ("q", "valid_flags")
+    __match_args__ = ("q", "valid_flags")
+
     SET = 0x82
     DESCRIPTOR = 0x03
     NAME = "filter_data.attitude_quaternion"
     ROLE = "data"
+    _LAYOUT = (("q", "ffff", types.Quatf), ("valid_flags", "H", ValidFlags))
+    _VECTORS = {"q": (types.Quatf,)}
 
     q: types.Quatf
     """Quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Frame: ned. Valid if
@@ -452,23 +485,26 @@ class AttitudeQuaternion(Data):
     valid_flags: ValidFlags
     """Validity of the values."""
 
+    def __init__(self, q: types.Quatf | codec.Numbers, valid_flags: ValidFlags) -> None:
+        self.q = codec.vector(q, types.Quatf)
+        self.valid_flags = valid_flags
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AttitudeQuaternion, int]:
         v = _ATTITUDE_QUATERNION_0.read(raw, at)
         at += 18
-        q = v[0:4]
+        q = types.Quatf._make(v[0:4])
         valid_flags = ValidFlags(v[4])
         return cls(q, valid_flags), at
 
     def _write(self) -> bytes:
-        out = _ATTITUDE_QUATERNION_0.write(*codec.exactly("q", self.q, 4), self.valid_flags)
+        out = _ATTITUDE_QUATERNION_0.write(*codec.elements("q", self.q, 4), self.valid_flags)
         return codec.finished(out)
 
 
 _ATTITUDE_DCM_0 = codec.Block("fffffffffH", *["dcm"] * 9, "valid_flags")
 
 
-@dataclass(slots=True)
 class AttitudeDcm(Data):
     """Attitude direction cosine matrix (0x82,0x04).
 
@@ -482,10 +518,15 @@ class AttitudeDcm(Data):
     - 3dm-gx5-15: 5.2.7 Orientation, Matrix (0x82, 0x04)
     """
 
+    __slots__ = ("dcm", "valid_flags")
+    __match_args__ = ("dcm", "valid_flags")
+
     SET = 0x82
     DESCRIPTOR = 0x04
     NAME = "filter_data.attitude_dcm"
     ROLE = "data"
+    _LAYOUT = (("dcm", "fffffffff", types.Matrix3f), ("valid_flags", "H", ValidFlags))
+    _VECTORS = {"dcm": (types.Matrix3f,)}
 
     dcm: types.Matrix3f
     """Rotation matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
@@ -494,23 +535,26 @@ class AttitudeDcm(Data):
     valid_flags: ValidFlags
     """Validity of the values."""
 
+    def __init__(self, dcm: types.Matrix3f | codec.Rows, valid_flags: ValidFlags) -> None:
+        self.dcm = codec.vector(dcm, types.Matrix3f)
+        self.valid_flags = valid_flags
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AttitudeDcm, int]:
         v = _ATTITUDE_DCM_0.read(raw, at)
         at += 38
-        dcm = v[0:9]
+        dcm = types.Matrix3f._make(v[0:9])
         valid_flags = ValidFlags(v[9])
         return cls(dcm, valid_flags), at
 
     def _write(self) -> bytes:
-        out = _ATTITUDE_DCM_0.write(*codec.exactly("dcm", self.dcm, 9), self.valid_flags)
+        out = _ATTITUDE_DCM_0.write(*codec.elements("dcm", self.dcm, 9), self.valid_flags)
         return codec.finished(out)
 
 
 _EULER_ANGLES_0 = codec.Block("fffH", "roll", "pitch", "yaw", "valid_flags")
 
 
-@dataclass(slots=True)
 class EulerAngles(Data):
     """Euler angles (0x82,0x05).
 
@@ -524,10 +568,19 @@ class EulerAngles(Data):
     - 3dm-gx5-15: 5.2.5 Orientation, Euler Angles (0x82, 0x05)
     """
 
+    __slots__ = ("roll", "pitch", "yaw", "valid_flags")
+    __match_args__ = ("roll", "pitch", "yaw", "valid_flags")
+
     SET = 0x82
     DESCRIPTOR = 0x05
     NAME = "filter_data.euler_angles"
     ROLE = "data"
+    _LAYOUT = (
+        ("roll", "f", None),
+        ("pitch", "f", None),
+        ("yaw", "f", None),
+        ("valid_flags", "H", ValidFlags),
+    )
 
     roll: float
     """Roll. Unit: rad. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
@@ -537,6 +590,12 @@ class EulerAngles(Data):
     """Yaw. Unit: rad. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
     valid_flags: ValidFlags
     """Validity of the values."""
+
+    def __init__(self, roll: float, pitch: float, yaw: float, valid_flags: ValidFlags) -> None:
+        self.roll = roll
+        self.pitch = pitch
+        self.yaw = yaw
+        self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EulerAngles, int]:
@@ -556,7 +615,6 @@ class EulerAngles(Data):
 _GYRO_BIAS_0 = codec.Block("fffH", *["bias"] * 3, "valid_flags")
 
 
-@dataclass(slots=True)
 class GyroBias(Data):
     """Gyroscope bias (0x82,0x06).
 
@@ -568,10 +626,15 @@ class GyroBias(Data):
     - 3dm-gx5-15: 5.2.9 Gyro Bias (0x82, 0x06)
     """
 
+    __slots__ = ("bias", "valid_flags")
+    __match_args__ = ("bias", "valid_flags")
+
     SET = 0x82
     DESCRIPTOR = 0x06
     NAME = "filter_data.gyro_bias"
     ROLE = "data"
+    _LAYOUT = (("bias", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+    _VECTORS = {"bias": (types.Vector3f,)}
 
     bias: types.Vector3f
     """Bias. Elements: x, y, z. Unit: rad/s. Frame: sensor. Valid if `ValidFlags.VALID` of
@@ -580,23 +643,26 @@ class GyroBias(Data):
     valid_flags: ValidFlags
     """Validity of the values."""
 
+    def __init__(self, bias: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
+        self.bias = codec.vector(bias, types.Vector3f)
+        self.valid_flags = valid_flags
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GyroBias, int]:
         v = _GYRO_BIAS_0.read(raw, at)
         at += 14
-        bias = v[0:3]
+        bias = types.Vector3f._make(v[0:3])
         valid_flags = ValidFlags(v[3])
         return cls(bias, valid_flags), at
 
     def _write(self) -> bytes:
-        out = _GYRO_BIAS_0.write(*codec.exactly("bias", self.bias, 3), self.valid_flags)
+        out = _GYRO_BIAS_0.write(*codec.elements("bias", self.bias, 3), self.valid_flags)
         return codec.finished(out)
 
 
 _ACCEL_BIAS_0 = codec.Block("fffH", *["bias"] * 3, "valid_flags")
 
 
-@dataclass(slots=True)
 class AccelBias(Data):
     """Accelerometer bias (0x82,0x07).
 
@@ -607,10 +673,15 @@ class AccelBias(Data):
     - 3dm-cv7-gnss-ins: Accel Bias (0x82,0x07)
     """
 
+    __slots__ = ("bias", "valid_flags")
+    __match_args__ = ("bias", "valid_flags")
+
     SET = 0x82
     DESCRIPTOR = 0x07
     NAME = "filter_data.accel_bias"
     ROLE = "data"
+    _LAYOUT = (("bias", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+    _VECTORS = {"bias": (types.Vector3f,)}
 
     bias: types.Vector3f
     """Bias. Elements: x, y, z. Unit: m/s^2. Frame: sensor. Valid if `ValidFlags.VALID` of
@@ -619,23 +690,26 @@ class AccelBias(Data):
     valid_flags: ValidFlags
     """Validity of the values."""
 
+    def __init__(self, bias: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
+        self.bias = codec.vector(bias, types.Vector3f)
+        self.valid_flags = valid_flags
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AccelBias, int]:
         v = _ACCEL_BIAS_0.read(raw, at)
         at += 14
-        bias = v[0:3]
+        bias = types.Vector3f._make(v[0:3])
         valid_flags = ValidFlags(v[3])
         return cls(bias, valid_flags), at
 
     def _write(self) -> bytes:
-        out = _ACCEL_BIAS_0.write(*codec.exactly("bias", self.bias, 3), self.valid_flags)
+        out = _ACCEL_BIAS_0.write(*codec.elements("bias", self.bias, 3), self.valid_flags)
         return codec.finished(out)
 
 
 _LLH_POSITION_UNCERTAINTY_0 = codec.Block("fffH", "north", "east", "down", "valid_flags")
 
 
-@dataclass(slots=True)
 class LlhPositionUncertainty(Data):
     """Position uncertainty (0x82,0x08).
 
@@ -646,10 +720,19 @@ class LlhPositionUncertainty(Data):
     - 3dm-cv7-gnss-ins: LLH Position Uncertainty (0x82,0x08)
     """
 
+    __slots__ = ("north", "east", "down", "valid_flags")
+    __match_args__ = ("north", "east", "down", "valid_flags")
+
     SET = 0x82
     DESCRIPTOR = 0x08
     NAME = "filter_data.llh_position_uncertainty"
     ROLE = "data"
+    _LAYOUT = (
+        ("north", "f", None),
+        ("east", "f", None),
+        ("down", "f", None),
+        ("valid_flags", "H", ValidFlags),
+    )
 
     north: float
     """Standard deviation north. Unit: m. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags`
@@ -665,6 +748,12 @@ class LlhPositionUncertainty(Data):
     """
     valid_flags: ValidFlags
     """Validity of the values."""
+
+    def __init__(self, north: float, east: float, down: float, valid_flags: ValidFlags) -> None:
+        self.north = north
+        self.east = east
+        self.down = down
+        self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[LlhPositionUncertainty, int]:
@@ -684,7 +773,6 @@ class LlhPositionUncertainty(Data):
 _NED_VELOCITY_UNCERTAINTY_0 = codec.Block("fffH", "north", "east", "down", "valid_flags")
 
 
-@dataclass(slots=True)
 class NedVelocityUncertainty(Data):
     """NED velocity uncertainty (0x82,0x09).
 
@@ -695,10 +783,19 @@ class NedVelocityUncertainty(Data):
     - 3dm-cv7-gnss-ins: NED Velocity Uncertainty (0x82,0x09)
     """
 
+    __slots__ = ("north", "east", "down", "valid_flags")
+    __match_args__ = ("north", "east", "down", "valid_flags")
+
     SET = 0x82
     DESCRIPTOR = 0x09
     NAME = "filter_data.ned_velocity_uncertainty"
     ROLE = "data"
+    _LAYOUT = (
+        ("north", "f", None),
+        ("east", "f", None),
+        ("down", "f", None),
+        ("valid_flags", "H", ValidFlags),
+    )
 
     north: float
     """Standard deviation north. Unit: m/s. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags`
@@ -714,6 +811,12 @@ class NedVelocityUncertainty(Data):
     """
     valid_flags: ValidFlags
     """Validity of the values."""
+
+    def __init__(self, north: float, east: float, down: float, valid_flags: ValidFlags) -> None:
+        self.north = north
+        self.east = east
+        self.down = down
+        self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[NedVelocityUncertainty, int]:
@@ -733,7 +836,6 @@ class NedVelocityUncertainty(Data):
 _EULER_ANGLES_UNCERTAINTY_0 = codec.Block("fffH", "roll", "pitch", "yaw", "valid_flags")
 
 
-@dataclass(slots=True)
 class EulerAnglesUncertainty(Data):
     """Euler angles uncertainty (0x82,0x0A).
 
@@ -748,10 +850,19 @@ class EulerAnglesUncertainty(Data):
     - 3dm-gx5-15: 5.2.6 Attitude Uncertainty, Euler Angles (0x82, 0x0A)
     """
 
+    __slots__ = ("roll", "pitch", "yaw", "valid_flags")
+    __match_args__ = ("roll", "pitch", "yaw", "valid_flags")
+
     SET = 0x82
     DESCRIPTOR = 0x0A
     NAME = "filter_data.euler_angles_uncertainty"
     ROLE = "data"
+    _LAYOUT = (
+        ("roll", "f", None),
+        ("pitch", "f", None),
+        ("yaw", "f", None),
+        ("valid_flags", "H", ValidFlags),
+    )
 
     roll: float
     """Standard deviation of roll. Unit: rad. Valid if `ValidFlags.VALID` of `valid_flags` is set.
@@ -763,6 +874,12 @@ class EulerAnglesUncertainty(Data):
     """Standard deviation of yaw. Unit: rad. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
     valid_flags: ValidFlags
     """Validity of the values."""
+
+    def __init__(self, roll: float, pitch: float, yaw: float, valid_flags: ValidFlags) -> None:
+        self.roll = roll
+        self.pitch = pitch
+        self.yaw = yaw
+        self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EulerAnglesUncertainty, int]:
@@ -782,7 +899,6 @@ class EulerAnglesUncertainty(Data):
 _GYRO_BIAS_UNCERTAINTY_0 = codec.Block("fffH", *["bias_uncertainty"] * 3, "valid_flags")
 
 
-@dataclass(slots=True)
 class GyroBiasUncertainty(Data):
     """Gyroscope bias uncertainty (0x82,0x0B).
 
@@ -794,10 +910,15 @@ class GyroBiasUncertainty(Data):
     - 3dm-gx5-15: 5.2.10 Gyro Bias Uncertainty (0x82, 0x0B)
     """
 
+    __slots__ = ("bias_uncertainty", "valid_flags")
+    __match_args__ = ("bias_uncertainty", "valid_flags")
+
     SET = 0x82
     DESCRIPTOR = 0x0B
     NAME = "filter_data.gyro_bias_uncertainty"
     ROLE = "data"
+    _LAYOUT = (("bias_uncertainty", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+    _VECTORS = {"bias_uncertainty": (types.Vector3f,)}
 
     bias_uncertainty: types.Vector3f
     """Standard deviation per axis. Elements: x, y, z. Unit: rad/s. Frame: sensor. Valid if
@@ -806,17 +927,23 @@ class GyroBiasUncertainty(Data):
     valid_flags: ValidFlags
     """Validity of the values."""
 
+    def __init__(
+        self, bias_uncertainty: types.Vector3f | codec.Numbers, valid_flags: ValidFlags
+    ) -> None:
+        self.bias_uncertainty = codec.vector(bias_uncertainty, types.Vector3f)
+        self.valid_flags = valid_flags
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GyroBiasUncertainty, int]:
         v = _GYRO_BIAS_UNCERTAINTY_0.read(raw, at)
         at += 14
-        bias_uncertainty = v[0:3]
+        bias_uncertainty = types.Vector3f._make(v[0:3])
         valid_flags = ValidFlags(v[3])
         return cls(bias_uncertainty, valid_flags), at
 
     def _write(self) -> bytes:
         out = _GYRO_BIAS_UNCERTAINTY_0.write(
-            *codec.exactly("bias_uncertainty", self.bias_uncertainty, 3), self.valid_flags
+            *codec.elements("bias_uncertainty", self.bias_uncertainty, 3), self.valid_flags
         )
         return codec.finished(out)
 
@@ -824,7 +951,6 @@ class GyroBiasUncertainty(Data):
 _ACCEL_BIAS_UNCERTAINTY_0 = codec.Block("fffH", *["bias_uncertainty"] * 3, "valid_flags")
 
 
-@dataclass(slots=True)
 class AccelBiasUncertainty(Data):
     """Accelerometer bias uncertainty (0x82,0x0C).
 
@@ -835,10 +961,15 @@ class AccelBiasUncertainty(Data):
     - 3dm-cv7-gnss-ins: Accel Bias Uncertainty (0x82,0x0C)
     """
 
+    __slots__ = ("bias_uncertainty", "valid_flags")
+    __match_args__ = ("bias_uncertainty", "valid_flags")
+
     SET = 0x82
     DESCRIPTOR = 0x0C
     NAME = "filter_data.accel_bias_uncertainty"
     ROLE = "data"
+    _LAYOUT = (("bias_uncertainty", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+    _VECTORS = {"bias_uncertainty": (types.Vector3f,)}
 
     bias_uncertainty: types.Vector3f
     """Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. Frame: sensor. Valid if
@@ -847,17 +978,23 @@ class AccelBiasUncertainty(Data):
     valid_flags: ValidFlags
     """Validity of the values."""
 
+    def __init__(
+        self, bias_uncertainty: types.Vector3f | codec.Numbers, valid_flags: ValidFlags
+    ) -> None:
+        self.bias_uncertainty = codec.vector(bias_uncertainty, types.Vector3f)
+        self.valid_flags = valid_flags
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AccelBiasUncertainty, int]:
         v = _ACCEL_BIAS_UNCERTAINTY_0.read(raw, at)
         at += 14
-        bias_uncertainty = v[0:3]
+        bias_uncertainty = types.Vector3f._make(v[0:3])
         valid_flags = ValidFlags(v[3])
         return cls(bias_uncertainty, valid_flags), at
 
     def _write(self) -> bytes:
         out = _ACCEL_BIAS_UNCERTAINTY_0.write(
-            *codec.exactly("bias_uncertainty", self.bias_uncertainty, 3), self.valid_flags
+            *codec.elements("bias_uncertainty", self.bias_uncertainty, 3), self.valid_flags
         )
         return codec.finished(out)
 
@@ -865,7 +1002,6 @@ class AccelBiasUncertainty(Data):
 _LINEAR_ACCEL_0 = codec.Block("fffH", *["accel"] * 3, "valid_flags")
 
 
-@dataclass(slots=True)
 class LinearAccel(Data):
     """Linear acceleration (0x82,0x0D).
 
@@ -877,10 +1013,15 @@ class LinearAccel(Data):
     - 3dm-gx5-15: 5.2.12 Linear Acceleration (0x82, 0x0D)
     """
 
+    __slots__ = ("accel", "valid_flags")
+    __match_args__ = ("accel", "valid_flags")
+
     SET = 0x82
     DESCRIPTOR = 0x0D
     NAME = "filter_data.linear_accel"
     ROLE = "data"
+    _LAYOUT = (("accel", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+    _VECTORS = {"accel": (types.Vector3f,)}
 
     accel: types.Vector3f
     """Linear acceleration. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. Valid if
@@ -889,23 +1030,26 @@ class LinearAccel(Data):
     valid_flags: ValidFlags
     """Validity of the values."""
 
+    def __init__(self, accel: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
+        self.accel = codec.vector(accel, types.Vector3f)
+        self.valid_flags = valid_flags
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[LinearAccel, int]:
         v = _LINEAR_ACCEL_0.read(raw, at)
         at += 14
-        accel = v[0:3]
+        accel = types.Vector3f._make(v[0:3])
         valid_flags = ValidFlags(v[3])
         return cls(accel, valid_flags), at
 
     def _write(self) -> bytes:
-        out = _LINEAR_ACCEL_0.write(*codec.exactly("accel", self.accel, 3), self.valid_flags)
+        out = _LINEAR_ACCEL_0.write(*codec.elements("accel", self.accel, 3), self.valid_flags)
         return codec.finished(out)
 
 
 _COMP_ANGULAR_RATE_0 = codec.Block("fffH", *["gyro"] * 3, "valid_flags")
 
 
-@dataclass(slots=True)
 class CompAngularRate(Data):
     """Compensated angular rate (0x82,0x0E).
 
@@ -917,10 +1061,15 @@ class CompAngularRate(Data):
     - 3dm-gx5-15: 5.2.8 Compensated Angular Rate (0x82, 0x0E)
     """
 
+    __slots__ = ("gyro", "valid_flags")
+    __match_args__ = ("gyro", "valid_flags")
+
     SET = 0x82
     DESCRIPTOR = 0x0E
     NAME = "filter_data.comp_angular_rate"
     ROLE = "data"
+    _LAYOUT = (("gyro", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+    _VECTORS = {"gyro": (types.Vector3f,)}
 
     gyro: types.Vector3f
     """Angular rate. Elements: x, y, z. Unit: rad/s. Frame: vehicle. Valid if `ValidFlags.VALID` of
@@ -929,23 +1078,26 @@ class CompAngularRate(Data):
     valid_flags: ValidFlags
     """Validity of the values."""
 
+    def __init__(self, gyro: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
+        self.gyro = codec.vector(gyro, types.Vector3f)
+        self.valid_flags = valid_flags
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[CompAngularRate, int]:
         v = _COMP_ANGULAR_RATE_0.read(raw, at)
         at += 14
-        gyro = v[0:3]
+        gyro = types.Vector3f._make(v[0:3])
         valid_flags = ValidFlags(v[3])
         return cls(gyro, valid_flags), at
 
     def _write(self) -> bytes:
-        out = _COMP_ANGULAR_RATE_0.write(*codec.exactly("gyro", self.gyro, 3), self.valid_flags)
+        out = _COMP_ANGULAR_RATE_0.write(*codec.elements("gyro", self.gyro, 3), self.valid_flags)
         return codec.finished(out)
 
 
 _WGS84_GRAVITY_MAGNITUDE_0 = codec.Block("fH", "gravity_magnitude", "valid_flags")
 
 
-@dataclass(slots=True)
 class Wgs84GravityMagnitude(Data):
     """WGS84 local gravity magnitude (0x82,0x0F).
 
@@ -958,15 +1110,23 @@ class Wgs84GravityMagnitude(Data):
     - 3dm-gx5-15: 5.2.15 WGS84 Local Gravity Magnitude (0x82, 0x0F)
     """
 
+    __slots__ = ("gravity_magnitude", "valid_flags")
+    __match_args__ = ("gravity_magnitude", "valid_flags")
+
     SET = 0x82
     DESCRIPTOR = 0x0F
     NAME = "filter_data.wgs84_gravity_magnitude"
     ROLE = "data"
+    _LAYOUT = (("gravity_magnitude", "f", None), ("valid_flags", "H", ValidFlags))
 
     gravity_magnitude: float
     """Magnitude of gravity. Unit: m/s^2. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
     valid_flags: ValidFlags
     """Validity of the values."""
+
+    def __init__(self, gravity_magnitude: float, valid_flags: ValidFlags) -> None:
+        self.gravity_magnitude = gravity_magnitude
+        self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Wgs84GravityMagnitude, int]:
@@ -984,7 +1144,6 @@ class Wgs84GravityMagnitude(Data):
 _STATUS_0 = codec.Block("HHH", "filter_state", "dynamics_mode", "status_flags")
 
 
-@dataclass(slots=True)
 class Status(Data):
     """Filter status (0x82,0x10).
 
@@ -1000,10 +1159,18 @@ class Status(Data):
     - 3dm-gx5-15: 5.2.1 Filter Status (0x82, 0x10)
     """
 
+    __slots__ = ("filter_state", "dynamics_mode", "status_flags")
+    __match_args__ = ("filter_state", "dynamics_mode", "status_flags")
+
     SET = 0x82
     DESCRIPTOR = 0x10
     NAME = "filter_data.status"
     ROLE = "data"
+    _LAYOUT = (
+        ("filter_state", "H", None),
+        ("dynamics_mode", "H", None),
+        ("status_flags", "H", None),
+    )
 
     filter_state: int
     """State of the filter.
@@ -1024,6 +1191,11 @@ class Status(Data):
     - On the 3DM-GX5-15: values of `Gx5StatusFlags`.
     """
 
+    def __init__(self, filter_state: int, dynamics_mode: int, status_flags: int) -> None:
+        self.filter_state = filter_state
+        self.dynamics_mode = dynamics_mode
+        self.status_flags = status_flags
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Status, int]:
         v = _STATUS_0.read(raw, at)
@@ -1041,7 +1213,6 @@ class Status(Data):
 _TIMESTAMP_0 = codec.Block("dHH", "tow", "week_number", "valid_flags")
 
 
-@dataclass(slots=True)
 class Timestamp(Data):
     """Filter timestamp (0x82,0x11).
 
@@ -1057,10 +1228,14 @@ class Timestamp(Data):
     - 3dm-gx5-15: 5.2.2 GPS Timestamp (0x82, 0x11)
     """
 
+    __slots__ = ("tow", "week_number", "valid_flags")
+    __match_args__ = ("tow", "week_number", "valid_flags")
+
     SET = 0x82
     DESCRIPTOR = 0x11
     NAME = "filter_data.timestamp"
     ROLE = "data"
+    _LAYOUT = (("tow", "d", None), ("week_number", "H", None), ("valid_flags", "H", ValidFlags))
 
     tow: float
     """GPS time of week. Unit: s. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
@@ -1069,6 +1244,11 @@ class Timestamp(Data):
     """
     valid_flags: ValidFlags
     """Validity of the values."""
+
+    def __init__(self, tow: float, week_number: int, valid_flags: ValidFlags) -> None:
+        self.tow = tow
+        self.week_number = week_number
+        self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Timestamp, int]:
@@ -1087,7 +1267,6 @@ class Timestamp(Data):
 _QUATERNION_ATTITUDE_UNCERTAINTY_0 = codec.Block("ffffH", *["q"] * 4, "valid_flags")
 
 
-@dataclass(slots=True)
 class QuaternionAttitudeUncertainty(Data):
     """Quaternion uncertainty (0x82,0x12).
 
@@ -1099,10 +1278,15 @@ class QuaternionAttitudeUncertainty(Data):
     - 3dm-gx5-15: 5.2.4 Attitude Uncertainty, Quaternion Elements (0x82, 0x12)
     """
 
+    __slots__ = ("q", "valid_flags")
+    __match_args__ = ("q", "valid_flags")
+
     SET = 0x82
     DESCRIPTOR = 0x12
     NAME = "filter_data.quaternion_attitude_uncertainty"
     ROLE = "data"
+    _LAYOUT = (("q", "ffff", types.Quatf), ("valid_flags", "H", ValidFlags))
+    _VECTORS = {"q": (types.Quatf,)}
 
     q: types.Quatf
     """Standard deviation per element. Elements: w, x, y, z. Unit: 1. Valid if `ValidFlags.VALID` of
@@ -1111,17 +1295,21 @@ class QuaternionAttitudeUncertainty(Data):
     valid_flags: ValidFlags
     """Validity of the values."""
 
+    def __init__(self, q: types.Quatf | codec.Numbers, valid_flags: ValidFlags) -> None:
+        self.q = codec.vector(q, types.Quatf)
+        self.valid_flags = valid_flags
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[QuaternionAttitudeUncertainty, int]:
         v = _QUATERNION_ATTITUDE_UNCERTAINTY_0.read(raw, at)
         at += 18
-        q = v[0:4]
+        q = types.Quatf._make(v[0:4])
         valid_flags = ValidFlags(v[4])
         return cls(q, valid_flags), at
 
     def _write(self) -> bytes:
         out = _QUATERNION_ATTITUDE_UNCERTAINTY_0.write(
-            *codec.exactly("q", self.q, 4), self.valid_flags
+            *codec.elements("q", self.q, 4), self.valid_flags
         )
         return codec.finished(out)
 
@@ -1129,7 +1317,6 @@ class QuaternionAttitudeUncertainty(Data):
 _GRAVITY_VECTOR_0 = codec.Block("fffH", *["gravity"] * 3, "valid_flags")
 
 
-@dataclass(slots=True)
 class GravityVector(Data):
     """Gravity vector (0x82,0x13).
 
@@ -1141,10 +1328,15 @@ class GravityVector(Data):
     - 3dm-gx5-15: 5.2.14 Gravity Vector (0x82, 0x13)
     """
 
+    __slots__ = ("gravity", "valid_flags")
+    __match_args__ = ("gravity", "valid_flags")
+
     SET = 0x82
     DESCRIPTOR = 0x13
     NAME = "filter_data.gravity_vector"
     ROLE = "data"
+    _LAYOUT = (("gravity", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+    _VECTORS = {"gravity": (types.Vector3f,)}
 
     gravity: types.Vector3f
     """Gravity. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. Valid if `ValidFlags.VALID` of
@@ -1153,16 +1345,20 @@ class GravityVector(Data):
     valid_flags: ValidFlags
     """Validity of the values."""
 
+    def __init__(self, gravity: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
+        self.gravity = codec.vector(gravity, types.Vector3f)
+        self.valid_flags = valid_flags
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GravityVector, int]:
         v = _GRAVITY_VECTOR_0.read(raw, at)
         at += 14
-        gravity = v[0:3]
+        gravity = types.Vector3f._make(v[0:3])
         valid_flags = ValidFlags(v[3])
         return cls(gravity, valid_flags), at
 
     def _write(self) -> bytes:
-        out = _GRAVITY_VECTOR_0.write(*codec.exactly("gravity", self.gravity, 3), self.valid_flags)
+        out = _GRAVITY_VECTOR_0.write(*codec.elements("gravity", self.gravity, 3), self.valid_flags)
         return codec.finished(out)
 
 
@@ -1171,7 +1367,6 @@ _HEADING_UPDATE_STATE_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class HeadingUpdateState(Data):
     """Heading update source state (0x82,0x14).
 
@@ -1184,10 +1379,19 @@ class HeadingUpdateState(Data):
     - 3dm-gx5-15: 5.2.16 Heading Update Source State (0x82, 0x14)
     """
 
+    __slots__ = ("heading", "heading_uncertainty", "source", "valid_flags")
+    __match_args__ = ("heading", "heading_uncertainty", "source", "valid_flags")
+
     SET = 0x82
     DESCRIPTOR = 0x14
     NAME = "filter_data.heading_update_state"
     ROLE = "data"
+    _LAYOUT = (
+        ("heading", "f", None),
+        ("heading_uncertainty", "f", None),
+        ("source", "H", HeadingSourceFlags),
+        ("valid_flags", "H", ValidFlags),
+    )
 
     heading: float
     """Heading of the sensor frame relative to true north. Unit: rad. Valid if `ValidFlags.VALID` of
@@ -1204,6 +1408,18 @@ class HeadingUpdateState(Data):
     """
     valid_flags: ValidFlags
     """Validity of the values."""
+
+    def __init__(
+        self,
+        heading: float,
+        heading_uncertainty: float,
+        source: HeadingSourceFlags,
+        valid_flags: ValidFlags,
+    ) -> None:
+        self.heading = heading
+        self.heading_uncertainty = heading_uncertainty
+        self.source = source
+        self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[HeadingUpdateState, int]:
@@ -1233,7 +1449,6 @@ _MAGNETIC_MODEL_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class MagneticModel(Data):
     """Magnetic model (0x82,0x15).
 
@@ -1246,10 +1461,35 @@ class MagneticModel(Data):
     - 3dm-cv7-gnss-ins: Magnetic Model (0x82,0x15)
     """
 
+    __slots__ = (
+        "intensity_north",
+        "intensity_east",
+        "intensity_down",
+        "inclination",
+        "declination",
+        "valid_flags",
+    )
+    __match_args__ = (
+        "intensity_north",
+        "intensity_east",
+        "intensity_down",
+        "inclination",
+        "declination",
+        "valid_flags",
+    )
+
     SET = 0x82
     DESCRIPTOR = 0x15
     NAME = "filter_data.magnetic_model"
     ROLE = "data"
+    _LAYOUT = (
+        ("intensity_north", "f", None),
+        ("intensity_east", "f", None),
+        ("intensity_down", "f", None),
+        ("inclination", "f", None),
+        ("declination", "f", None),
+        ("valid_flags", "H", ValidFlags),
+    )
 
     intensity_north: float
     """Intensity north. Unit: gauss. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags` is
@@ -1267,6 +1507,22 @@ class MagneticModel(Data):
     """Declination. Unit: rad. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
     valid_flags: ValidFlags
     """Validity of the values."""
+
+    def __init__(
+        self,
+        intensity_north: float,
+        intensity_east: float,
+        intensity_down: float,
+        inclination: float,
+        declination: float,
+        valid_flags: ValidFlags,
+    ) -> None:
+        self.intensity_north = intensity_north
+        self.intensity_east = intensity_east
+        self.intensity_down = intensity_down
+        self.inclination = inclination
+        self.declination = declination
+        self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagneticModel, int]:
@@ -1297,7 +1553,6 @@ class MagneticModel(Data):
 _GYRO_SCALE_FACTOR_0 = codec.Block("fffH", *["scale_factor"] * 3, "valid_flags")
 
 
-@dataclass(slots=True)
 class GyroScaleFactor(Data):
     """Gyroscope scale factor (0x82,0x16).
 
@@ -1308,10 +1563,15 @@ class GyroScaleFactor(Data):
     - mip-sdk-4: Gyro Scale Factor (0x82,0x16)
     """
 
+    __slots__ = ("scale_factor", "valid_flags")
+    __match_args__ = ("scale_factor", "valid_flags")
+
     SET = 0x82
     DESCRIPTOR = 0x16
     NAME = "filter_data.gyro_scale_factor"
     ROLE = "data"
+    _LAYOUT = (("scale_factor", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+    _VECTORS = {"scale_factor": (types.Vector3f,)}
 
     scale_factor: types.Vector3f
     """Scale factor per axis. Elements: x, y, z. Unit: 1. Frame: sensor. Valid if `ValidFlags.VALID`
@@ -1320,17 +1580,23 @@ class GyroScaleFactor(Data):
     valid_flags: ValidFlags
     """Validity of the values."""
 
+    def __init__(
+        self, scale_factor: types.Vector3f | codec.Numbers, valid_flags: ValidFlags
+    ) -> None:
+        self.scale_factor = codec.vector(scale_factor, types.Vector3f)
+        self.valid_flags = valid_flags
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GyroScaleFactor, int]:
         v = _GYRO_SCALE_FACTOR_0.read(raw, at)
         at += 14
-        scale_factor = v[0:3]
+        scale_factor = types.Vector3f._make(v[0:3])
         valid_flags = ValidFlags(v[3])
         return cls(scale_factor, valid_flags), at
 
     def _write(self) -> bytes:
         out = _GYRO_SCALE_FACTOR_0.write(
-            *codec.exactly("scale_factor", self.scale_factor, 3), self.valid_flags
+            *codec.elements("scale_factor", self.scale_factor, 3), self.valid_flags
         )
         return codec.finished(out)
 
@@ -1338,7 +1604,6 @@ class GyroScaleFactor(Data):
 _ACCEL_SCALE_FACTOR_0 = codec.Block("fffH", *["scale_factor"] * 3, "valid_flags")
 
 
-@dataclass(slots=True)
 class AccelScaleFactor(Data):
     """Accelerometer scale factor (0x82,0x17).
 
@@ -1349,10 +1614,15 @@ class AccelScaleFactor(Data):
     - mip-sdk-4: Accel Scale Factor (0x82,0x17)
     """
 
+    __slots__ = ("scale_factor", "valid_flags")
+    __match_args__ = ("scale_factor", "valid_flags")
+
     SET = 0x82
     DESCRIPTOR = 0x17
     NAME = "filter_data.accel_scale_factor"
     ROLE = "data"
+    _LAYOUT = (("scale_factor", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+    _VECTORS = {"scale_factor": (types.Vector3f,)}
 
     scale_factor: types.Vector3f
     """Scale factor per axis. Elements: x, y, z. Unit: 1. Frame: sensor. Valid if `ValidFlags.VALID`
@@ -1361,17 +1631,23 @@ class AccelScaleFactor(Data):
     valid_flags: ValidFlags
     """Validity of the values."""
 
+    def __init__(
+        self, scale_factor: types.Vector3f | codec.Numbers, valid_flags: ValidFlags
+    ) -> None:
+        self.scale_factor = codec.vector(scale_factor, types.Vector3f)
+        self.valid_flags = valid_flags
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AccelScaleFactor, int]:
         v = _ACCEL_SCALE_FACTOR_0.read(raw, at)
         at += 14
-        scale_factor = v[0:3]
+        scale_factor = types.Vector3f._make(v[0:3])
         valid_flags = ValidFlags(v[3])
         return cls(scale_factor, valid_flags), at
 
     def _write(self) -> bytes:
         out = _ACCEL_SCALE_FACTOR_0.write(
-            *codec.exactly("scale_factor", self.scale_factor, 3), self.valid_flags
+            *codec.elements("scale_factor", self.scale_factor, 3), self.valid_flags
         )
         return codec.finished(out)
 
@@ -1381,7 +1657,6 @@ _GYRO_SCALE_FACTOR_UNCERTAINTY_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class GyroScaleFactorUncertainty(Data):
     """Gyroscope scale factor uncertainty (0x82,0x18).
 
@@ -1392,10 +1667,18 @@ class GyroScaleFactorUncertainty(Data):
     - mip-sdk-4: Gyro Scale Factor Uncertainty (0x82,0x18)
     """
 
+    __slots__ = ("scale_factor_uncertainty", "valid_flags")
+    __match_args__ = ("scale_factor_uncertainty", "valid_flags")
+
     SET = 0x82
     DESCRIPTOR = 0x18
     NAME = "filter_data.gyro_scale_factor_uncertainty"
     ROLE = "data"
+    _LAYOUT = (
+        ("scale_factor_uncertainty", "fff", types.Vector3f),
+        ("valid_flags", "H", ValidFlags),
+    )
+    _VECTORS = {"scale_factor_uncertainty": (types.Vector3f,)}
 
     scale_factor_uncertainty: types.Vector3f
     """Standard deviation per axis. Elements: x, y, z. Unit: 1. Frame: sensor. Valid if
@@ -1404,17 +1687,23 @@ class GyroScaleFactorUncertainty(Data):
     valid_flags: ValidFlags
     """Validity of the values."""
 
+    def __init__(
+        self, scale_factor_uncertainty: types.Vector3f | codec.Numbers, valid_flags: ValidFlags
+    ) -> None:
+        self.scale_factor_uncertainty = codec.vector(scale_factor_uncertainty, types.Vector3f)
+        self.valid_flags = valid_flags
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GyroScaleFactorUncertainty, int]:
         v = _GYRO_SCALE_FACTOR_UNCERTAINTY_0.read(raw, at)
         at += 14
-        scale_factor_uncertainty = v[0:3]
+        scale_factor_uncertainty = types.Vector3f._make(v[0:3])
         valid_flags = ValidFlags(v[3])
         return cls(scale_factor_uncertainty, valid_flags), at
 
     def _write(self) -> bytes:
         out = _GYRO_SCALE_FACTOR_UNCERTAINTY_0.write(
-            *codec.exactly("scale_factor_uncertainty", self.scale_factor_uncertainty, 3),
+            *codec.elements("scale_factor_uncertainty", self.scale_factor_uncertainty, 3),
             self.valid_flags,
         )
         return codec.finished(out)
@@ -1425,7 +1714,6 @@ _ACCEL_SCALE_FACTOR_UNCERTAINTY_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class AccelScaleFactorUncertainty(Data):
     """Accelerometer scale factor uncertainty (0x82,0x19).
 
@@ -1436,10 +1724,18 @@ class AccelScaleFactorUncertainty(Data):
     - mip-sdk-4: Accel Scale Factor Uncertainty (0x82,0x19)
     """
 
+    __slots__ = ("scale_factor_uncertainty", "valid_flags")
+    __match_args__ = ("scale_factor_uncertainty", "valid_flags")
+
     SET = 0x82
     DESCRIPTOR = 0x19
     NAME = "filter_data.accel_scale_factor_uncertainty"
     ROLE = "data"
+    _LAYOUT = (
+        ("scale_factor_uncertainty", "fff", types.Vector3f),
+        ("valid_flags", "H", ValidFlags),
+    )
+    _VECTORS = {"scale_factor_uncertainty": (types.Vector3f,)}
 
     scale_factor_uncertainty: types.Vector3f
     """Standard deviation per axis. Elements: x, y, z. Unit: 1. Frame: sensor. Valid if
@@ -1448,17 +1744,23 @@ class AccelScaleFactorUncertainty(Data):
     valid_flags: ValidFlags
     """Validity of the values."""
 
+    def __init__(
+        self, scale_factor_uncertainty: types.Vector3f | codec.Numbers, valid_flags: ValidFlags
+    ) -> None:
+        self.scale_factor_uncertainty = codec.vector(scale_factor_uncertainty, types.Vector3f)
+        self.valid_flags = valid_flags
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AccelScaleFactorUncertainty, int]:
         v = _ACCEL_SCALE_FACTOR_UNCERTAINTY_0.read(raw, at)
         at += 14
-        scale_factor_uncertainty = v[0:3]
+        scale_factor_uncertainty = types.Vector3f._make(v[0:3])
         valid_flags = ValidFlags(v[3])
         return cls(scale_factor_uncertainty, valid_flags), at
 
     def _write(self) -> bytes:
         out = _ACCEL_SCALE_FACTOR_UNCERTAINTY_0.write(
-            *codec.exactly("scale_factor_uncertainty", self.scale_factor_uncertainty, 3),
+            *codec.elements("scale_factor_uncertainty", self.scale_factor_uncertainty, 3),
             self.valid_flags,
         )
         return codec.finished(out)
@@ -1467,7 +1769,6 @@ class AccelScaleFactorUncertainty(Data):
 _MAG_BIAS_0 = codec.Block("fffH", *["bias"] * 3, "valid_flags")
 
 
-@dataclass(slots=True)
 class MagBias(Data):
     """Magnetometer bias (0x82,0x1A).
 
@@ -1478,10 +1779,15 @@ class MagBias(Data):
     - mip-sdk-4: Mag Bias (0x82,0x1A)
     """
 
+    __slots__ = ("bias", "valid_flags")
+    __match_args__ = ("bias", "valid_flags")
+
     SET = 0x82
     DESCRIPTOR = 0x1A
     NAME = "filter_data.mag_bias"
     ROLE = "data"
+    _LAYOUT = (("bias", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+    _VECTORS = {"bias": (types.Vector3f,)}
 
     bias: types.Vector3f
     """Bias. Elements: x, y, z. Unit: gauss. Frame: sensor. Valid if `ValidFlags.VALID` of
@@ -1490,23 +1796,26 @@ class MagBias(Data):
     valid_flags: ValidFlags
     """Validity of the values."""
 
+    def __init__(self, bias: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
+        self.bias = codec.vector(bias, types.Vector3f)
+        self.valid_flags = valid_flags
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagBias, int]:
         v = _MAG_BIAS_0.read(raw, at)
         at += 14
-        bias = v[0:3]
+        bias = types.Vector3f._make(v[0:3])
         valid_flags = ValidFlags(v[3])
         return cls(bias, valid_flags), at
 
     def _write(self) -> bytes:
-        out = _MAG_BIAS_0.write(*codec.exactly("bias", self.bias, 3), self.valid_flags)
+        out = _MAG_BIAS_0.write(*codec.elements("bias", self.bias, 3), self.valid_flags)
         return codec.finished(out)
 
 
 _MAG_BIAS_UNCERTAINTY_0 = codec.Block("fffH", *["bias_uncertainty"] * 3, "valid_flags")
 
 
-@dataclass(slots=True)
 class MagBiasUncertainty(Data):
     """Magnetometer bias uncertainty (0x82,0x1B).
 
@@ -1517,10 +1826,15 @@ class MagBiasUncertainty(Data):
     - mip-sdk-4: Mag Bias Uncertainty (0x82,0x1B)
     """
 
+    __slots__ = ("bias_uncertainty", "valid_flags")
+    __match_args__ = ("bias_uncertainty", "valid_flags")
+
     SET = 0x82
     DESCRIPTOR = 0x1B
     NAME = "filter_data.mag_bias_uncertainty"
     ROLE = "data"
+    _LAYOUT = (("bias_uncertainty", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+    _VECTORS = {"bias_uncertainty": (types.Vector3f,)}
 
     bias_uncertainty: types.Vector3f
     """Standard deviation per axis. Elements: x, y, z. Unit: gauss. Frame: sensor. Valid if
@@ -1529,17 +1843,23 @@ class MagBiasUncertainty(Data):
     valid_flags: ValidFlags
     """Validity of the values."""
 
+    def __init__(
+        self, bias_uncertainty: types.Vector3f | codec.Numbers, valid_flags: ValidFlags
+    ) -> None:
+        self.bias_uncertainty = codec.vector(bias_uncertainty, types.Vector3f)
+        self.valid_flags = valid_flags
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagBiasUncertainty, int]:
         v = _MAG_BIAS_UNCERTAINTY_0.read(raw, at)
         at += 14
-        bias_uncertainty = v[0:3]
+        bias_uncertainty = types.Vector3f._make(v[0:3])
         valid_flags = ValidFlags(v[3])
         return cls(bias_uncertainty, valid_flags), at
 
     def _write(self) -> bytes:
         out = _MAG_BIAS_UNCERTAINTY_0.write(
-            *codec.exactly("bias_uncertainty", self.bias_uncertainty, 3), self.valid_flags
+            *codec.elements("bias_uncertainty", self.bias_uncertainty, 3), self.valid_flags
         )
         return codec.finished(out)
 
@@ -1547,7 +1867,6 @@ class MagBiasUncertainty(Data):
 _COMP_ACCEL_0 = codec.Block("fffH", *["accel"] * 3, "valid_flags")
 
 
-@dataclass(slots=True)
 class CompAccel(Data):
     """Compensated acceleration (0x82,0x1C).
 
@@ -1559,10 +1878,15 @@ class CompAccel(Data):
     - 3dm-gx5-15: 5.2.11 Compensated Acceleration (0x82, 0x1C)
     """
 
+    __slots__ = ("accel", "valid_flags")
+    __match_args__ = ("accel", "valid_flags")
+
     SET = 0x82
     DESCRIPTOR = 0x1C
     NAME = "filter_data.comp_accel"
     ROLE = "data"
+    _LAYOUT = (("accel", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+    _VECTORS = {"accel": (types.Vector3f,)}
 
     accel: types.Vector3f
     """Acceleration. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. Valid if `ValidFlags.VALID` of
@@ -1571,16 +1895,20 @@ class CompAccel(Data):
     valid_flags: ValidFlags
     """Validity of the values."""
 
+    def __init__(self, accel: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
+        self.accel = codec.vector(accel, types.Vector3f)
+        self.valid_flags = valid_flags
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[CompAccel, int]:
         v = _COMP_ACCEL_0.read(raw, at)
         at += 14
-        accel = v[0:3]
+        accel = types.Vector3f._make(v[0:3])
         valid_flags = ValidFlags(v[3])
         return cls(accel, valid_flags), at
 
     def _write(self) -> bytes:
-        out = _COMP_ACCEL_0.write(*codec.exactly("accel", self.accel, 3), self.valid_flags)
+        out = _COMP_ACCEL_0.write(*codec.elements("accel", self.accel, 3), self.valid_flags)
         return codec.finished(out)
 
 
@@ -1595,7 +1923,6 @@ _STANDARD_ATMOSPHERE_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class StandardAtmosphere(Data):
     """Standard atmosphere (0x82,0x20).
 
@@ -1608,10 +1935,35 @@ class StandardAtmosphere(Data):
     - mip-sdk-4: Standard Atmosphere (0x82,0x20)
     """
 
+    __slots__ = (
+        "geometric_altitude",
+        "geopotential_altitude",
+        "standard_temperature",
+        "standard_pressure",
+        "standard_density",
+        "valid_flags",
+    )
+    __match_args__ = (
+        "geometric_altitude",
+        "geopotential_altitude",
+        "standard_temperature",
+        "standard_pressure",
+        "standard_density",
+        "valid_flags",
+    )
+
     SET = 0x82
     DESCRIPTOR = 0x20
     NAME = "filter_data.standard_atmosphere"
     ROLE = "data"
+    _LAYOUT = (
+        ("geometric_altitude", "f", None),
+        ("geopotential_altitude", "f", None),
+        ("standard_temperature", "f", None),
+        ("standard_pressure", "f", None),
+        ("standard_density", "f", None),
+        ("valid_flags", "H", ValidFlags),
+    )
 
     geometric_altitude: float
     """Altitude that goes into the model. Unit: m. Valid if `ValidFlags.VALID` of `valid_flags` is
@@ -1627,6 +1979,22 @@ class StandardAtmosphere(Data):
     """Density. Unit: kg/m^3. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
     valid_flags: ValidFlags
     """Validity of the values."""
+
+    def __init__(
+        self,
+        geometric_altitude: float,
+        geopotential_altitude: float,
+        standard_temperature: float,
+        standard_pressure: float,
+        standard_density: float,
+        valid_flags: ValidFlags,
+    ) -> None:
+        self.geometric_altitude = geometric_altitude
+        self.geopotential_altitude = geopotential_altitude
+        self.standard_temperature = standard_temperature
+        self.standard_pressure = standard_pressure
+        self.standard_density = standard_density
+        self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[StandardAtmosphere, int]:
@@ -1662,7 +2030,6 @@ class StandardAtmosphere(Data):
 _PRESSURE_ALTITUDE_0 = codec.Block("fH", "pressure_altitude", "valid_flags")
 
 
-@dataclass(slots=True)
 class PressureAltitude(Data):
     """Pressure altitude (0x82,0x21).
 
@@ -1676,16 +2043,24 @@ class PressureAltitude(Data):
     - 3dm-gx5-15: 5.2.13 Pressure Altitude (0x82, 0x21)
     """
 
+    __slots__ = ("pressure_altitude", "valid_flags")
+    __match_args__ = ("pressure_altitude", "valid_flags")
+
     SET = 0x82
     DESCRIPTOR = 0x21
     NAME = "filter_data.pressure_altitude"
     ROLE = "data"
+    _LAYOUT = (("pressure_altitude", "f", None), ("valid_flags", "H", ValidFlags))
 
     pressure_altitude: float
     """Altitude. Unit: m. Range: at most 84852. Valid if `ValidFlags.VALID` of `valid_flags` is set.
     """
     valid_flags: ValidFlags
     """Validity of the values."""
+
+    def __init__(self, pressure_altitude: float, valid_flags: ValidFlags) -> None:
+        self.pressure_altitude = pressure_altitude
+        self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PressureAltitude, int]:
@@ -1703,7 +2078,6 @@ class PressureAltitude(Data):
 _DENSITY_ALTITUDE_0 = codec.Block("fH", "density_altitude", "valid_flags")
 
 
-@dataclass(slots=True)
 class DensityAltitude(Data):
     """Density altitude (0x82,0x22).
 
@@ -1715,15 +2089,23 @@ class DensityAltitude(Data):
     - mip-sdk-4: Density Altitude (0x82,0x22)
     """
 
+    __slots__ = ("density_altitude", "valid_flags")
+    __match_args__ = ("density_altitude", "valid_flags")
+
     SET = 0x82
     DESCRIPTOR = 0x22
     NAME = "filter_data.density_altitude"
     ROLE = "data"
+    _LAYOUT = (("density_altitude", "f", None), ("valid_flags", "H", ValidFlags))
 
     density_altitude: float
     """Altitude. Unit: m. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
     valid_flags: ValidFlags
     """Validity of the values."""
+
+    def __init__(self, density_altitude: float, valid_flags: ValidFlags) -> None:
+        self.density_altitude = density_altitude
+        self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[DensityAltitude, int]:
@@ -1741,7 +2123,6 @@ class DensityAltitude(Data):
 _MAG_OFFSET_0 = codec.Block("fffH", *["hard_iron"] * 3, "valid_flags")
 
 
-@dataclass(slots=True)
 class MagOffset(Data):
     """Magnetometer offset (0x82,0x25).
 
@@ -1755,10 +2136,15 @@ class MagOffset(Data):
     - mip-sdk-4: Magnetometer Offset (0x82,0x25)
     """
 
+    __slots__ = ("hard_iron", "valid_flags")
+    __match_args__ = ("hard_iron", "valid_flags")
+
     SET = 0x82
     DESCRIPTOR = 0x25
     NAME = "filter_data.mag_offset"
     ROLE = "data"
+    _LAYOUT = (("hard_iron", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+    _VECTORS = {"hard_iron": (types.Vector3f,)}
 
     hard_iron: types.Vector3f
     """Hard iron offset. Elements: x, y, z. Unit: gauss. Frame: sensor. Valid if `ValidFlags.VALID`
@@ -1767,23 +2153,26 @@ class MagOffset(Data):
     valid_flags: ValidFlags
     """Validity of the values."""
 
+    def __init__(self, hard_iron: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
+        self.hard_iron = codec.vector(hard_iron, types.Vector3f)
+        self.valid_flags = valid_flags
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagOffset, int]:
         v = _MAG_OFFSET_0.read(raw, at)
         at += 14
-        hard_iron = v[0:3]
+        hard_iron = types.Vector3f._make(v[0:3])
         valid_flags = ValidFlags(v[3])
         return cls(hard_iron, valid_flags), at
 
     def _write(self) -> bytes:
-        out = _MAG_OFFSET_0.write(*codec.exactly("hard_iron", self.hard_iron, 3), self.valid_flags)
+        out = _MAG_OFFSET_0.write(*codec.elements("hard_iron", self.hard_iron, 3), self.valid_flags)
         return codec.finished(out)
 
 
 _MAG_MATRIX_0 = codec.Block("fffffffffH", *["soft_iron"] * 9, "valid_flags")
 
 
-@dataclass(slots=True)
 class MagMatrix(Data):
     """Magnetometer matrix (0x82,0x26).
 
@@ -1797,10 +2186,15 @@ class MagMatrix(Data):
     - mip-sdk-4: Magnetometer Matrix (0x82,0x26)
     """
 
+    __slots__ = ("soft_iron", "valid_flags")
+    __match_args__ = ("soft_iron", "valid_flags")
+
     SET = 0x82
     DESCRIPTOR = 0x26
     NAME = "filter_data.mag_matrix"
     ROLE = "data"
+    _LAYOUT = (("soft_iron", "fffffffff", types.Matrix3f), ("valid_flags", "H", ValidFlags))
+    _VECTORS = {"soft_iron": (types.Matrix3f,)}
 
     soft_iron: types.Matrix3f
     """Soft iron matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
@@ -1809,23 +2203,26 @@ class MagMatrix(Data):
     valid_flags: ValidFlags
     """Validity of the values."""
 
+    def __init__(self, soft_iron: types.Matrix3f | codec.Rows, valid_flags: ValidFlags) -> None:
+        self.soft_iron = codec.vector(soft_iron, types.Matrix3f)
+        self.valid_flags = valid_flags
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagMatrix, int]:
         v = _MAG_MATRIX_0.read(raw, at)
         at += 38
-        soft_iron = v[0:9]
+        soft_iron = types.Matrix3f._make(v[0:9])
         valid_flags = ValidFlags(v[9])
         return cls(soft_iron, valid_flags), at
 
     def _write(self) -> bytes:
-        out = _MAG_MATRIX_0.write(*codec.exactly("soft_iron", self.soft_iron, 9), self.valid_flags)
+        out = _MAG_MATRIX_0.write(*codec.elements("soft_iron", self.soft_iron, 9), self.valid_flags)
         return codec.finished(out)
 
 
 _MAG_OFFSET_UNCERTAINTY_0 = codec.Block("fffH", *["hard_iron_uncertainty"] * 3, "valid_flags")
 
 
-@dataclass(slots=True)
 class MagOffsetUncertainty(Data):
     """Magnetometer offset uncertainty (0x82,0x28).
 
@@ -1837,10 +2234,15 @@ class MagOffsetUncertainty(Data):
     - mip-sdk-4: Magnetometer Offset Uncertainty (0x82,0x28)
     """
 
+    __slots__ = ("hard_iron_uncertainty", "valid_flags")
+    __match_args__ = ("hard_iron_uncertainty", "valid_flags")
+
     SET = 0x82
     DESCRIPTOR = 0x28
     NAME = "filter_data.mag_offset_uncertainty"
     ROLE = "data"
+    _LAYOUT = (("hard_iron_uncertainty", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+    _VECTORS = {"hard_iron_uncertainty": (types.Vector3f,)}
 
     hard_iron_uncertainty: types.Vector3f
     """Standard deviation per axis. Elements: x, y, z. Unit: gauss. Frame: sensor. Valid if
@@ -1849,17 +2251,24 @@ class MagOffsetUncertainty(Data):
     valid_flags: ValidFlags
     """Validity of the values."""
 
+    def __init__(
+        self, hard_iron_uncertainty: types.Vector3f | codec.Numbers, valid_flags: ValidFlags
+    ) -> None:
+        self.hard_iron_uncertainty = codec.vector(hard_iron_uncertainty, types.Vector3f)
+        self.valid_flags = valid_flags
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagOffsetUncertainty, int]:
         v = _MAG_OFFSET_UNCERTAINTY_0.read(raw, at)
         at += 14
-        hard_iron_uncertainty = v[0:3]
+        hard_iron_uncertainty = types.Vector3f._make(v[0:3])
         valid_flags = ValidFlags(v[3])
         return cls(hard_iron_uncertainty, valid_flags), at
 
     def _write(self) -> bytes:
         out = _MAG_OFFSET_UNCERTAINTY_0.write(
-            *codec.exactly("hard_iron_uncertainty", self.hard_iron_uncertainty, 3), self.valid_flags
+            *codec.elements("hard_iron_uncertainty", self.hard_iron_uncertainty, 3),
+            self.valid_flags,
         )
         return codec.finished(out)
 
@@ -1867,7 +2276,6 @@ class MagOffsetUncertainty(Data):
 _MAG_MATRIX_UNCERTAINTY_0 = codec.Block("fffffffffH", *["soft_iron_uncertainty"] * 9, "valid_flags")
 
 
-@dataclass(slots=True)
 class MagMatrixUncertainty(Data):
     """Magnetometer matrix uncertainty (0x82,0x29).
 
@@ -1879,10 +2287,18 @@ class MagMatrixUncertainty(Data):
     - mip-sdk-4: Magnetometer Matrix Uncertainty (0x82,0x29)
     """
 
+    __slots__ = ("soft_iron_uncertainty", "valid_flags")
+    __match_args__ = ("soft_iron_uncertainty", "valid_flags")
+
     SET = 0x82
     DESCRIPTOR = 0x29
     NAME = "filter_data.mag_matrix_uncertainty"
     ROLE = "data"
+    _LAYOUT = (
+        ("soft_iron_uncertainty", "fffffffff", types.Matrix3f),
+        ("valid_flags", "H", ValidFlags),
+    )
+    _VECTORS = {"soft_iron_uncertainty": (types.Matrix3f,)}
 
     soft_iron_uncertainty: types.Matrix3f
     """Standard deviation per element. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
@@ -1891,17 +2307,24 @@ class MagMatrixUncertainty(Data):
     valid_flags: ValidFlags
     """Validity of the values."""
 
+    def __init__(
+        self, soft_iron_uncertainty: types.Matrix3f | codec.Rows, valid_flags: ValidFlags
+    ) -> None:
+        self.soft_iron_uncertainty = codec.vector(soft_iron_uncertainty, types.Matrix3f)
+        self.valid_flags = valid_flags
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagMatrixUncertainty, int]:
         v = _MAG_MATRIX_UNCERTAINTY_0.read(raw, at)
         at += 38
-        soft_iron_uncertainty = v[0:9]
+        soft_iron_uncertainty = types.Matrix3f._make(v[0:9])
         valid_flags = ValidFlags(v[9])
         return cls(soft_iron_uncertainty, valid_flags), at
 
     def _write(self) -> bytes:
         out = _MAG_MATRIX_UNCERTAINTY_0.write(
-            *codec.exactly("soft_iron_uncertainty", self.soft_iron_uncertainty, 9), self.valid_flags
+            *codec.elements("soft_iron_uncertainty", self.soft_iron_uncertainty, 9),
+            self.valid_flags,
         )
         return codec.finished(out)
 
@@ -1909,7 +2332,6 @@ class MagMatrixUncertainty(Data):
 _MAG_COVARIANCE_MATRIX_0 = codec.Block("fffffffffH", *["covariance"] * 9, "valid_flags")
 
 
-@dataclass(slots=True)
 class MagCovarianceMatrix(Data):
     """Magnetometer covariance matrix (0x82,0x2A).
 
@@ -1921,10 +2343,15 @@ class MagCovarianceMatrix(Data):
     - mip-sdk-4: Magnetometer Covariance Matrix (0x82,0x2A)
     """
 
+    __slots__ = ("covariance", "valid_flags")
+    __match_args__ = ("covariance", "valid_flags")
+
     SET = 0x82
     DESCRIPTOR = 0x2A
     NAME = "filter_data.mag_covariance_matrix"
     ROLE = "data"
+    _LAYOUT = (("covariance", "fffffffff", types.Matrix3f), ("valid_flags", "H", ValidFlags))
+    _VECTORS = {"covariance": (types.Matrix3f,)}
 
     covariance: types.Matrix3f
     """Covariance matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
@@ -1934,17 +2361,21 @@ class MagCovarianceMatrix(Data):
     valid_flags: ValidFlags
     """Validity of the values."""
 
+    def __init__(self, covariance: types.Matrix3f | codec.Rows, valid_flags: ValidFlags) -> None:
+        self.covariance = codec.vector(covariance, types.Matrix3f)
+        self.valid_flags = valid_flags
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagCovarianceMatrix, int]:
         v = _MAG_COVARIANCE_MATRIX_0.read(raw, at)
         at += 38
-        covariance = v[0:9]
+        covariance = types.Matrix3f._make(v[0:9])
         valid_flags = ValidFlags(v[9])
         return cls(covariance, valid_flags), at
 
     def _write(self) -> bytes:
         out = _MAG_COVARIANCE_MATRIX_0.write(
-            *codec.exactly("covariance", self.covariance, 9), self.valid_flags
+            *codec.elements("covariance", self.covariance, 9), self.valid_flags
         )
         return codec.finished(out)
 
@@ -1952,7 +2383,6 @@ class MagCovarianceMatrix(Data):
 _MAG_RESIDUAL_VECTOR_0 = codec.Block("fffH", *["residual"] * 3, "valid_flags")
 
 
-@dataclass(slots=True)
 class MagResidualVector(Data):
     """Magnetometer residual vector (0x82,0x2C).
 
@@ -1964,10 +2394,15 @@ class MagResidualVector(Data):
     - mip-sdk-4: Magnetometer Residual Vector (0x82,0x2C)
     """
 
+    __slots__ = ("residual", "valid_flags")
+    __match_args__ = ("residual", "valid_flags")
+
     SET = 0x82
     DESCRIPTOR = 0x2C
     NAME = "filter_data.mag_residual_vector"
     ROLE = "data"
+    _LAYOUT = (("residual", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+    _VECTORS = {"residual": (types.Vector3f,)}
 
     residual: types.Vector3f
     """Residual. Elements: x, y, z. Unit: gauss. Frame: vehicle. Valid if `ValidFlags.VALID` of
@@ -1976,17 +2411,21 @@ class MagResidualVector(Data):
     valid_flags: ValidFlags
     """Validity of the values."""
 
+    def __init__(self, residual: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
+        self.residual = codec.vector(residual, types.Vector3f)
+        self.valid_flags = valid_flags
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagResidualVector, int]:
         v = _MAG_RESIDUAL_VECTOR_0.read(raw, at)
         at += 14
-        residual = v[0:3]
+        residual = types.Vector3f._make(v[0:3])
         valid_flags = ValidFlags(v[3])
         return cls(residual, valid_flags), at
 
     def _write(self) -> bytes:
         out = _MAG_RESIDUAL_VECTOR_0.write(
-            *codec.exactly("residual", self.residual, 3), self.valid_flags
+            *codec.elements("residual", self.residual, 3), self.valid_flags
         )
         return codec.finished(out)
 
@@ -1994,7 +2433,6 @@ class MagResidualVector(Data):
 _ANTENNA_OFFSET_CORRECTION_0 = codec.Block("fffH", *["offset"] * 3, "valid_flags")
 
 
-@dataclass(slots=True)
 class AntennaOffsetCorrection(Data):
     """Antenna offset correction (0x82,0x30).
 
@@ -2007,10 +2445,15 @@ class AntennaOffsetCorrection(Data):
     - mip-sdk-4: Antenna Offset Correction (0x82,0x30)
     """
 
+    __slots__ = ("offset", "valid_flags")
+    __match_args__ = ("offset", "valid_flags")
+
     SET = 0x82
     DESCRIPTOR = 0x30
     NAME = "filter_data.antenna_offset_correction"
     ROLE = "data"
+    _LAYOUT = (("offset", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+    _VECTORS = {"offset": (types.Vector3f,)}
 
     offset: types.Vector3f
     """Correction of the offset. Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
@@ -2019,17 +2462,21 @@ class AntennaOffsetCorrection(Data):
     valid_flags: ValidFlags
     """Validity of the values."""
 
+    def __init__(self, offset: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
+        self.offset = codec.vector(offset, types.Vector3f)
+        self.valid_flags = valid_flags
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AntennaOffsetCorrection, int]:
         v = _ANTENNA_OFFSET_CORRECTION_0.read(raw, at)
         at += 14
-        offset = v[0:3]
+        offset = types.Vector3f._make(v[0:3])
         valid_flags = ValidFlags(v[3])
         return cls(offset, valid_flags), at
 
     def _write(self) -> bytes:
         out = _ANTENNA_OFFSET_CORRECTION_0.write(
-            *codec.exactly("offset", self.offset, 3), self.valid_flags
+            *codec.elements("offset", self.offset, 3), self.valid_flags
         )
         return codec.finished(out)
 
@@ -2039,7 +2486,6 @@ _ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class AntennaOffsetCorrectionUncertainty(Data):
     """Antenna offset correction uncertainty (0x82,0x31).
 
@@ -2050,10 +2496,15 @@ class AntennaOffsetCorrectionUncertainty(Data):
     - mip-sdk-4: Antenna Offset Correction Uncertainty (0x82,0x31)
     """
 
+    __slots__ = ("offset_uncertainty", "valid_flags")
+    __match_args__ = ("offset_uncertainty", "valid_flags")
+
     SET = 0x82
     DESCRIPTOR = 0x31
     NAME = "filter_data.antenna_offset_correction_uncertainty"
     ROLE = "data"
+    _LAYOUT = (("offset_uncertainty", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+    _VECTORS = {"offset_uncertainty": (types.Vector3f,)}
 
     offset_uncertainty: types.Vector3f
     """Standard deviation per axis. Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
@@ -2062,17 +2513,23 @@ class AntennaOffsetCorrectionUncertainty(Data):
     valid_flags: ValidFlags
     """Validity of the values."""
 
+    def __init__(
+        self, offset_uncertainty: types.Vector3f | codec.Numbers, valid_flags: ValidFlags
+    ) -> None:
+        self.offset_uncertainty = codec.vector(offset_uncertainty, types.Vector3f)
+        self.valid_flags = valid_flags
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AntennaOffsetCorrectionUncertainty, int]:
         v = _ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_0.read(raw, at)
         at += 14
-        offset_uncertainty = v[0:3]
+        offset_uncertainty = types.Vector3f._make(v[0:3])
         valid_flags = ValidFlags(v[3])
         return cls(offset_uncertainty, valid_flags), at
 
     def _write(self) -> bytes:
         out = _ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_0.write(
-            *codec.exactly("offset_uncertainty", self.offset_uncertainty, 3), self.valid_flags
+            *codec.elements("offset_uncertainty", self.offset_uncertainty, 3), self.valid_flags
         )
         return codec.finished(out)
 
@@ -2080,7 +2537,6 @@ class AntennaOffsetCorrectionUncertainty(Data):
 _CLOCK_CORRECTION_0 = codec.Block("BffH", "receiver_id", "bias", "bias_drift", "valid_flags")
 
 
-@dataclass(slots=True)
 class ClockCorrection(Data):
     """Clock correction (0x82,0x32).
 
@@ -2091,10 +2547,19 @@ class ClockCorrection(Data):
     - mip-sdk-4: Clock Correction (0x82,0x32)
     """
 
+    __slots__ = ("receiver_id", "bias", "bias_drift", "valid_flags")
+    __match_args__ = ("receiver_id", "bias", "bias_drift", "valid_flags")
+
     SET = 0x82
     DESCRIPTOR = 0x32
     NAME = "filter_data.clock_correction"
     ROLE = "data"
+    _LAYOUT = (
+        ("receiver_id", "B", None),
+        ("bias", "f", None),
+        ("bias_drift", "f", None),
+        ("valid_flags", "H", ValidFlags),
+    )
 
     receiver_id: int
     """Receiver, counted from 1. Range: at least 1."""
@@ -2104,6 +2569,14 @@ class ClockCorrection(Data):
     """Drift of the clock. Unit: s/s. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
     valid_flags: ValidFlags
     """Validity of the values."""
+
+    def __init__(
+        self, receiver_id: int, bias: float, bias_drift: float, valid_flags: ValidFlags
+    ) -> None:
+        self.receiver_id = receiver_id
+        self.bias = bias
+        self.bias_drift = bias_drift
+        self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ClockCorrection, int]:
@@ -2127,7 +2600,6 @@ _CLOCK_CORRECTION_UNCERTAINTY_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class ClockCorrectionUncertainty(Data):
     """Clock correction uncertainty (0x82,0x33).
 
@@ -2138,10 +2610,19 @@ class ClockCorrectionUncertainty(Data):
     - mip-sdk-4: Clock Correction Uncertainty (0x82,0x33)
     """
 
+    __slots__ = ("receiver_id", "bias_uncertainty", "bias_drift_uncertainty", "valid_flags")
+    __match_args__ = ("receiver_id", "bias_uncertainty", "bias_drift_uncertainty", "valid_flags")
+
     SET = 0x82
     DESCRIPTOR = 0x33
     NAME = "filter_data.clock_correction_uncertainty"
     ROLE = "data"
+    _LAYOUT = (
+        ("receiver_id", "B", None),
+        ("bias_uncertainty", "f", None),
+        ("bias_drift_uncertainty", "f", None),
+        ("valid_flags", "H", ValidFlags),
+    )
 
     receiver_id: int
     """Receiver, counted from 1. Range: at least 1."""
@@ -2154,6 +2635,18 @@ class ClockCorrectionUncertainty(Data):
     """
     valid_flags: ValidFlags
     """Validity of the values."""
+
+    def __init__(
+        self,
+        receiver_id: int,
+        bias_uncertainty: float,
+        bias_drift_uncertainty: float,
+        valid_flags: ValidFlags,
+    ) -> None:
+        self.receiver_id = receiver_id
+        self.bias_uncertainty = bias_uncertainty
+        self.bias_drift_uncertainty = bias_drift_uncertainty
+        self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ClockCorrectionUncertainty, int]:
@@ -2177,7 +2670,6 @@ _MULTI_ANTENNA_OFFSET_CORRECTION_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class MultiAntennaOffsetCorrection(Data):
     """Multi-antenna offset correction (0x82,0x34).
 
@@ -2190,10 +2682,19 @@ class MultiAntennaOffsetCorrection(Data):
     - 3dm-cv7-gnss-ins: Multi Antenna Offset Correction (0x82,0x34)
     """
 
+    __slots__ = ("receiver_id", "offset", "valid_flags")
+    __match_args__ = ("receiver_id", "offset", "valid_flags")
+
     SET = 0x82
     DESCRIPTOR = 0x34
     NAME = "filter_data.multi_antenna_offset_correction"
     ROLE = "data"
+    _LAYOUT = (
+        ("receiver_id", "B", None),
+        ("offset", "fff", types.Vector3f),
+        ("valid_flags", "H", ValidFlags),
+    )
+    _VECTORS = {"offset": (types.Vector3f,)}
 
     receiver_id: int
     """Receiver that the antenna belongs to."""
@@ -2204,18 +2705,25 @@ class MultiAntennaOffsetCorrection(Data):
     valid_flags: ValidFlags
     """Validity of the values."""
 
+    def __init__(
+        self, receiver_id: int, offset: types.Vector3f | codec.Numbers, valid_flags: ValidFlags
+    ) -> None:
+        self.receiver_id = receiver_id
+        self.offset = codec.vector(offset, types.Vector3f)
+        self.valid_flags = valid_flags
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MultiAntennaOffsetCorrection, int]:
         v = _MULTI_ANTENNA_OFFSET_CORRECTION_0.read(raw, at)
         at += 15
         receiver_id = v[0]
-        offset = v[1:4]
+        offset = types.Vector3f._make(v[1:4])
         valid_flags = ValidFlags(v[4])
         return cls(receiver_id, offset, valid_flags), at
 
     def _write(self) -> bytes:
         out = _MULTI_ANTENNA_OFFSET_CORRECTION_0.write(
-            self.receiver_id, *codec.exactly("offset", self.offset, 3), self.valid_flags
+            self.receiver_id, *codec.elements("offset", self.offset, 3), self.valid_flags
         )
         return codec.finished(out)
 
@@ -2225,7 +2733,6 @@ _MULTI_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class MultiAntennaOffsetCorrectionUncertainty(Data):
     """Multi-antenna offset correction uncertainty (0x82,0x35).
 
@@ -2236,10 +2743,19 @@ class MultiAntennaOffsetCorrectionUncertainty(Data):
     - 3dm-cv7-gnss-ins: Multi Antenna Offset Correction Uncertainty (0x82,0x35)
     """
 
+    __slots__ = ("receiver_id", "offset_uncertainty", "valid_flags")
+    __match_args__ = ("receiver_id", "offset_uncertainty", "valid_flags")
+
     SET = 0x82
     DESCRIPTOR = 0x35
     NAME = "filter_data.multi_antenna_offset_correction_uncertainty"
     ROLE = "data"
+    _LAYOUT = (
+        ("receiver_id", "B", None),
+        ("offset_uncertainty", "fff", types.Vector3f),
+        ("valid_flags", "H", ValidFlags),
+    )
+    _VECTORS = {"offset_uncertainty": (types.Vector3f,)}
 
     receiver_id: int
     """Receiver that the antenna belongs to."""
@@ -2250,19 +2766,29 @@ class MultiAntennaOffsetCorrectionUncertainty(Data):
     valid_flags: ValidFlags
     """Validity of the values."""
 
+    def __init__(
+        self,
+        receiver_id: int,
+        offset_uncertainty: types.Vector3f | codec.Numbers,
+        valid_flags: ValidFlags,
+    ) -> None:
+        self.receiver_id = receiver_id
+        self.offset_uncertainty = codec.vector(offset_uncertainty, types.Vector3f)
+        self.valid_flags = valid_flags
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MultiAntennaOffsetCorrectionUncertainty, int]:
         v = _MULTI_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_0.read(raw, at)
         at += 15
         receiver_id = v[0]
-        offset_uncertainty = v[1:4]
+        offset_uncertainty = types.Vector3f._make(v[1:4])
         valid_flags = ValidFlags(v[4])
         return cls(receiver_id, offset_uncertainty, valid_flags), at
 
     def _write(self) -> bytes:
         out = _MULTI_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_0.write(
             self.receiver_id,
-            *codec.exactly("offset_uncertainty", self.offset_uncertainty, 3),
+            *codec.elements("offset_uncertainty", self.offset_uncertainty, 3),
             self.valid_flags,
         )
         return codec.finished(out)
@@ -2271,7 +2797,6 @@ class MultiAntennaOffsetCorrectionUncertainty(Data):
 _ECEF_POSITION_UNCERTAINTY_0 = codec.Block("fffH", *["position_uncertainty"] * 3, "valid_flags")
 
 
-@dataclass(slots=True)
 class EcefPositionUncertainty(Data):
     """ECEF position uncertainty (0x82,0x36).
 
@@ -2282,10 +2807,15 @@ class EcefPositionUncertainty(Data):
     - 3dm-cv7-gnss-ins: ECEF Position Uncertainty (0x82,0x36)
     """
 
+    __slots__ = ("position_uncertainty", "valid_flags")
+    __match_args__ = ("position_uncertainty", "valid_flags")
+
     SET = 0x82
     DESCRIPTOR = 0x36
     NAME = "filter_data.ecef_position_uncertainty"
     ROLE = "data"
+    _LAYOUT = (("position_uncertainty", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+    _VECTORS = {"position_uncertainty": (types.Vector3f,)}
 
     position_uncertainty: types.Vector3f
     """Standard deviation per axis. Elements: x, y, z. Unit: m. Frame: ecef. Valid if
@@ -2294,17 +2824,23 @@ class EcefPositionUncertainty(Data):
     valid_flags: ValidFlags
     """Validity of the values."""
 
+    def __init__(
+        self, position_uncertainty: types.Vector3f | codec.Numbers, valid_flags: ValidFlags
+    ) -> None:
+        self.position_uncertainty = codec.vector(position_uncertainty, types.Vector3f)
+        self.valid_flags = valid_flags
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EcefPositionUncertainty, int]:
         v = _ECEF_POSITION_UNCERTAINTY_0.read(raw, at)
         at += 14
-        position_uncertainty = v[0:3]
+        position_uncertainty = types.Vector3f._make(v[0:3])
         valid_flags = ValidFlags(v[3])
         return cls(position_uncertainty, valid_flags), at
 
     def _write(self) -> bytes:
         out = _ECEF_POSITION_UNCERTAINTY_0.write(
-            *codec.exactly("position_uncertainty", self.position_uncertainty, 3), self.valid_flags
+            *codec.elements("position_uncertainty", self.position_uncertainty, 3), self.valid_flags
         )
         return codec.finished(out)
 
@@ -2312,7 +2848,6 @@ class EcefPositionUncertainty(Data):
 _ECEF_VELOCITY_UNCERTAINTY_0 = codec.Block("fffH", *["velocity_uncertainty"] * 3, "valid_flags")
 
 
-@dataclass(slots=True)
 class EcefVelocityUncertainty(Data):
     """ECEF velocity uncertainty (0x82,0x37).
 
@@ -2323,10 +2858,15 @@ class EcefVelocityUncertainty(Data):
     - 3dm-cv7-gnss-ins: ECEF Velocity Uncertainty (0x82,0x37)
     """
 
+    __slots__ = ("velocity_uncertainty", "valid_flags")
+    __match_args__ = ("velocity_uncertainty", "valid_flags")
+
     SET = 0x82
     DESCRIPTOR = 0x37
     NAME = "filter_data.ecef_velocity_uncertainty"
     ROLE = "data"
+    _LAYOUT = (("velocity_uncertainty", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+    _VECTORS = {"velocity_uncertainty": (types.Vector3f,)}
 
     velocity_uncertainty: types.Vector3f
     """Standard deviation per axis. Elements: x, y, z. Unit: m/s. Frame: ecef. Valid if
@@ -2335,17 +2875,23 @@ class EcefVelocityUncertainty(Data):
     valid_flags: ValidFlags
     """Validity of the values."""
 
+    def __init__(
+        self, velocity_uncertainty: types.Vector3f | codec.Numbers, valid_flags: ValidFlags
+    ) -> None:
+        self.velocity_uncertainty = codec.vector(velocity_uncertainty, types.Vector3f)
+        self.valid_flags = valid_flags
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EcefVelocityUncertainty, int]:
         v = _ECEF_VELOCITY_UNCERTAINTY_0.read(raw, at)
         at += 14
-        velocity_uncertainty = v[0:3]
+        velocity_uncertainty = types.Vector3f._make(v[0:3])
         valid_flags = ValidFlags(v[3])
         return cls(velocity_uncertainty, valid_flags), at
 
     def _write(self) -> bytes:
         out = _ECEF_VELOCITY_UNCERTAINTY_0.write(
-            *codec.exactly("velocity_uncertainty", self.velocity_uncertainty, 3), self.valid_flags
+            *codec.elements("velocity_uncertainty", self.velocity_uncertainty, 3), self.valid_flags
         )
         return codec.finished(out)
 
@@ -2353,7 +2899,6 @@ class EcefVelocityUncertainty(Data):
 _ECEF_POSITION_0 = codec.Block("dddH", *["position"] * 3, "valid_flags")
 
 
-@dataclass(slots=True)
 class EcefPosition(Data):
     """ECEF position (0x82,0x40).
 
@@ -2364,10 +2909,15 @@ class EcefPosition(Data):
     - 3dm-cv7-gnss-ins: ECEF Position (0x82,0x40)
     """
 
+    __slots__ = ("position", "valid_flags")
+    __match_args__ = ("position", "valid_flags")
+
     SET = 0x82
     DESCRIPTOR = 0x40
     NAME = "filter_data.ecef_position"
     ROLE = "data"
+    _LAYOUT = (("position", "ddd", types.Vector3d), ("valid_flags", "H", ValidFlags))
+    _VECTORS = {"position": (types.Vector3d,)}
 
     position: types.Vector3d
     """Position. Elements: x, y, z. Unit: m. Frame: ecef. Valid if `ValidFlags.VALID` of
@@ -2376,23 +2926,28 @@ class EcefPosition(Data):
     valid_flags: ValidFlags
     """Validity of the values."""
 
+    def __init__(self, position: types.Vector3d | codec.Numbers, valid_flags: ValidFlags) -> None:
+        self.position = codec.vector(position, types.Vector3d)
+        self.valid_flags = valid_flags
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EcefPosition, int]:
         v = _ECEF_POSITION_0.read(raw, at)
         at += 26
-        position = v[0:3]
+        position = types.Vector3d._make(v[0:3])
         valid_flags = ValidFlags(v[3])
         return cls(position, valid_flags), at
 
     def _write(self) -> bytes:
-        out = _ECEF_POSITION_0.write(*codec.exactly("position", self.position, 3), self.valid_flags)
+        out = _ECEF_POSITION_0.write(
+            *codec.elements("position", self.position, 3), self.valid_flags
+        )
         return codec.finished(out)
 
 
 _ECEF_VELOCITY_0 = codec.Block("fffH", *["velocity"] * 3, "valid_flags")
 
 
-@dataclass(slots=True)
 class EcefVelocity(Data):
     """ECEF velocity (0x82,0x41).
 
@@ -2403,10 +2958,15 @@ class EcefVelocity(Data):
     - 3dm-cv7-gnss-ins: ECEF Velocity (0x82,0x41)
     """
 
+    __slots__ = ("velocity", "valid_flags")
+    __match_args__ = ("velocity", "valid_flags")
+
     SET = 0x82
     DESCRIPTOR = 0x41
     NAME = "filter_data.ecef_velocity"
     ROLE = "data"
+    _LAYOUT = (("velocity", "fff", types.Vector3f), ("valid_flags", "H", ValidFlags))
+    _VECTORS = {"velocity": (types.Vector3f,)}
 
     velocity: types.Vector3f
     """Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Valid if `ValidFlags.VALID` of
@@ -2415,23 +2975,28 @@ class EcefVelocity(Data):
     valid_flags: ValidFlags
     """Validity of the values."""
 
+    def __init__(self, velocity: types.Vector3f | codec.Numbers, valid_flags: ValidFlags) -> None:
+        self.velocity = codec.vector(velocity, types.Vector3f)
+        self.valid_flags = valid_flags
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EcefVelocity, int]:
         v = _ECEF_VELOCITY_0.read(raw, at)
         at += 14
-        velocity = v[0:3]
+        velocity = types.Vector3f._make(v[0:3])
         valid_flags = ValidFlags(v[3])
         return cls(velocity, valid_flags), at
 
     def _write(self) -> bytes:
-        out = _ECEF_VELOCITY_0.write(*codec.exactly("velocity", self.velocity, 3), self.valid_flags)
+        out = _ECEF_VELOCITY_0.write(
+            *codec.elements("velocity", self.velocity, 3), self.valid_flags
+        )
         return codec.finished(out)
 
 
 _NED_RELATIVE_POSITION_0 = codec.Block("dddH", *["relative_position"] * 3, "valid_flags")
 
 
-@dataclass(slots=True)
 class NedRelativePosition(Data):
     """NED relative position (0x82,0x42).
 
@@ -2442,10 +3007,15 @@ class NedRelativePosition(Data):
     - 3dm-cv7-gnss-ins: NED Relative Position (0x82,0x42)
     """
 
+    __slots__ = ("relative_position", "valid_flags")
+    __match_args__ = ("relative_position", "valid_flags")
+
     SET = 0x82
     DESCRIPTOR = 0x42
     NAME = "filter_data.ned_relative_position"
     ROLE = "data"
+    _LAYOUT = (("relative_position", "ddd", types.Vector3d), ("valid_flags", "H", ValidFlags))
+    _VECTORS = {"relative_position": (types.Vector3d,)}
 
     relative_position: types.Vector3d
     """Relative position. Elements: x, y, z. Unit: m. Frame: ned. Valid if `ValidFlags.VALID` of
@@ -2454,17 +3024,23 @@ class NedRelativePosition(Data):
     valid_flags: ValidFlags
     """Validity of the values."""
 
+    def __init__(
+        self, relative_position: types.Vector3d | codec.Numbers, valid_flags: ValidFlags
+    ) -> None:
+        self.relative_position = codec.vector(relative_position, types.Vector3d)
+        self.valid_flags = valid_flags
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[NedRelativePosition, int]:
         v = _NED_RELATIVE_POSITION_0.read(raw, at)
         at += 26
-        relative_position = v[0:3]
+        relative_position = types.Vector3d._make(v[0:3])
         valid_flags = ValidFlags(v[3])
         return cls(relative_position, valid_flags), at
 
     def _write(self) -> bytes:
         out = _NED_RELATIVE_POSITION_0.write(
-            *codec.exactly("relative_position", self.relative_position, 3), self.valid_flags
+            *codec.elements("relative_position", self.relative_position, 3), self.valid_flags
         )
         return codec.finished(out)
 
@@ -2474,7 +3050,6 @@ _GNSS_POSITION_AIDING_STATUS_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class GnssPositionAidingStatus(Data):
     """GNSS position aiding status (0x82,0x43).
 
@@ -2487,10 +3062,19 @@ class GnssPositionAidingStatus(Data):
     - 3dm-cv7-gnss-ins: GNSS Position Aiding Status (0x82,0x43)
     """
 
+    __slots__ = ("receiver_id", "tow", "status", "reserved")
+    __match_args__ = ("receiver_id", "tow", "status", "reserved")
+
     SET = 0x82
     DESCRIPTOR = 0x43
     NAME = "filter_data.gnss_position_aiding_status"
     ROLE = "data"
+    _LAYOUT = (
+        ("receiver_id", "B", None),
+        ("tow", "f", None),
+        ("status", "H", GnssAidingStatus),
+        ("reserved", "BBBBBBBB", tuple),
+    )
 
     receiver_id: int
     """Number of the receiver."""
@@ -2498,8 +3082,20 @@ class GnssPositionAidingStatus(Data):
     """GPS time of week of the last measurement. Unit: s."""
     status: GnssAidingStatus
     """How the measurements are used."""
-    reserved: tuple[int, ...] = (0,) * 8
+    reserved: tuple[int, ...]
     """Reserved."""
+
+    def __init__(
+        self,
+        receiver_id: int,
+        tow: float,
+        status: GnssAidingStatus,
+        reserved: tuple[int, ...] = (0,) * 8,
+    ) -> None:
+        self.receiver_id = receiver_id
+        self.tow = tow
+        self.status = status
+        self.reserved = reserved
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssPositionAidingStatus, int]:
@@ -2521,7 +3117,6 @@ class GnssPositionAidingStatus(Data):
 _GNSS_ATTITUDE_AIDING_STATUS_0 = codec.Block("fHBBBBBBBB", "tow", "status", *["reserved"] * 8)
 
 
-@dataclass(slots=True)
 class GnssAttitudeAidingStatus(Data):
     """GNSS attitude aiding status (0x82,0x44).
 
@@ -2535,10 +3130,18 @@ class GnssAttitudeAidingStatus(Data):
     - mip-sdk-4: Gnss Att Aid Status (0x82,0x44)
     """
 
+    __slots__ = ("tow", "status", "reserved")
+    __match_args__ = ("tow", "status", "reserved")
+
     SET = 0x82
     DESCRIPTOR = 0x44
     NAME = "filter_data.gnss_attitude_aiding_status"
     ROLE = "data"
+    _LAYOUT = (
+        ("tow", "f", None),
+        ("status", "H", GnssAidingStatus),
+        ("reserved", "BBBBBBBB", tuple),
+    )
 
     tow: float
     """GPS time of week of the last valid measurement. Unit: s. Uncertain: Whether it is the time of
@@ -2546,8 +3149,15 @@ class GnssAttitudeAidingStatus(Data):
     """
     status: GnssAidingStatus
     """How the measurements are used."""
-    reserved: tuple[int, ...] = (0,) * 8
+    reserved: tuple[int, ...]
     """Reserved. Reserved."""
+
+    def __init__(
+        self, tow: float, status: GnssAidingStatus, reserved: tuple[int, ...] = (0,) * 8
+    ) -> None:
+        self.tow = tow
+        self.status = status
+        self.reserved = reserved
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssAttitudeAidingStatus, int]:
@@ -2568,7 +3178,6 @@ class GnssAttitudeAidingStatus(Data):
 _HEADING_AIDING_STATUS_0 = codec.Block("fBff", "tow", "type", *["reserved"] * 2)
 
 
-@dataclass(slots=True)
 class HeadingAidingStatus(Data):
     """Heading aiding status (0x82,0x45).
 
@@ -2582,10 +3191,14 @@ class HeadingAidingStatus(Data):
     - mip-sdk-4: Head Aid Status (0x82,0x45)
     """
 
+    __slots__ = ("tow", "type", "reserved")
+    __match_args__ = ("tow", "type", "reserved")
+
     SET = 0x82
     DESCRIPTOR = 0x45
     NAME = "filter_data.heading_aiding_status"
     ROLE = "data"
+    _LAYOUT = (("tow", "f", None), ("type", "B", HeadingAidingType), ("reserved", "ff", tuple))
 
     tow: float
     """GPS time of week of the last valid measurement. Unit: s. Uncertain: Whether it is the time of
@@ -2593,8 +3206,15 @@ class HeadingAidingStatus(Data):
     """
     type: HeadingAidingType
     """Source of the heading."""
-    reserved: tuple[float, float] = (0.0, 0.0)
+    reserved: tuple[float, float]
     """Reserved. Reserved."""
+
+    def __init__(
+        self, tow: float, type: HeadingAidingType, reserved: tuple[float, float] = (0.0, 0.0)
+    ) -> None:
+        self.tow = tow
+        self.type = type
+        self.reserved = reserved
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[HeadingAidingStatus, int]:
@@ -2615,7 +3235,6 @@ class HeadingAidingStatus(Data):
 _AIDING_MEASUREMENT_SUMMARY_0 = codec.Block("fBBB", "tow", "source", "type", "indicator")
 
 
-@dataclass(slots=True)
 class AidingMeasurementSummary(Data):
     """Aiding measurement summary (0x82,0x46).
 
@@ -2628,10 +3247,19 @@ class AidingMeasurementSummary(Data):
     - 3dm-cv7-gnss-ins: Aiding Measurement Summary (0x82,0x46)
     """
 
+    __slots__ = ("tow", "source", "type", "indicator")
+    __match_args__ = ("tow", "source", "type", "indicator")
+
     SET = 0x82
     DESCRIPTOR = 0x46
     NAME = "filter_data.aiding_measurement_summary"
     ROLE = "data"
+    _LAYOUT = (
+        ("tow", "f", None),
+        ("source", "B", None),
+        ("type", "B", AidingMeasurementType),
+        ("indicator", "B", AidingMeasurementIndicator),
+    )
 
     tow: float
     """GPS time of week at the end of the interval. Unit: s."""
@@ -2641,6 +3269,18 @@ class AidingMeasurementSummary(Data):
     """Kind of measurement."""
     indicator: AidingMeasurementIndicator
     """What the filter did with it."""
+
+    def __init__(
+        self,
+        tow: float,
+        source: int,
+        type: AidingMeasurementType,
+        indicator: AidingMeasurementIndicator,
+    ) -> None:
+        self.tow = tow
+        self.source = source
+        self.type = type
+        self.indicator = indicator
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AidingMeasurementSummary, int]:
@@ -2660,7 +3300,6 @@ class AidingMeasurementSummary(Data):
 _ODOMETER_SCALE_FACTOR_ERROR_0 = codec.Block("fH", "scale_factor_error", "valid_flags")
 
 
-@dataclass(slots=True)
 class OdometerScaleFactorError(Data):
     """Odometer scale factor error (0x82,0x47).
 
@@ -2673,15 +3312,23 @@ class OdometerScaleFactorError(Data):
     - 3dm-cv7-gnss-ins: Odometer Scale Factor Error (0x82,0x47)
     """
 
+    __slots__ = ("scale_factor_error", "valid_flags")
+    __match_args__ = ("scale_factor_error", "valid_flags")
+
     SET = 0x82
     DESCRIPTOR = 0x47
     NAME = "filter_data.odometer_scale_factor_error"
     ROLE = "data"
+    _LAYOUT = (("scale_factor_error", "f", None), ("valid_flags", "H", ValidFlags))
 
     scale_factor_error: float
     """Relative error. Unit: 1. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
     valid_flags: ValidFlags
     """Validity of the values."""
+
+    def __init__(self, scale_factor_error: float, valid_flags: ValidFlags) -> None:
+        self.scale_factor_error = scale_factor_error
+        self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[OdometerScaleFactorError, int]:
@@ -2701,7 +3348,6 @@ _ODOMETER_SCALE_FACTOR_ERROR_UNCERTAINTY_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class OdometerScaleFactorErrorUncertainty(Data):
     """Odometer scale factor error uncertainty (0x82,0x48).
 
@@ -2712,10 +3358,14 @@ class OdometerScaleFactorErrorUncertainty(Data):
     - 3dm-cv7-gnss-ins: Odometer Scale Factor Error Uncertainty (0x82,0x48)
     """
 
+    __slots__ = ("scale_factor_error_uncertainty", "valid_flags")
+    __match_args__ = ("scale_factor_error_uncertainty", "valid_flags")
+
     SET = 0x82
     DESCRIPTOR = 0x48
     NAME = "filter_data.odometer_scale_factor_error_uncertainty"
     ROLE = "data"
+    _LAYOUT = (("scale_factor_error_uncertainty", "f", None), ("valid_flags", "H", ValidFlags))
 
     scale_factor_error_uncertainty: float
     """Uncertainty of the relative error. Unit: 1. Valid if `ValidFlags.VALID` of `valid_flags` is
@@ -2723,6 +3373,10 @@ class OdometerScaleFactorErrorUncertainty(Data):
     """
     valid_flags: ValidFlags
     """Validity of the values."""
+
+    def __init__(self, scale_factor_error_uncertainty: float, valid_flags: ValidFlags) -> None:
+        self.scale_factor_error_uncertainty = scale_factor_error_uncertainty
+        self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[OdometerScaleFactorErrorUncertainty, int]:
@@ -2744,7 +3398,6 @@ _GNSS_DUAL_ANTENNA_STATUS_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class GnssDualAntennaStatus(Data):
     """GNSS dual antenna status (0x82,0x49).
 
@@ -2757,10 +3410,28 @@ class GnssDualAntennaStatus(Data):
     - 3dm-cv7-gnss-ins: GNSS Dual Antenna Status (0x82,0x49)
     """
 
+    __slots__ = ("tow", "heading", "heading_uncertainty", "fix_type", "status_flags", "valid_flags")
+    __match_args__ = (
+        "tow",
+        "heading",
+        "heading_uncertainty",
+        "fix_type",
+        "status_flags",
+        "valid_flags",
+    )
+
     SET = 0x82
     DESCRIPTOR = 0x49
     NAME = "filter_data.gnss_dual_antenna_status"
     ROLE = "data"
+    _LAYOUT = (
+        ("tow", "f", None),
+        ("heading", "f", None),
+        ("heading_uncertainty", "f", None),
+        ("fix_type", "B", DualAntennaFixType),
+        ("status_flags", "H", DualAntennaStatusFlags),
+        ("valid_flags", "H", ValidFlags),
+    )
 
     tow: float
     """GPS time of week of the last measurement. Unit: s. Valid if `ValidFlags.VALID` of
@@ -2777,6 +3448,22 @@ class GnssDualAntennaStatus(Data):
     """What the solution has to work with."""
     valid_flags: ValidFlags
     """Validity of the values."""
+
+    def __init__(
+        self,
+        tow: float,
+        heading: float,
+        heading_uncertainty: float,
+        fix_type: DualAntennaFixType,
+        status_flags: DualAntennaStatusFlags,
+        valid_flags: ValidFlags,
+    ) -> None:
+        self.tow = tow
+        self.heading = heading
+        self.heading_uncertainty = heading_uncertainty
+        self.fix_type = fix_type
+        self.status_flags = status_flags
+        self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssDualAntennaStatus, int]:
@@ -2807,7 +3494,6 @@ _AIDING_FRAME_CONFIG_ERROR_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class AidingFrameConfigError(Data):
     """Aiding frame configuration error (0x82,0x50).
 
@@ -2818,10 +3504,19 @@ class AidingFrameConfigError(Data):
     - 3dm-cv7-gnss-ins: Aiding Frame Configuration Error (0x82,0x50)
     """
 
+    __slots__ = ("frame_id", "translation", "attitude")
+    __match_args__ = ("frame_id", "translation", "attitude")
+
     SET = 0x82
     DESCRIPTOR = 0x50
     NAME = "filter_data.aiding_frame_config_error"
     ROLE = "data"
+    _LAYOUT = (
+        ("frame_id", "B", None),
+        ("translation", "fff", types.Vector3f),
+        ("attitude", "ffff", types.Quatf),
+    )
+    _VECTORS = {"translation": (types.Vector3f,), "attitude": (types.Quatf,)}
 
     frame_id: int
     """Number of the frame."""
@@ -2830,20 +3525,30 @@ class AidingFrameConfigError(Data):
     attitude: types.Quatf
     """Error of the rotation. Elements: w, x, y, z. Unit: 1."""
 
+    def __init__(
+        self,
+        frame_id: int,
+        translation: types.Vector3f | codec.Numbers,
+        attitude: types.Quatf | codec.Numbers,
+    ) -> None:
+        self.frame_id = frame_id
+        self.translation = codec.vector(translation, types.Vector3f)
+        self.attitude = codec.vector(attitude, types.Quatf)
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AidingFrameConfigError, int]:
         v = _AIDING_FRAME_CONFIG_ERROR_0.read(raw, at)
         at += 29
         frame_id = v[0]
-        translation = v[1:4]
-        attitude = v[4:8]
+        translation = types.Vector3f._make(v[1:4])
+        attitude = types.Quatf._make(v[4:8])
         return cls(frame_id, translation, attitude), at
 
     def _write(self) -> bytes:
         out = _AIDING_FRAME_CONFIG_ERROR_0.write(
             self.frame_id,
-            *codec.exactly("translation", self.translation, 3),
-            *codec.exactly("attitude", self.attitude, 4),
+            *codec.elements("translation", self.translation, 3),
+            *codec.elements("attitude", self.attitude, 4),
         )
         return codec.finished(out)
 
@@ -2853,7 +3558,6 @@ _AIDING_FRAME_CONFIG_ERROR_UNCERTAINTY_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class AidingFrameConfigErrorUncertainty(Data):
     """Aiding frame configuration error uncertainty (0x82,0x51).
 
@@ -2864,10 +3568,22 @@ class AidingFrameConfigErrorUncertainty(Data):
     - 3dm-cv7-gnss-ins: Aiding Frame Configuration Error Uncertainty (0x82,0x51)
     """
 
+    __slots__ = ("frame_id", "translation_uncertainty", "attitude_uncertainty")
+    __match_args__ = ("frame_id", "translation_uncertainty", "attitude_uncertainty")
+
     SET = 0x82
     DESCRIPTOR = 0x51
     NAME = "filter_data.aiding_frame_config_error_uncertainty"
     ROLE = "data"
+    _LAYOUT = (
+        ("frame_id", "B", None),
+        ("translation_uncertainty", "fff", types.Vector3f),
+        ("attitude_uncertainty", "fff", types.Vector3f),
+    )
+    _VECTORS = {
+        "translation_uncertainty": (types.Vector3f,),
+        "attitude_uncertainty": (types.Vector3f,),
+    }
 
     frame_id: int
     """Number of the frame."""
@@ -2876,20 +3592,30 @@ class AidingFrameConfigErrorUncertainty(Data):
     attitude_uncertainty: types.Vector3f
     """Uncertainty of the rotation about each axis. Elements: x, y, z. Unit: rad."""
 
+    def __init__(
+        self,
+        frame_id: int,
+        translation_uncertainty: types.Vector3f | codec.Numbers,
+        attitude_uncertainty: types.Vector3f | codec.Numbers,
+    ) -> None:
+        self.frame_id = frame_id
+        self.translation_uncertainty = codec.vector(translation_uncertainty, types.Vector3f)
+        self.attitude_uncertainty = codec.vector(attitude_uncertainty, types.Vector3f)
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AidingFrameConfigErrorUncertainty, int]:
         v = _AIDING_FRAME_CONFIG_ERROR_UNCERTAINTY_0.read(raw, at)
         at += 25
         frame_id = v[0]
-        translation_uncertainty = v[1:4]
-        attitude_uncertainty = v[4:7]
+        translation_uncertainty = types.Vector3f._make(v[1:4])
+        attitude_uncertainty = types.Vector3f._make(v[4:7])
         return cls(frame_id, translation_uncertainty, attitude_uncertainty), at
 
     def _write(self) -> bytes:
         out = _AIDING_FRAME_CONFIG_ERROR_UNCERTAINTY_0.write(
             self.frame_id,
-            *codec.exactly("translation_uncertainty", self.translation_uncertainty, 3),
-            *codec.exactly("attitude_uncertainty", self.attitude_uncertainty, 3),
+            *codec.elements("translation_uncertainty", self.translation_uncertainty, 3),
+            *codec.elements("attitude_uncertainty", self.attitude_uncertainty, 3),
         )
         return codec.finished(out)
 

@@ -7,7 +7,6 @@ Commands that describe and set up the internal GNSS receivers.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import IntFlag
 from typing import Any
 
@@ -19,12 +18,14 @@ from .protocol import FunctionSelector
 _RECEIVER_INFO_ENTRY_0 = codec.Block("BB", "receiver_id", "mip_data_descriptor_set")
 
 
-@dataclass(slots=True)
 class ReceiverInfoEntry(Structure):
     """One GNSS receiver.
 
     - 3dm-cv7-gnss-ins: Info
     """
+
+    __slots__ = ("receiver_id", "mip_data_descriptor_set", "description")
+    __match_args__ = ("receiver_id", "mip_data_descriptor_set", "description")
 
     receiver_id: int
     """Receiver, counted from 1. Range: at least 1."""
@@ -32,6 +33,11 @@ class ReceiverInfoEntry(Structure):
     """Descriptor set of the data of this receiver. Range: 128 to 254."""
     description: str
     """Module name or model and firmware version, with a comma between."""
+
+    def __init__(self, receiver_id: int, mip_data_descriptor_set: int, description: str) -> None:
+        self.receiver_id = receiver_id
+        self.mip_data_descriptor_set = mip_data_descriptor_set
+        self.description = description
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ReceiverInfoEntry, int]:
@@ -110,7 +116,6 @@ class SpartnConnection(codec.OpenEnum):
 _RECEIVER_INFO_RESPONSE_0 = codec.Block("B", "num_receivers")
 
 
-@dataclass(slots=True)
 class ReceiverInfoResponse(Response):
     """Receiver info response (0x0E,0x81).
 
@@ -118,6 +123,9 @@ class ReceiverInfoResponse(Response):
 
     - 3dm-cv7-gnss-ins: Receiver Info (0x0E,0x01)
     """
+
+    __slots__ = ("receiver_info",)
+    __match_args__ = ("receiver_info",)
 
     SET = 0x0E
     DESCRIPTOR = 0x81
@@ -128,6 +136,9 @@ class ReceiverInfoResponse(Response):
     # `receiver_info`.
     receiver_info: tuple[ReceiverInfoEntry, ...]
     """The receivers."""
+
+    def __init__(self, receiver_info: tuple[ReceiverInfoEntry, ...]) -> None:
+        self.receiver_info = receiver_info
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ReceiverInfoResponse, int]:
@@ -153,7 +164,6 @@ _SIGNAL_CONFIG_RESPONSE_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class SignalConfigResponse(Response):
     """Signal configuration response (0x0E,0x82).
 
@@ -164,10 +174,20 @@ class SignalConfigResponse(Response):
     - 3dm-cv7-gnss-ins: GNSS
     """
 
+    __slots__ = ("gps_enable", "glonass_enable", "galileo_enable", "beidou_enable", "reserved")
+    __match_args__ = ("gps_enable", "glonass_enable", "galileo_enable", "beidou_enable", "reserved")
+
     SET = 0x0E
     DESCRIPTOR = 0x82
     NAME = "gnss.signal_config_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("gps_enable", "B", GpsSignals),
+        ("glonass_enable", "B", GlonassSignals),
+        ("galileo_enable", "B", GalileoSignals),
+        ("beidou_enable", "B", BeidouSignals),
+        ("reserved", "BBBB", tuple),
+    )
 
     gps_enable: GpsSignals
     """GPS signals."""
@@ -177,8 +197,22 @@ class SignalConfigResponse(Response):
     """Galileo signals."""
     beidou_enable: BeidouSignals
     """BeiDou signals."""
-    reserved: tuple[int, int, int, int] = (0, 0, 0, 0)
+    reserved: tuple[int, int, int, int]
     """Reserved."""
+
+    def __init__(
+        self,
+        gps_enable: GpsSignals,
+        glonass_enable: GlonassSignals,
+        galileo_enable: GalileoSignals,
+        beidou_enable: BeidouSignals,
+        reserved: tuple[int, int, int, int] = (0, 0, 0, 0),
+    ) -> None:
+        self.gps_enable = gps_enable
+        self.glonass_enable = glonass_enable
+        self.galileo_enable = galileo_enable
+        self.beidou_enable = beidou_enable
+        self.reserved = reserved
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SignalConfigResponse, int]:
@@ -205,7 +239,6 @@ class SignalConfigResponse(Response):
 _RTK_DONGLE_CONFIG_RESPONSE_0 = codec.Block("BBBB", "enable", *["reserved"] * 3)
 
 
-@dataclass(slots=True)
 class RtkDongleConfigResponse(Response):
     """RTK dongle configuration response (0x0E,0x90).
 
@@ -215,15 +248,23 @@ class RtkDongleConfigResponse(Response):
     - mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)
     """
 
+    __slots__ = ("enable", "reserved")
+    __match_args__ = ("enable", "reserved")
+
     SET = 0x0E
     DESCRIPTOR = 0x90
     NAME = "gnss.rtk_dongle_config_response"
     ROLE = "response"
+    _LAYOUT = (("enable", "B", None), ("reserved", "BBB", tuple))
 
     enable: int
     """1 enables the dongle, 0 disables it. Range: 0 to 1."""
-    reserved: tuple[int, int, int] = (0, 0, 0)
+    reserved: tuple[int, int, int]
     """Reserved. Uncertain: What to send; 0 is assumed."""
+
+    def __init__(self, enable: int, reserved: tuple[int, int, int] = (0, 0, 0)) -> None:
+        self.enable = enable
+        self.reserved = reserved
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[RtkDongleConfigResponse, int]:
@@ -253,7 +294,6 @@ _SPARTN_CONFIG_RESPONSE_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class SpartnConfigResponse(Response):
     """SPARTN configuration response (0x0E,0xA0).
 
@@ -265,10 +305,41 @@ class SpartnConfigResponse(Response):
     - 3dm-cv7-gnss-ins: SPARTN Corrections via UART
     """
 
+    __slots__ = (
+        "enable",
+        "type",
+        "current_key_tow",
+        "current_key_week",
+        "current_key",
+        "next_key_tow",
+        "next_key_week",
+        "next_key",
+    )
+    __match_args__ = (
+        "enable",
+        "type",
+        "current_key_tow",
+        "current_key_week",
+        "current_key",
+        "next_key_tow",
+        "next_key_week",
+        "next_key",
+    )
+
     SET = 0x0E
     DESCRIPTOR = 0xA0
     NAME = "gnss.spartn_config_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("enable", "B", None),
+        ("type", "B", SpartnConnection),
+        ("current_key_tow", "I", None),
+        ("current_key_week", "H", None),
+        ("current_key", "BBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBB", tuple),
+        ("next_key_tow", "I", None),
+        ("next_key_week", "H", None),
+        ("next_key", "BBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBB", tuple),
+    )
 
     enable: int
     """1 enables SPARTN corrections, 0 disables them. Range: 0 to 1."""
@@ -286,6 +357,26 @@ class SpartnConfigResponse(Response):
     """GPS week number until which the next key is valid. Unit: week."""
     next_key: tuple[int, ...]
     """Next key in ASCII digits."""
+
+    def __init__(
+        self,
+        enable: int,
+        type: SpartnConnection,
+        current_key_tow: int,
+        current_key_week: int,
+        current_key: tuple[int, ...],
+        next_key_tow: int,
+        next_key_week: int,
+        next_key: tuple[int, ...],
+    ) -> None:
+        self.enable = enable
+        self.type = type
+        self.current_key_tow = current_key_tow
+        self.current_key_week = current_key_week
+        self.current_key = current_key
+        self.next_key_tow = next_key_tow
+        self.next_key_week = next_key_week
+        self.next_key = next_key
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SpartnConfigResponse, int]:
@@ -324,7 +415,6 @@ class SpartnConfigResponse(Response):
         return codec.finished(out)
 
 
-@dataclass(slots=True)
 class ReceiverInfo(Command[ReceiverInfoResponse]):
     """Receiver info (0x0E,0x01).
 
@@ -334,6 +424,8 @@ class ReceiverInfo(Command[ReceiverInfoResponse]):
 
     - 3dm-cv7-gnss-ins: Receiver Info (0x0E,0x01)
     """
+
+    __slots__ = ()
 
     SET = 0x0E
     DESCRIPTOR = 0x01
@@ -364,7 +456,6 @@ _SIGNAL_CONFIG_GROUPS = (
 )
 
 
-@dataclass(slots=True)
 class SignalConfig(Command[R]):
     """Signal configuration (0x0E,0x02).
 
@@ -381,6 +472,23 @@ class SignalConfig(Command[R]):
     - 3dm-cv7-gnss-ins: GNSS
     """
 
+    __slots__ = (
+        "function",
+        "gps_enable",
+        "glonass_enable",
+        "galileo_enable",
+        "beidou_enable",
+        "reserved",
+    )
+    __match_args__ = (
+        "function",
+        "gps_enable",
+        "glonass_enable",
+        "galileo_enable",
+        "beidou_enable",
+        "reserved",
+    )
+
     SET = 0x0E
     DESCRIPTOR = 0x02
     NAME = "gnss.signal_config"
@@ -390,16 +498,32 @@ class SignalConfig(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    gps_enable: GpsSignals | None = None
+    gps_enable: GpsSignals | None
     """GPS signals. Required for `write`."""
-    glonass_enable: GlonassSignals | None = None
+    glonass_enable: GlonassSignals | None
     """GLONASS signals. Required for `write`."""
-    galileo_enable: GalileoSignals | None = None
+    galileo_enable: GalileoSignals | None
     """Galileo signals. Required for `write`."""
-    beidou_enable: BeidouSignals | None = None
+    beidou_enable: BeidouSignals | None
     """BeiDou signals. Required for `write`."""
-    reserved: tuple[int, int, int, int] | None = None
+    reserved: tuple[int, int, int, int] | None
     """Reserved: send 0. Required for `write`."""
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        gps_enable: GpsSignals | None = None,
+        glonass_enable: GlonassSignals | None = None,
+        galileo_enable: GalileoSignals | None = None,
+        beidou_enable: BeidouSignals | None = None,
+        reserved: tuple[int, int, int, int] | None = None,
+    ) -> None:
+        self.function = function
+        self.gps_enable = gps_enable
+        self.glonass_enable = glonass_enable
+        self.galileo_enable = galileo_enable
+        self.beidou_enable = beidou_enable
+        self.reserved = reserved
 
     @classmethod
     def write(
@@ -519,7 +643,6 @@ _RTK_DONGLE_CONFIG_2 = codec.Block("BBB", *["reserved"] * 3)
 _RTK_DONGLE_CONFIG_GROUPS = ((1, ("enable",), False), (2, ("reserved",), False))
 
 
-@dataclass(slots=True)
 class RtkDongleConfig(Command[R]):
     """RTK dongle configuration (0x0E,0x10).
 
@@ -532,6 +655,9 @@ class RtkDongleConfig(Command[R]):
     - mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)
     """
 
+    __slots__ = ("function", "enable", "reserved")
+    __match_args__ = ("function", "enable", "reserved")
+
     SET = 0x0E
     DESCRIPTOR = 0x10
     NAME = "gnss.rtk_dongle_config"
@@ -541,10 +667,20 @@ class RtkDongleConfig(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    enable: int | None = None
+    enable: int | None
     """1 enables the dongle, 0 disables it. Range: 0 to 1. Required for `write`."""
-    reserved: tuple[int, int, int] | None = None
+    reserved: tuple[int, int, int] | None
     """Reserved: send 0. Required for `write`. Uncertain: What to send; 0 is assumed."""
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        enable: int | None = None,
+        reserved: tuple[int, int, int] | None = None,
+    ) -> None:
+        self.function = function
+        self.enable = enable
+        self.reserved = reserved
 
     @classmethod
     def write(cls: ClassOf[RtkDongleConfig[Any]], enable: int) -> RtkDongleConfig[None]:
@@ -637,7 +773,6 @@ _SPARTN_CONFIG_GROUPS = (
 )
 
 
-@dataclass(slots=True)
 class SpartnConfig(Command[R]):
     """SPARTN configuration (0x0E,0x20).
 
@@ -657,6 +792,29 @@ class SpartnConfig(Command[R]):
     - 3dm-cv7-gnss-ins: SPARTN Corrections via UART
     """
 
+    __slots__ = (
+        "function",
+        "enable",
+        "type",
+        "current_key_tow",
+        "current_key_week",
+        "current_key",
+        "next_key_tow",
+        "next_key_week",
+        "next_key",
+    )
+    __match_args__ = (
+        "function",
+        "enable",
+        "type",
+        "current_key_tow",
+        "current_key_week",
+        "current_key",
+        "next_key_tow",
+        "next_key_week",
+        "next_key",
+    )
+
     SET = 0x0E
     DESCRIPTOR = 0x20
     NAME = "gnss.spartn_config"
@@ -666,22 +824,44 @@ class SpartnConfig(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    enable: int | None = None
+    enable: int | None
     """1 enables SPARTN corrections, 0 disables them. Range: 0 to 1. Required for `write`."""
-    type: SpartnConnection | None = None
+    type: SpartnConnection | None
     """How the corrections come. Required for `write`."""
-    current_key_tow: int | None = None
+    current_key_tow: int | None
     """GPS time of week until which the current key is valid. Unit: s. Required for `write`."""
-    current_key_week: int | None = None
+    current_key_week: int | None
     """GPS week number until which the current key is valid. Unit: week. Required for `write`."""
-    current_key: tuple[int, ...] | None = None
+    current_key: tuple[int, ...] | None
     """Current key in ASCII digits. Required for `write`."""
-    next_key_tow: int | None = None
+    next_key_tow: int | None
     """GPS time of week until which the next key is valid. Unit: s. Required for `write`."""
-    next_key_week: int | None = None
+    next_key_week: int | None
     """GPS week number until which the next key is valid. Unit: week. Required for `write`."""
-    next_key: tuple[int, ...] | None = None
+    next_key: tuple[int, ...] | None
     """Next key in ASCII digits. Required for `write`."""
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        enable: int | None = None,
+        type: SpartnConnection | None = None,
+        current_key_tow: int | None = None,
+        current_key_week: int | None = None,
+        current_key: tuple[int, ...] | None = None,
+        next_key_tow: int | None = None,
+        next_key_week: int | None = None,
+        next_key: tuple[int, ...] | None = None,
+    ) -> None:
+        self.function = function
+        self.enable = enable
+        self.type = type
+        self.current_key_tow = current_key_tow
+        self.current_key_week = current_key_week
+        self.current_key = current_key
+        self.next_key_tow = next_key_tow
+        self.next_key_week = next_key_week
+        self.next_key = next_key
 
     @classmethod
     def write(

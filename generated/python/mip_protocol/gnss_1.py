@@ -10,7 +10,6 @@ data sets the same fields.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
 from enum import IntFlag
 
 from . import codec, types
@@ -682,7 +681,6 @@ _LLH_POSITION_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class LlhPosition(Data):
     """GNSS LLH position (0x91,0x03).
 
@@ -693,10 +691,38 @@ class LlhPosition(Data):
     - 3dm-cv7-gnss-ins: GNSS LLH Position (0x91,0x03)
     """
 
+    __slots__ = (
+        "latitude",
+        "longitude",
+        "ellipsoid_height",
+        "msl_height",
+        "horizontal_accuracy",
+        "vertical_accuracy",
+        "valid_flags",
+    )
+    __match_args__ = (
+        "latitude",
+        "longitude",
+        "ellipsoid_height",
+        "msl_height",
+        "horizontal_accuracy",
+        "vertical_accuracy",
+        "valid_flags",
+    )
+
     SET = 0x91
     DESCRIPTOR = 0x03
     NAME = "gnss_1.llh_position"
     ROLE = "data"
+    _LAYOUT = (
+        ("latitude", "d", None),
+        ("longitude", "d", None),
+        ("ellipsoid_height", "d", None),
+        ("msl_height", "d", None),
+        ("horizontal_accuracy", "f", None),
+        ("vertical_accuracy", "f", None),
+        ("valid_flags", "H", LlhPositionFlags),
+    )
 
     latitude: float
     """Latitude. Unit: deg. Frame: llh. Valid if `LlhPositionFlags.LAT_LON` of `valid_flags` is set.
@@ -723,6 +749,24 @@ class LlhPosition(Data):
     """
     valid_flags: LlhPositionFlags
     """Which values are valid."""
+
+    def __init__(
+        self,
+        latitude: float,
+        longitude: float,
+        ellipsoid_height: float,
+        msl_height: float,
+        horizontal_accuracy: float,
+        vertical_accuracy: float,
+        valid_flags: LlhPositionFlags,
+    ) -> None:
+        self.latitude = latitude
+        self.longitude = longitude
+        self.ellipsoid_height = ellipsoid_height
+        self.msl_height = msl_height
+        self.horizontal_accuracy = horizontal_accuracy
+        self.vertical_accuracy = vertical_accuracy
+        self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[LlhPosition, int]:
@@ -761,7 +805,6 @@ class LlhPosition(Data):
 _ECEF_POSITION_0 = codec.Block("dddfH", *["position"] * 3, "position_accuracy", "valid_flags")
 
 
-@dataclass(slots=True)
 class EcefPosition(Data):
     """GNSS ECEF position (0x91,0x04).
 
@@ -772,10 +815,19 @@ class EcefPosition(Data):
     - 3dm-cv7-gnss-ins: GNSS ECEF Position (0x91,0x04)
     """
 
+    __slots__ = ("position", "position_accuracy", "valid_flags")
+    __match_args__ = ("position", "position_accuracy", "valid_flags")
+
     SET = 0x91
     DESCRIPTOR = 0x04
     NAME = "gnss_1.ecef_position"
     ROLE = "data"
+    _LAYOUT = (
+        ("position", "ddd", types.Vector3d),
+        ("position_accuracy", "f", None),
+        ("valid_flags", "H", EcefPositionFlags),
+    )
+    _VECTORS = {"position": (types.Vector3d,)}
 
     position: types.Vector3d
     """Position. Elements: x, y, z. Unit: m. Frame: ecef. Valid if `EcefPositionFlags.POSITION` of
@@ -788,18 +840,28 @@ class EcefPosition(Data):
     valid_flags: EcefPositionFlags
     """Which values are valid."""
 
+    def __init__(
+        self,
+        position: types.Vector3d | codec.Numbers,
+        position_accuracy: float,
+        valid_flags: EcefPositionFlags,
+    ) -> None:
+        self.position = codec.vector(position, types.Vector3d)
+        self.position_accuracy = position_accuracy
+        self.valid_flags = valid_flags
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EcefPosition, int]:
         v = _ECEF_POSITION_0.read(raw, at)
         at += 30
-        position = v[0:3]
+        position = types.Vector3d._make(v[0:3])
         position_accuracy = v[3]
         valid_flags = EcefPositionFlags(v[4])
         return cls(position, position_accuracy, valid_flags), at
 
     def _write(self) -> bytes:
         out = _ECEF_POSITION_0.write(
-            *codec.exactly("position", self.position, 3), self.position_accuracy, self.valid_flags
+            *codec.elements("position", self.position, 3), self.position_accuracy, self.valid_flags
         )
         return codec.finished(out)
 
@@ -816,7 +878,6 @@ _NED_VELOCITY_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class NedVelocity(Data):
     """NED velocity (0x91,0x05).
 
@@ -827,10 +888,39 @@ class NedVelocity(Data):
     - 3dm-cv7-gnss-ins: NED Velocity (0x91,0x05)
     """
 
+    __slots__ = (
+        "velocity",
+        "speed",
+        "ground_speed",
+        "heading",
+        "speed_accuracy",
+        "heading_accuracy",
+        "valid_flags",
+    )
+    __match_args__ = (
+        "velocity",
+        "speed",
+        "ground_speed",
+        "heading",
+        "speed_accuracy",
+        "heading_accuracy",
+        "valid_flags",
+    )
+
     SET = 0x91
     DESCRIPTOR = 0x05
     NAME = "gnss_1.ned_velocity"
     ROLE = "data"
+    _LAYOUT = (
+        ("velocity", "fff", types.Vector3f),
+        ("speed", "f", None),
+        ("ground_speed", "f", None),
+        ("heading", "f", None),
+        ("speed_accuracy", "f", None),
+        ("heading_accuracy", "f", None),
+        ("valid_flags", "H", NedVelocityFlags),
+    )
+    _VECTORS = {"velocity": (types.Vector3f,)}
 
     velocity: types.Vector3f
     """Velocity. Elements: x, y, z. Unit: m/s. Frame: ned. Valid if `NedVelocityFlags.VELOCITY` of
@@ -857,11 +947,29 @@ class NedVelocity(Data):
     valid_flags: NedVelocityFlags
     """Which values are valid."""
 
+    def __init__(
+        self,
+        velocity: types.Vector3f | codec.Numbers,
+        speed: float,
+        ground_speed: float,
+        heading: float,
+        speed_accuracy: float,
+        heading_accuracy: float,
+        valid_flags: NedVelocityFlags,
+    ) -> None:
+        self.velocity = codec.vector(velocity, types.Vector3f)
+        self.speed = speed
+        self.ground_speed = ground_speed
+        self.heading = heading
+        self.speed_accuracy = speed_accuracy
+        self.heading_accuracy = heading_accuracy
+        self.valid_flags = valid_flags
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[NedVelocity, int]:
         v = _NED_VELOCITY_0.read(raw, at)
         at += 34
-        velocity = v[0:3]
+        velocity = types.Vector3f._make(v[0:3])
         speed = v[3]
         ground_speed = v[4]
         heading = v[5]
@@ -874,7 +982,7 @@ class NedVelocity(Data):
 
     def _write(self) -> bytes:
         out = _NED_VELOCITY_0.write(
-            *codec.exactly("velocity", self.velocity, 3),
+            *codec.elements("velocity", self.velocity, 3),
             self.speed,
             self.ground_speed,
             self.heading,
@@ -888,7 +996,6 @@ class NedVelocity(Data):
 _ECEF_VELOCITY_0 = codec.Block("ffffH", *["velocity"] * 3, "velocity_accuracy", "valid_flags")
 
 
-@dataclass(slots=True)
 class EcefVelocity(Data):
     """GNSS ECEF velocity (0x91,0x06).
 
@@ -899,10 +1006,19 @@ class EcefVelocity(Data):
     - 3dm-cv7-gnss-ins: GNSS ECEF Velocity (0x91,0x06)
     """
 
+    __slots__ = ("velocity", "velocity_accuracy", "valid_flags")
+    __match_args__ = ("velocity", "velocity_accuracy", "valid_flags")
+
     SET = 0x91
     DESCRIPTOR = 0x06
     NAME = "gnss_1.ecef_velocity"
     ROLE = "data"
+    _LAYOUT = (
+        ("velocity", "fff", types.Vector3f),
+        ("velocity_accuracy", "f", None),
+        ("valid_flags", "H", EcefVelocityFlags),
+    )
+    _VECTORS = {"velocity": (types.Vector3f,)}
 
     velocity: types.Vector3f
     """Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Valid if `EcefVelocityFlags.VELOCITY` of
@@ -915,18 +1031,28 @@ class EcefVelocity(Data):
     valid_flags: EcefVelocityFlags
     """Which values are valid."""
 
+    def __init__(
+        self,
+        velocity: types.Vector3f | codec.Numbers,
+        velocity_accuracy: float,
+        valid_flags: EcefVelocityFlags,
+    ) -> None:
+        self.velocity = codec.vector(velocity, types.Vector3f)
+        self.velocity_accuracy = velocity_accuracy
+        self.valid_flags = valid_flags
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EcefVelocity, int]:
         v = _ECEF_VELOCITY_0.read(raw, at)
         at += 18
-        velocity = v[0:3]
+        velocity = types.Vector3f._make(v[0:3])
         velocity_accuracy = v[3]
         valid_flags = EcefVelocityFlags(v[4])
         return cls(velocity, velocity_accuracy, valid_flags), at
 
     def _write(self) -> bytes:
         out = _ECEF_VELOCITY_0.write(
-            *codec.exactly("velocity", self.velocity, 3), self.velocity_accuracy, self.valid_flags
+            *codec.elements("velocity", self.velocity, 3), self.velocity_accuracy, self.valid_flags
         )
         return codec.finished(out)
 
@@ -936,7 +1062,6 @@ _DOP_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class Dop(Data):
     """DOP (0x91,0x07).
 
@@ -947,10 +1072,23 @@ class Dop(Data):
     - 3dm-cv7-gnss-ins: DOP (0x91,0x07)
     """
 
+    __slots__ = ("gdop", "pdop", "hdop", "vdop", "tdop", "ndop", "edop", "valid_flags")
+    __match_args__ = ("gdop", "pdop", "hdop", "vdop", "tdop", "ndop", "edop", "valid_flags")
+
     SET = 0x91
     DESCRIPTOR = 0x07
     NAME = "gnss_1.dop"
     ROLE = "data"
+    _LAYOUT = (
+        ("gdop", "f", None),
+        ("pdop", "f", None),
+        ("hdop", "f", None),
+        ("vdop", "f", None),
+        ("tdop", "f", None),
+        ("ndop", "f", None),
+        ("edop", "f", None),
+        ("valid_flags", "H", DopFlags),
+    )
 
     gdop: float
     """Geometric dilution. Unit: 1. Valid if `DopFlags.GDOP` of `valid_flags` is set."""
@@ -968,6 +1106,26 @@ class Dop(Data):
     """Easting dilution. Unit: 1. Valid if `DopFlags.EDOP` of `valid_flags` is set."""
     valid_flags: DopFlags
     """Which values are valid."""
+
+    def __init__(
+        self,
+        gdop: float,
+        pdop: float,
+        hdop: float,
+        vdop: float,
+        tdop: float,
+        ndop: float,
+        edop: float,
+        valid_flags: DopFlags,
+    ) -> None:
+        self.gdop = gdop
+        self.pdop = pdop
+        self.hdop = hdop
+        self.vdop = vdop
+        self.tdop = tdop
+        self.ndop = ndop
+        self.edop = edop
+        self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Dop, int]:
@@ -1002,7 +1160,6 @@ _UTC_TIME_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class UtcTime(Data):
     """UTC time (0x91,0x08).
 
@@ -1013,10 +1170,23 @@ class UtcTime(Data):
     - 3dm-cv7-gnss-ins: UTC Time (0x91,0x08)
     """
 
+    __slots__ = ("year", "month", "day", "hour", "min", "sec", "msec", "valid_flags")
+    __match_args__ = ("year", "month", "day", "hour", "min", "sec", "msec", "valid_flags")
+
     SET = 0x91
     DESCRIPTOR = 0x08
     NAME = "gnss_1.utc_time"
     ROLE = "data"
+    _LAYOUT = (
+        ("year", "H", None),
+        ("month", "B", None),
+        ("day", "B", None),
+        ("hour", "B", None),
+        ("min", "B", None),
+        ("sec", "B", None),
+        ("msec", "I", None),
+        ("valid_flags", "H", UtcTimeFlags),
+    )
 
     year: int
     """Year. Valid if `UtcTimeFlags.GNSS_DATE_TIME` of `valid_flags` is set."""
@@ -1040,6 +1210,26 @@ class UtcTime(Data):
     """
     valid_flags: UtcTimeFlags
     """How far the time is valid."""
+
+    def __init__(
+        self,
+        year: int,
+        month: int,
+        day: int,
+        hour: int,
+        min: int,
+        sec: int,
+        msec: int,
+        valid_flags: UtcTimeFlags,
+    ) -> None:
+        self.year = year
+        self.month = month
+        self.day = day
+        self.hour = hour
+        self.min = min
+        self.sec = sec
+        self.msec = msec
+        self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[UtcTime, int]:
@@ -1072,7 +1262,6 @@ class UtcTime(Data):
 _GPS_TIME_0 = codec.Block("dHH", "tow", "week_number", "valid_flags")
 
 
-@dataclass(slots=True)
 class GpsTime(Data):
     """GPS time (0x91,0x09).
 
@@ -1083,10 +1272,14 @@ class GpsTime(Data):
     - 3dm-cv7-gnss-ins: GPS Time (0x91,0x09)
     """
 
+    __slots__ = ("tow", "week_number", "valid_flags")
+    __match_args__ = ("tow", "week_number", "valid_flags")
+
     SET = 0x91
     DESCRIPTOR = 0x09
     NAME = "gnss_1.gps_time"
     ROLE = "data"
+    _LAYOUT = (("tow", "d", None), ("week_number", "H", None), ("valid_flags", "H", GpsTimeFlags))
 
     tow: float
     """GPS time of week. Unit: s. Valid if `GpsTimeFlags.TOW` of `valid_flags` is set."""
@@ -1094,6 +1287,11 @@ class GpsTime(Data):
     """GPS week number. Unit: week. Valid if `GpsTimeFlags.WEEK_NUMBER` of `valid_flags` is set."""
     valid_flags: GpsTimeFlags
     """Which values are valid."""
+
+    def __init__(self, tow: float, week_number: int, valid_flags: GpsTimeFlags) -> None:
+        self.tow = tow
+        self.week_number = week_number
+        self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GpsTime, int]:
@@ -1112,7 +1310,6 @@ class GpsTime(Data):
 _CLOCK_INFO_0 = codec.Block("dddH", "bias", "drift", "accuracy_estimate", "valid_flags")
 
 
-@dataclass(slots=True)
 class ClockInfo(Data):
     """Clock info (0x91,0x0A).
 
@@ -1125,10 +1322,19 @@ class ClockInfo(Data):
     - mip-sdk-4: Clock Info (0x81,0x0A)
     """
 
+    __slots__ = ("bias", "drift", "accuracy_estimate", "valid_flags")
+    __match_args__ = ("bias", "drift", "accuracy_estimate", "valid_flags")
+
     SET = 0x91
     DESCRIPTOR = 0x0A
     NAME = "gnss_1.clock_info"
     ROLE = "data"
+    _LAYOUT = (
+        ("bias", "d", None),
+        ("drift", "d", None),
+        ("accuracy_estimate", "d", None),
+        ("valid_flags", "H", ClockInfoFlags),
+    )
 
     bias: float
     """Bias of the clock. Unit: s. Valid if `ClockInfoFlags.BIAS` of `valid_flags` is set."""
@@ -1140,6 +1346,14 @@ class ClockInfo(Data):
     """
     valid_flags: ClockInfoFlags
     """Which values are valid."""
+
+    def __init__(
+        self, bias: float, drift: float, accuracy_estimate: float, valid_flags: ClockInfoFlags
+    ) -> None:
+        self.bias = bias
+        self.drift = drift
+        self.accuracy_estimate = accuracy_estimate
+        self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ClockInfo, int]:
@@ -1159,7 +1373,6 @@ class ClockInfo(Data):
 _FIX_INFO_0 = codec.Block("BBHH", "fix_type", "num_sv", "fix_flags", "valid_flags")
 
 
-@dataclass(slots=True)
 class FixInfo(Data):
     """Fix info (0x91,0x0B).
 
@@ -1170,10 +1383,19 @@ class FixInfo(Data):
     - 3dm-cv7-gnss-ins: Fix Info (0x91,0x0B)
     """
 
+    __slots__ = ("fix_type", "num_sv", "fix_flags", "valid_flags")
+    __match_args__ = ("fix_type", "num_sv", "fix_flags", "valid_flags")
+
     SET = 0x91
     DESCRIPTOR = 0x0B
     NAME = "gnss_1.fix_info"
     ROLE = "data"
+    _LAYOUT = (
+        ("fix_type", "B", types.GnssFixType),
+        ("num_sv", "B", None),
+        ("fix_flags", "H", FixFlags),
+        ("valid_flags", "H", FixInfoFlags),
+    )
 
     fix_type: types.GnssFixType
     """Type of the fix. Valid if `FixInfoFlags.FIX_TYPE` of `valid_flags` is set."""
@@ -1185,6 +1407,18 @@ class FixInfo(Data):
     """Aids of the fix. Valid if `FixInfoFlags.FIX_FLAGS` of `valid_flags` is set."""
     valid_flags: FixInfoFlags
     """Which values are valid."""
+
+    def __init__(
+        self,
+        fix_type: types.GnssFixType,
+        num_sv: int,
+        fix_flags: FixFlags,
+        valid_flags: FixInfoFlags,
+    ) -> None:
+        self.fix_type = fix_type
+        self.num_sv = num_sv
+        self.fix_flags = fix_flags
+        self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[FixInfo, int]:
@@ -1213,7 +1447,6 @@ _SV_INFO_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class SvInfo(Data):
     """Satellite info (0x91,0x0C).
 
@@ -1227,10 +1460,38 @@ class SvInfo(Data):
     - mip-sdk-4: Sv Info (0x81,0x0C)
     """
 
+    __slots__ = (
+        "channel",
+        "satellite_id",
+        "carrier_noise_ratio",
+        "azimuth",
+        "elevation",
+        "sv_flags",
+        "valid_flags",
+    )
+    __match_args__ = (
+        "channel",
+        "satellite_id",
+        "carrier_noise_ratio",
+        "azimuth",
+        "elevation",
+        "sv_flags",
+        "valid_flags",
+    )
+
     SET = 0x91
     DESCRIPTOR = 0x0C
     NAME = "gnss_1.sv_info"
     ROLE = "data"
+    _LAYOUT = (
+        ("channel", "B", None),
+        ("satellite_id", "B", None),
+        ("carrier_noise_ratio", "H", None),
+        ("azimuth", "h", None),
+        ("elevation", "h", None),
+        ("sv_flags", "H", SvFlags),
+        ("valid_flags", "H", SvInfoFlags),
+    )
 
     channel: int
     """Channel of the receiver that tracks the satellite. Valid if `SvInfoFlags.CHANNEL` of
@@ -1250,6 +1511,24 @@ class SvInfo(Data):
     """State of the satellite. Valid if `SvInfoFlags.SV_FLAGS` of `valid_flags` is set."""
     valid_flags: SvInfoFlags
     """Which values are valid."""
+
+    def __init__(
+        self,
+        channel: int,
+        satellite_id: int,
+        carrier_noise_ratio: int,
+        azimuth: int,
+        elevation: int,
+        sv_flags: SvFlags,
+        valid_flags: SvInfoFlags,
+    ) -> None:
+        self.channel = channel
+        self.satellite_id = satellite_id
+        self.carrier_noise_ratio = carrier_noise_ratio
+        self.azimuth = azimuth
+        self.elevation = elevation
+        self.sv_flags = sv_flags
+        self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SvInfo, int]:
@@ -1284,7 +1563,6 @@ _HARDWARE_STATUS_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class HardwareStatus(Data):
     """GNSS hardware status (0x91,0x0D).
 
@@ -1295,10 +1573,19 @@ class HardwareStatus(Data):
     - 3dm-cv7-gnss-ins: GNSS Hardware Status (0x91,0x0D)
     """
 
+    __slots__ = ("receiver_state", "antenna_state", "antenna_power", "valid_flags")
+    __match_args__ = ("receiver_state", "antenna_state", "antenna_power", "valid_flags")
+
     SET = 0x91
     DESCRIPTOR = 0x0D
     NAME = "gnss_1.hardware_status"
     ROLE = "data"
+    _LAYOUT = (
+        ("receiver_state", "B", ReceiverState),
+        ("antenna_state", "B", AntennaState),
+        ("antenna_power", "B", AntennaPower),
+        ("valid_flags", "H", HardwareStatusFlags),
+    )
 
     receiver_state: ReceiverState
     """State of the receiver. Valid if `HardwareStatusFlags.SENSOR_STATE` of `valid_flags` is set.
@@ -1311,6 +1598,18 @@ class HardwareStatus(Data):
     """
     valid_flags: HardwareStatusFlags
     """Which values are valid."""
+
+    def __init__(
+        self,
+        receiver_state: ReceiverState,
+        antenna_state: AntennaState,
+        antenna_power: AntennaPower,
+        valid_flags: HardwareStatusFlags,
+    ) -> None:
+        self.receiver_state = receiver_state
+        self.antenna_state = antenna_state
+        self.antenna_power = antenna_power
+        self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[HardwareStatus, int]:
@@ -1334,7 +1633,6 @@ _DGPS_INFO_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class DgpsInfo(Data):
     """DGPS info (0x91,0x0E).
 
@@ -1349,10 +1647,26 @@ class DgpsInfo(Data):
     - mip-sdk-4: Dgps Info (0x81,0x0E)
     """
 
+    __slots__ = ("age", "base_station_id", "base_station_status", "num_channels", "valid_flags")
+    __match_args__ = (
+        "age",
+        "base_station_id",
+        "base_station_status",
+        "num_channels",
+        "valid_flags",
+    )
+
     SET = 0x91
     DESCRIPTOR = 0x0E
     NAME = "gnss_1.dgps_info"
     ROLE = "data"
+    _LAYOUT = (
+        ("age", "f", None),
+        ("base_station_id", "h", None),
+        ("base_station_status", "h", None),
+        ("num_channels", "H", None),
+        ("valid_flags", "H", DgpsInfoFlags),
+    )
 
     age: float
     """Age of the corrections. Unit: s. Valid if `DgpsInfoFlags.AGE` of `valid_flags` is set.
@@ -1372,6 +1686,20 @@ class DgpsInfo(Data):
     """
     valid_flags: DgpsInfoFlags
     """Which values are valid."""
+
+    def __init__(
+        self,
+        age: float,
+        base_station_id: int,
+        base_station_status: int,
+        num_channels: int,
+        valid_flags: DgpsInfoFlags,
+    ) -> None:
+        self.age = age
+        self.base_station_id = base_station_id
+        self.base_station_status = base_station_status
+        self.num_channels = num_channels
+        self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[DgpsInfo, int]:
@@ -1400,7 +1728,6 @@ _DGPS_CHANNEL_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class DgpsChannel(Data):
     """DGPS channel (0x91,0x0F).
 
@@ -1413,10 +1740,26 @@ class DgpsChannel(Data):
     - mip-sdk-4: Dgps Channel (0x81,0x0F)
     """
 
+    __slots__ = ("satellite_id", "age", "range_correction", "range_rate_correction", "valid_flags")
+    __match_args__ = (
+        "satellite_id",
+        "age",
+        "range_correction",
+        "range_rate_correction",
+        "valid_flags",
+    )
+
     SET = 0x91
     DESCRIPTOR = 0x0F
     NAME = "gnss_1.dgps_channel"
     ROLE = "data"
+    _LAYOUT = (
+        ("satellite_id", "B", None),
+        ("age", "f", None),
+        ("range_correction", "f", None),
+        ("range_rate_correction", "f", None),
+        ("valid_flags", "H", DgpsChannelFlags),
+    )
 
     satellite_id: int
     """Number of the satellite. Valid if `DgpsChannelFlags.SATELLITE_ID` of `valid_flags` is set."""
@@ -1432,6 +1775,20 @@ class DgpsChannel(Data):
     """
     valid_flags: DgpsChannelFlags
     """Which values are valid."""
+
+    def __init__(
+        self,
+        satellite_id: int,
+        age: float,
+        range_correction: float,
+        range_rate_correction: float,
+        valid_flags: DgpsChannelFlags,
+    ) -> None:
+        self.satellite_id = satellite_id
+        self.age = age
+        self.range_correction = range_correction
+        self.range_rate_correction = range_rate_correction
+        self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[DgpsChannel, int]:
@@ -1460,7 +1817,6 @@ _CLOCK_INFO_2_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class ClockInfo2(Data):
     """Clock info 2 (0x91,0x10).
 
@@ -1473,10 +1829,32 @@ class ClockInfo2(Data):
     - 3dm-cv7-gnss-ins: Clock Info 2 (0x91,0x10)
     """
 
+    __slots__ = (
+        "bias",
+        "drift",
+        "bias_accuracy_estimate",
+        "drift_accuracy_estimate",
+        "valid_flags",
+    )
+    __match_args__ = (
+        "bias",
+        "drift",
+        "bias_accuracy_estimate",
+        "drift_accuracy_estimate",
+        "valid_flags",
+    )
+
     SET = 0x91
     DESCRIPTOR = 0x10
     NAME = "gnss_1.clock_info_2"
     ROLE = "data"
+    _LAYOUT = (
+        ("bias", "d", None),
+        ("drift", "d", None),
+        ("bias_accuracy_estimate", "d", None),
+        ("drift_accuracy_estimate", "d", None),
+        ("valid_flags", "H", ClockInfo2Flags),
+    )
 
     bias: float
     """Bias of the clock. Unit: s. Valid if `ClockInfo2Flags.BIAS` of `valid_flags` is set."""
@@ -1492,6 +1870,20 @@ class ClockInfo2(Data):
     """
     valid_flags: ClockInfo2Flags
     """Which values are valid."""
+
+    def __init__(
+        self,
+        bias: float,
+        drift: float,
+        bias_accuracy_estimate: float,
+        drift_accuracy_estimate: float,
+        valid_flags: ClockInfo2Flags,
+    ) -> None:
+        self.bias = bias
+        self.drift = drift
+        self.bias_accuracy_estimate = bias_accuracy_estimate
+        self.drift_accuracy_estimate = drift_accuracy_estimate
+        self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ClockInfo2, int]:
@@ -1518,7 +1910,6 @@ class ClockInfo2(Data):
 _GPS_LEAP_SECONDS_0 = codec.Block("BH", "leap_seconds", "valid_flags")
 
 
-@dataclass(slots=True)
 class GpsLeapSeconds(Data):
     """GPS leap seconds (0x91,0x11).
 
@@ -1529,10 +1920,14 @@ class GpsLeapSeconds(Data):
     - 3dm-cv7-gnss-ins: GPS Leap Seconds (0x91,0x11)
     """
 
+    __slots__ = ("leap_seconds", "valid_flags")
+    __match_args__ = ("leap_seconds", "valid_flags")
+
     SET = 0x91
     DESCRIPTOR = 0x11
     NAME = "gnss_1.gps_leap_seconds"
     ROLE = "data"
+    _LAYOUT = (("leap_seconds", "B", None), ("valid_flags", "H", GpsLeapSecondsFlags))
 
     leap_seconds: int
     """GPS time minus UTC. Unit: s. Valid if `GpsLeapSecondsFlags.LEAP_SECONDS` of `valid_flags` is
@@ -1540,6 +1935,10 @@ class GpsLeapSeconds(Data):
     """
     valid_flags: GpsLeapSecondsFlags
     """Whether the value is valid."""
+
+    def __init__(self, leap_seconds: int, valid_flags: GpsLeapSecondsFlags) -> None:
+        self.leap_seconds = leap_seconds
+        self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GpsLeapSeconds, int]:
@@ -1559,7 +1958,6 @@ _SBAS_INFO_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class SbasInfo(Data):
     """SBAS info (0x91,0x12).
 
@@ -1570,10 +1968,38 @@ class SbasInfo(Data):
     - 3dm-cv7-gnss-ins: SBAS Info (0x91,0x12)
     """
 
+    __slots__ = (
+        "tow",
+        "week_number",
+        "sbas_system",
+        "sbas_id",
+        "count",
+        "sbas_status",
+        "valid_flags",
+    )
+    __match_args__ = (
+        "tow",
+        "week_number",
+        "sbas_system",
+        "sbas_id",
+        "count",
+        "sbas_status",
+        "valid_flags",
+    )
+
     SET = 0x91
     DESCRIPTOR = 0x12
     NAME = "gnss_1.sbas_info"
     ROLE = "data"
+    _LAYOUT = (
+        ("tow", "d", None),
+        ("week_number", "H", None),
+        ("sbas_system", "B", SbasSystem),
+        ("sbas_id", "B", None),
+        ("count", "B", None),
+        ("sbas_status", "B", SbasStatus),
+        ("valid_flags", "H", SbasInfoFlags),
+    )
 
     tow: float
     """GPS time of week. Unit: s. Valid if `SbasInfoFlags.TOW` of `valid_flags` is set."""
@@ -1590,6 +2016,24 @@ class SbasInfo(Data):
     """Status of the service. Valid if `SbasInfoFlags.SBAS_STATUS` of `valid_flags` is set."""
     valid_flags: SbasInfoFlags
     """Which values are valid."""
+
+    def __init__(
+        self,
+        tow: float,
+        week_number: int,
+        sbas_system: SbasSystem,
+        sbas_id: int,
+        count: int,
+        sbas_status: SbasStatus,
+        valid_flags: SbasInfoFlags,
+    ) -> None:
+        self.tow = tow
+        self.week_number = week_number
+        self.sbas_system = sbas_system
+        self.sbas_id = sbas_id
+        self.count = count
+        self.sbas_status = sbas_status
+        self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SbasInfo, int]:
@@ -1632,7 +2076,6 @@ _SBAS_CORRECTION_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class SbasCorrection(Data):
     """SBAS correction (0x91,0x13).
 
@@ -1647,10 +2090,47 @@ class SbasCorrection(Data):
     - mip-sdk-4: Sbas Correction (0x81,0x13)
     """
 
+    __slots__ = (
+        "index",
+        "count",
+        "tow",
+        "week_number",
+        "gnss_id",
+        "satellite_id",
+        "udrei",
+        "pseudorange_correction",
+        "iono_correction",
+        "valid_flags",
+    )
+    __match_args__ = (
+        "index",
+        "count",
+        "tow",
+        "week_number",
+        "gnss_id",
+        "satellite_id",
+        "udrei",
+        "pseudorange_correction",
+        "iono_correction",
+        "valid_flags",
+    )
+
     SET = 0x91
     DESCRIPTOR = 0x13
     NAME = "gnss_1.sbas_correction"
     ROLE = "data"
+    _LAYOUT = (
+        ("index", "B", None),
+        ("count", "B", None),
+        ("tow", "d", None),
+        ("week_number", "H", None),
+        ("gnss_id", "B", types.GnssConstellation),
+        ("satellite_id", "B", None),
+        ("udrei", "B", None),
+        ("pseudorange_correction", "f", None),
+        ("iono_correction", "f", None),
+        ("valid_flags", "H", SbasCorrectionFlags),
+    )
 
     index: int
     """Number of this field within the epoch."""
@@ -1679,6 +2159,30 @@ class SbasCorrection(Data):
     """
     valid_flags: SbasCorrectionFlags
     """Which values are valid."""
+
+    def __init__(
+        self,
+        index: int,
+        count: int,
+        tow: float,
+        week_number: int,
+        gnss_id: types.GnssConstellation,
+        satellite_id: int,
+        udrei: int,
+        pseudorange_correction: float,
+        iono_correction: float,
+        valid_flags: SbasCorrectionFlags,
+    ) -> None:
+        self.index = index
+        self.count = count
+        self.tow = tow
+        self.week_number = week_number
+        self.gnss_id = gnss_id
+        self.satellite_id = satellite_id
+        self.udrei = udrei
+        self.pseudorange_correction = pseudorange_correction
+        self.iono_correction = iono_correction
+        self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SbasCorrection, int]:
@@ -1728,7 +2232,6 @@ _RF_ERROR_DETECTION_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class RfErrorDetection(Data):
     """RF error detection (0x91,0x14).
 
@@ -1739,10 +2242,20 @@ class RfErrorDetection(Data):
     - mip-sdk-4: Rf Error Detection (0x81,0x14)
     """
 
+    __slots__ = ("rf_band", "jamming_state", "spoofing_state", "reserved", "valid_flags")
+    __match_args__ = ("rf_band", "jamming_state", "spoofing_state", "valid_flags")
+
     SET = 0x91
     DESCRIPTOR = 0x14
     NAME = "gnss_1.rf_error_detection"
     ROLE = "data"
+    _LAYOUT = (
+        ("rf_band", "B", RfBand),
+        ("jamming_state", "B", JammingState),
+        ("spoofing_state", "B", SpoofingState),
+        ("reserved", "BBBB", tuple),
+        ("valid_flags", "H", RfErrorDetectionFlags),
+    )
 
     rf_band: RfBand
     """Band. Valid if `RfErrorDetectionFlags.RF_BAND` of `valid_flags` is set."""
@@ -1750,10 +2263,25 @@ class RfErrorDetection(Data):
     """Jamming. Valid if `RfErrorDetectionFlags.JAMMING_STATE` of `valid_flags` is set."""
     spoofing_state: SpoofingState
     """Spoofing. Valid if `RfErrorDetectionFlags.SPOOFING_STATE` of `valid_flags` is set."""
-    reserved: tuple[int, int, int, int] = field(default=(0, 0, 0, 0), kw_only=True)
+    reserved: tuple[int, int, int, int]
     """Reserved."""
     valid_flags: RfErrorDetectionFlags
     """Which values are valid."""
+
+    def __init__(
+        self,
+        rf_band: RfBand,
+        jamming_state: JammingState,
+        spoofing_state: SpoofingState,
+        valid_flags: RfErrorDetectionFlags,
+        *,
+        reserved: tuple[int, int, int, int] = (0, 0, 0, 0),
+    ) -> None:
+        self.rf_band = rf_band
+        self.jamming_state = jamming_state
+        self.spoofing_state = spoofing_state
+        self.reserved = reserved
+        self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[RfErrorDetection, int]:
@@ -1792,7 +2320,6 @@ _SATELLITE_STATUS_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class SatelliteStatus(Data):
     """Satellite status (0x91,0x20).
 
@@ -1805,10 +2332,47 @@ class SatelliteStatus(Data):
     - 3dm-cv7-gnss-ins: Satellite Status (0x91,0x20)
     """
 
+    __slots__ = (
+        "index",
+        "count",
+        "tow",
+        "week_number",
+        "gnss_id",
+        "satellite_id",
+        "elevation",
+        "azimuth",
+        "health",
+        "valid_flags",
+    )
+    __match_args__ = (
+        "index",
+        "count",
+        "tow",
+        "week_number",
+        "gnss_id",
+        "satellite_id",
+        "elevation",
+        "azimuth",
+        "health",
+        "valid_flags",
+    )
+
     SET = 0x91
     DESCRIPTOR = 0x20
     NAME = "gnss_1.satellite_status"
     ROLE = "data"
+    _LAYOUT = (
+        ("index", "B", None),
+        ("count", "B", None),
+        ("tow", "d", None),
+        ("week_number", "H", None),
+        ("gnss_id", "B", types.GnssConstellation),
+        ("satellite_id", "B", None),
+        ("elevation", "f", None),
+        ("azimuth", "f", None),
+        ("health", "B", codec.truth),
+        ("valid_flags", "H", SatelliteStatusFlags),
+    )
 
     index: int
     """Number of this field within the epoch."""
@@ -1840,6 +2404,30 @@ class SatelliteStatus(Data):
     """
     valid_flags: SatelliteStatusFlags
     """Which values are valid."""
+
+    def __init__(
+        self,
+        index: int,
+        count: int,
+        tow: float,
+        week_number: int,
+        gnss_id: types.GnssConstellation,
+        satellite_id: int,
+        elevation: float,
+        azimuth: float,
+        health: bool,
+        valid_flags: SatelliteStatusFlags,
+    ) -> None:
+        self.index = index
+        self.count = count
+        self.tow = tow
+        self.week_number = week_number
+        self.gnss_id = gnss_id
+        self.satellite_id = satellite_id
+        self.elevation = elevation
+        self.azimuth = azimuth
+        self.health = health
+        self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SatelliteStatus, int]:
@@ -1908,7 +2496,6 @@ _RAW_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class Raw(Data):
     """Raw (0x91,0x22).
 
@@ -1922,10 +2509,74 @@ class Raw(Data):
     - 3dm-cv7-gnss-ins: Raw (0x91,0x22)
     """
 
+    __slots__ = (
+        "index",
+        "count",
+        "tow",
+        "week_number",
+        "receiver_id",
+        "tracking_channel",
+        "gnss_id",
+        "satellite_id",
+        "signal_id",
+        "signal_strength",
+        "quality",
+        "pseudorange",
+        "carrier_phase",
+        "doppler",
+        "range_uncertainty",
+        "phase_uncertainty",
+        "doppler_uncertainty",
+        "lock_time",
+        "valid_flags",
+    )
+    __match_args__ = (
+        "index",
+        "count",
+        "tow",
+        "week_number",
+        "receiver_id",
+        "tracking_channel",
+        "gnss_id",
+        "satellite_id",
+        "signal_id",
+        "signal_strength",
+        "quality",
+        "pseudorange",
+        "carrier_phase",
+        "doppler",
+        "range_uncertainty",
+        "phase_uncertainty",
+        "doppler_uncertainty",
+        "lock_time",
+        "valid_flags",
+    )
+
     SET = 0x91
     DESCRIPTOR = 0x22
     NAME = "gnss_1.raw"
     ROLE = "data"
+    _LAYOUT = (
+        ("index", "B", None),
+        ("count", "B", None),
+        ("tow", "d", None),
+        ("week_number", "H", None),
+        ("receiver_id", "H", None),
+        ("tracking_channel", "B", None),
+        ("gnss_id", "B", types.GnssConstellation),
+        ("satellite_id", "B", None),
+        ("signal_id", "B", types.GnssSignal),
+        ("signal_strength", "f", None),
+        ("quality", "B", SignalQuality),
+        ("pseudorange", "d", None),
+        ("carrier_phase", "d", None),
+        ("doppler", "f", None),
+        ("range_uncertainty", "f", None),
+        ("phase_uncertainty", "f", None),
+        ("doppler_uncertainty", "f", None),
+        ("lock_time", "f", None),
+        ("valid_flags", "H", RawFlags),
+    )
 
     index: int
     """Number of this field within the epoch."""
@@ -1980,6 +2631,48 @@ class Raw(Data):
     """
     valid_flags: RawFlags
     """Which values are valid."""
+
+    def __init__(
+        self,
+        index: int,
+        count: int,
+        tow: float,
+        week_number: int,
+        receiver_id: int,
+        tracking_channel: int,
+        gnss_id: types.GnssConstellation,
+        satellite_id: int,
+        signal_id: types.GnssSignal,
+        signal_strength: float,
+        quality: SignalQuality,
+        pseudorange: float,
+        carrier_phase: float,
+        doppler: float,
+        range_uncertainty: float,
+        phase_uncertainty: float,
+        doppler_uncertainty: float,
+        lock_time: float,
+        valid_flags: RawFlags,
+    ) -> None:
+        self.index = index
+        self.count = count
+        self.tow = tow
+        self.week_number = week_number
+        self.receiver_id = receiver_id
+        self.tracking_channel = tracking_channel
+        self.gnss_id = gnss_id
+        self.satellite_id = satellite_id
+        self.signal_id = signal_id
+        self.signal_strength = signal_strength
+        self.quality = quality
+        self.pseudorange = pseudorange
+        self.carrier_phase = carrier_phase
+        self.doppler = doppler
+        self.range_uncertainty = range_uncertainty
+        self.phase_uncertainty = phase_uncertainty
+        self.doppler_uncertainty = doppler_uncertainty
+        self.lock_time = lock_time
+        self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Raw, int]:
@@ -2063,7 +2756,6 @@ _BASE_STATION_INFO_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class BaseStationInfo(Data):
     """Base station info (0x91,0x30).
 
@@ -2074,10 +2766,39 @@ class BaseStationInfo(Data):
     - mip-sdk-4: Base Station Info (0x81,0x30)
     """
 
+    __slots__ = (
+        "tow",
+        "week_number",
+        "ecef_position",
+        "height",
+        "station_id",
+        "indicators",
+        "valid_flags",
+    )
+    __match_args__ = (
+        "tow",
+        "week_number",
+        "ecef_position",
+        "height",
+        "station_id",
+        "indicators",
+        "valid_flags",
+    )
+
     SET = 0x91
     DESCRIPTOR = 0x30
     NAME = "gnss_1.base_station_info"
     ROLE = "data"
+    _LAYOUT = (
+        ("tow", "d", None),
+        ("week_number", "H", None),
+        ("ecef_position", "ddd", types.Vector3d),
+        ("height", "f", None),
+        ("station_id", "H", None),
+        ("indicators", "H", BaseStationIndicators),
+        ("valid_flags", "H", BaseStationInfoFlags),
+    )
+    _VECTORS = {"ecef_position": (types.Vector3d,)}
 
     tow: float
     """GPS time of week at which the message was received. Unit: s. Valid if
@@ -2106,13 +2827,31 @@ class BaseStationInfo(Data):
     valid_flags: BaseStationInfoFlags
     """Which values are valid."""
 
+    def __init__(
+        self,
+        tow: float,
+        week_number: int,
+        ecef_position: types.Vector3d | codec.Numbers,
+        height: float,
+        station_id: int,
+        indicators: BaseStationIndicators,
+        valid_flags: BaseStationInfoFlags,
+    ) -> None:
+        self.tow = tow
+        self.week_number = week_number
+        self.ecef_position = codec.vector(ecef_position, types.Vector3d)
+        self.height = height
+        self.station_id = station_id
+        self.indicators = indicators
+        self.valid_flags = valid_flags
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[BaseStationInfo, int]:
         v = _BASE_STATION_INFO_0.read(raw, at)
         at += 44
         tow = v[0]
         week_number = v[1]
-        ecef_position = v[2:5]
+        ecef_position = types.Vector3d._make(v[2:5])
         height = v[5]
         station_id = v[6]
         indicators = BaseStationIndicators(v[7])
@@ -2123,7 +2862,7 @@ class BaseStationInfo(Data):
         out = _BASE_STATION_INFO_0.write(
             self.tow,
             self.week_number,
-            *codec.exactly("ecef_position", self.ecef_position, 3),
+            *codec.elements("ecef_position", self.ecef_position, 3),
             self.height,
             self.station_id,
             self.indicators,
@@ -2147,7 +2886,6 @@ _RTK_CORRECTIONS_STATUS_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class RtkCorrectionsStatus(Data):
     """RTK corrections status (0x91,0x31).
 
@@ -2158,10 +2896,46 @@ class RtkCorrectionsStatus(Data):
     - mip-sdk-4: Rtk Corrections Status (0x81,0x31)
     """
 
+    __slots__ = (
+        "tow",
+        "week_number",
+        "epoch_status",
+        "dongle_status",
+        "gps_correction_latency",
+        "glonass_correction_latency",
+        "galileo_correction_latency",
+        "beidou_correction_latency",
+        "reserved",
+        "valid_flags",
+    )
+    __match_args__ = (
+        "tow",
+        "week_number",
+        "epoch_status",
+        "dongle_status",
+        "gps_correction_latency",
+        "glonass_correction_latency",
+        "galileo_correction_latency",
+        "beidou_correction_latency",
+        "valid_flags",
+    )
+
     SET = 0x91
     DESCRIPTOR = 0x31
     NAME = "gnss_1.rtk_corrections_status"
     ROLE = "data"
+    _LAYOUT = (
+        ("tow", "d", None),
+        ("week_number", "H", None),
+        ("epoch_status", "H", RtkEpochStatus),
+        ("dongle_status", "I", types.RtkStatusFlags),
+        ("gps_correction_latency", "f", None),
+        ("glonass_correction_latency", "f", None),
+        ("galileo_correction_latency", "f", None),
+        ("beidou_correction_latency", "f", None),
+        ("reserved", "IIII", tuple),
+        ("valid_flags", "H", RtkCorrectionsStatusFlags),
+    )
 
     tow: float
     """GPS time of week. Unit: s. Valid if `RtkCorrectionsStatusFlags.TOW` of `valid_flags` is set.
@@ -2195,10 +2969,35 @@ class RtkCorrectionsStatus(Data):
     """Latency of the last BeiDou correction. Unit: s. Valid if
     `RtkCorrectionsStatusFlags.BEIDOU_LATENCY` of `valid_flags` is set.
     """
-    reserved: tuple[int, int, int, int] = field(default=(0, 0, 0, 0), kw_only=True)
+    reserved: tuple[int, int, int, int]
     """Reserved."""
     valid_flags: RtkCorrectionsStatusFlags
     """Which values are valid."""
+
+    def __init__(
+        self,
+        tow: float,
+        week_number: int,
+        epoch_status: RtkEpochStatus,
+        dongle_status: types.RtkStatusFlags,
+        gps_correction_latency: float,
+        glonass_correction_latency: float,
+        galileo_correction_latency: float,
+        beidou_correction_latency: float,
+        valid_flags: RtkCorrectionsStatusFlags,
+        *,
+        reserved: tuple[int, int, int, int] = (0, 0, 0, 0),
+    ) -> None:
+        self.tow = tow
+        self.week_number = week_number
+        self.epoch_status = epoch_status
+        self.dongle_status = dongle_status
+        self.gps_correction_latency = gps_correction_latency
+        self.glonass_correction_latency = glonass_correction_latency
+        self.galileo_correction_latency = galileo_correction_latency
+        self.beidou_correction_latency = beidou_correction_latency
+        self.reserved = reserved
+        self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[RtkCorrectionsStatus, int]:
@@ -2282,7 +3081,6 @@ _GPS_EPHEMERIS_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class GpsEphemeris(Data):
     """GPS ephemeris (0x91,0x61).
 
@@ -2295,10 +3093,119 @@ class GpsEphemeris(Data):
     - 3dm-cv7-gnss-ins: GPS Ephemeris (0x91,0x61)
     """
 
+    __slots__ = (
+        "index",
+        "count",
+        "tow",
+        "week_number",
+        "satellite_id",
+        "health",
+        "iodc",
+        "iode",
+        "t_oc",
+        "af0",
+        "af1",
+        "af2",
+        "t_gd",
+        "isc_l1ca",
+        "isc_l2c",
+        "t_oe",
+        "a",
+        "a_dot",
+        "mean_anomaly",
+        "delta_mean_motion",
+        "delta_mean_motion_dot",
+        "eccentricity",
+        "argument_of_perigee",
+        "omega",
+        "omega_dot",
+        "inclination",
+        "inclination_dot",
+        "c_ic",
+        "c_is",
+        "c_uc",
+        "c_us",
+        "c_rc",
+        "c_rs",
+        "valid_flags",
+    )
+    __match_args__ = (
+        "index",
+        "count",
+        "tow",
+        "week_number",
+        "satellite_id",
+        "health",
+        "iodc",
+        "iode",
+        "t_oc",
+        "af0",
+        "af1",
+        "af2",
+        "t_gd",
+        "isc_l1ca",
+        "isc_l2c",
+        "t_oe",
+        "a",
+        "a_dot",
+        "mean_anomaly",
+        "delta_mean_motion",
+        "delta_mean_motion_dot",
+        "eccentricity",
+        "argument_of_perigee",
+        "omega",
+        "omega_dot",
+        "inclination",
+        "inclination_dot",
+        "c_ic",
+        "c_is",
+        "c_uc",
+        "c_us",
+        "c_rc",
+        "c_rs",
+        "valid_flags",
+    )
+
     SET = 0x91
     DESCRIPTOR = 0x61
     NAME = "gnss_1.gps_ephemeris"
     ROLE = "data"
+    _LAYOUT = (
+        ("index", "B", None),
+        ("count", "B", None),
+        ("tow", "d", None),
+        ("week_number", "H", None),
+        ("satellite_id", "B", None),
+        ("health", "B", None),
+        ("iodc", "B", None),
+        ("iode", "B", None),
+        ("t_oc", "d", None),
+        ("af0", "d", None),
+        ("af1", "d", None),
+        ("af2", "d", None),
+        ("t_gd", "d", None),
+        ("isc_l1ca", "d", None),
+        ("isc_l2c", "d", None),
+        ("t_oe", "d", None),
+        ("a", "d", None),
+        ("a_dot", "d", None),
+        ("mean_anomaly", "d", None),
+        ("delta_mean_motion", "d", None),
+        ("delta_mean_motion_dot", "d", None),
+        ("eccentricity", "d", None),
+        ("argument_of_perigee", "d", None),
+        ("omega", "d", None),
+        ("omega_dot", "d", None),
+        ("inclination", "d", None),
+        ("inclination_dot", "d", None),
+        ("c_ic", "d", None),
+        ("c_is", "d", None),
+        ("c_uc", "d", None),
+        ("c_us", "d", None),
+        ("c_rc", "d", None),
+        ("c_rs", "d", None),
+        ("valid_flags", "H", EphemerisFlags),
+    )
 
     index: int
     """Number of this field within the epoch."""
@@ -2403,6 +3310,78 @@ class GpsEphemeris(Data):
     """
     valid_flags: EphemerisFlags
     """What the ephemeris holds."""
+
+    def __init__(
+        self,
+        index: int,
+        count: int,
+        tow: float,
+        week_number: int,
+        satellite_id: int,
+        health: int,
+        iodc: int,
+        iode: int,
+        t_oc: float,
+        af0: float,
+        af1: float,
+        af2: float,
+        t_gd: float,
+        isc_l1ca: float,
+        isc_l2c: float,
+        t_oe: float,
+        a: float,
+        a_dot: float,
+        mean_anomaly: float,
+        delta_mean_motion: float,
+        delta_mean_motion_dot: float,
+        eccentricity: float,
+        argument_of_perigee: float,
+        omega: float,
+        omega_dot: float,
+        inclination: float,
+        inclination_dot: float,
+        c_ic: float,
+        c_is: float,
+        c_uc: float,
+        c_us: float,
+        c_rc: float,
+        c_rs: float,
+        valid_flags: EphemerisFlags,
+    ) -> None:
+        self.index = index
+        self.count = count
+        self.tow = tow
+        self.week_number = week_number
+        self.satellite_id = satellite_id
+        self.health = health
+        self.iodc = iodc
+        self.iode = iode
+        self.t_oc = t_oc
+        self.af0 = af0
+        self.af1 = af1
+        self.af2 = af2
+        self.t_gd = t_gd
+        self.isc_l1ca = isc_l1ca
+        self.isc_l2c = isc_l2c
+        self.t_oe = t_oe
+        self.a = a
+        self.a_dot = a_dot
+        self.mean_anomaly = mean_anomaly
+        self.delta_mean_motion = delta_mean_motion
+        self.delta_mean_motion_dot = delta_mean_motion_dot
+        self.eccentricity = eccentricity
+        self.argument_of_perigee = argument_of_perigee
+        self.omega = omega
+        self.omega_dot = omega_dot
+        self.inclination = inclination
+        self.inclination_dot = inclination_dot
+        self.c_ic = c_ic
+        self.c_is = c_is
+        self.c_uc = c_uc
+        self.c_us = c_us
+        self.c_rc = c_rc
+        self.c_rs = c_rs
+        self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GpsEphemeris, int]:
@@ -2549,7 +3528,6 @@ _GLONASS_EPHEMERIS_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class GlonassEphemeris(Data):
     """GLONASS ephemeris (0x91,0x62).
 
@@ -2563,10 +3541,97 @@ class GlonassEphemeris(Data):
     - 3dm-cv7-gnss-ins: Glonass Ephemeris (0x91,0x62)
     """
 
+    __slots__ = (
+        "index",
+        "count",
+        "tow",
+        "week_number",
+        "satellite_id",
+        "frequency_number",
+        "tk",
+        "tb",
+        "satellite_type",
+        "gamma",
+        "tau_n",
+        "position",
+        "velocity",
+        "accel",
+        "health",
+        "p",
+        "nt",
+        "delta_tau_n",
+        "ft",
+        "en",
+        "p1",
+        "p2",
+        "p3",
+        "p4",
+        "valid_flags",
+    )
+    __match_args__ = (
+        "index",
+        "count",
+        "tow",
+        "week_number",
+        "satellite_id",
+        "frequency_number",
+        "tk",
+        "tb",
+        "satellite_type",
+        "gamma",
+        "tau_n",
+        "position",
+        "velocity",
+        "accel",
+        "health",
+        "p",
+        "nt",
+        "delta_tau_n",
+        "ft",
+        "en",
+        "p1",
+        "p2",
+        "p3",
+        "p4",
+        "valid_flags",
+    )
+
     SET = 0x91
     DESCRIPTOR = 0x62
     NAME = "gnss_1.glonass_ephemeris"
     ROLE = "data"
+    _LAYOUT = (
+        ("index", "B", None),
+        ("count", "B", None),
+        ("tow", "d", None),
+        ("week_number", "H", None),
+        ("satellite_id", "B", None),
+        ("frequency_number", "b", None),
+        ("tk", "I", None),
+        ("tb", "I", None),
+        ("satellite_type", "B", GlonassSatelliteType),
+        ("gamma", "d", None),
+        ("tau_n", "d", None),
+        ("position", "ddd", types.Vector3d),
+        ("velocity", "fff", types.Vector3f),
+        ("accel", "fff", types.Vector3f),
+        ("health", "B", None),
+        ("p", "B", None),
+        ("nt", "B", None),
+        ("delta_tau_n", "f", None),
+        ("ft", "B", None),
+        ("en", "B", None),
+        ("p1", "B", None),
+        ("p2", "B", None),
+        ("p3", "B", None),
+        ("p4", "B", None),
+        ("valid_flags", "H", GlonassEphemerisFlags),
+    )
+    _VECTORS = {
+        "position": (types.Vector3d,),
+        "velocity": (types.Vector3f,),
+        "accel": (types.Vector3f,),
+    }
 
     index: int
     """Number of this field within the epoch."""
@@ -2657,6 +3722,60 @@ class GlonassEphemeris(Data):
     valid_flags: GlonassEphemerisFlags
     """Whether the ephemeris is valid."""
 
+    def __init__(
+        self,
+        index: int,
+        count: int,
+        tow: float,
+        week_number: int,
+        satellite_id: int,
+        frequency_number: int,
+        tk: int,
+        tb: int,
+        satellite_type: GlonassSatelliteType,
+        gamma: float,
+        tau_n: float,
+        position: types.Vector3d | codec.Numbers,
+        velocity: types.Vector3f | codec.Numbers,
+        accel: types.Vector3f | codec.Numbers,
+        health: int,
+        p: int,
+        nt: int,
+        delta_tau_n: float,
+        ft: int,
+        en: int,
+        p1: int,
+        p2: int,
+        p3: int,
+        p4: int,
+        valid_flags: GlonassEphemerisFlags,
+    ) -> None:
+        self.index = index
+        self.count = count
+        self.tow = tow
+        self.week_number = week_number
+        self.satellite_id = satellite_id
+        self.frequency_number = frequency_number
+        self.tk = tk
+        self.tb = tb
+        self.satellite_type = satellite_type
+        self.gamma = gamma
+        self.tau_n = tau_n
+        self.position = codec.vector(position, types.Vector3d)
+        self.velocity = codec.vector(velocity, types.Vector3f)
+        self.accel = codec.vector(accel, types.Vector3f)
+        self.health = health
+        self.p = p
+        self.nt = nt
+        self.delta_tau_n = delta_tau_n
+        self.ft = ft
+        self.en = en
+        self.p1 = p1
+        self.p2 = p2
+        self.p3 = p3
+        self.p4 = p4
+        self.valid_flags = valid_flags
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GlonassEphemeris, int]:
         v = _GLONASS_EPHEMERIS_0.read(raw, at)
@@ -2672,9 +3791,9 @@ class GlonassEphemeris(Data):
         satellite_type = GlonassSatelliteType(v[8])
         gamma = v[9]
         tau_n = v[10]
-        position = v[11:14]
-        velocity = v[14:17]
-        accel = v[17:20]
+        position = types.Vector3d._make(v[11:14])
+        velocity = types.Vector3f._make(v[14:17])
+        accel = types.Vector3f._make(v[17:20])
         health = v[20]
         p = v[21]
         nt = v[22]
@@ -2727,9 +3846,9 @@ class GlonassEphemeris(Data):
             self.satellite_type,
             self.gamma,
             self.tau_n,
-            *codec.exactly("position", self.position, 3),
-            *codec.exactly("velocity", self.velocity, 3),
-            *codec.exactly("accel", self.accel, 3),
+            *codec.elements("position", self.position, 3),
+            *codec.elements("velocity", self.velocity, 3),
+            *codec.elements("accel", self.accel, 3),
             self.health,
             self.p,
             self.nt,
@@ -2784,7 +3903,6 @@ _GALILEO_EPHEMERIS_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class GalileoEphemeris(Data):
     """Galileo ephemeris (0x91,0x63).
 
@@ -2798,10 +3916,119 @@ class GalileoEphemeris(Data):
     - 3dm-cv7-gnss-ins: Galileo Ephemeris (0x91,0x63)
     """
 
+    __slots__ = (
+        "index",
+        "count",
+        "tow",
+        "week_number",
+        "satellite_id",
+        "health",
+        "iodc",
+        "iode",
+        "t_oc",
+        "af0",
+        "af1",
+        "af2",
+        "t_gd",
+        "isc_l1ca",
+        "isc_l2c",
+        "t_oe",
+        "a",
+        "a_dot",
+        "mean_anomaly",
+        "delta_mean_motion",
+        "delta_mean_motion_dot",
+        "eccentricity",
+        "argument_of_perigee",
+        "omega",
+        "omega_dot",
+        "inclination",
+        "inclination_dot",
+        "c_ic",
+        "c_is",
+        "c_uc",
+        "c_us",
+        "c_rc",
+        "c_rs",
+        "valid_flags",
+    )
+    __match_args__ = (
+        "index",
+        "count",
+        "tow",
+        "week_number",
+        "satellite_id",
+        "health",
+        "iodc",
+        "iode",
+        "t_oc",
+        "af0",
+        "af1",
+        "af2",
+        "t_gd",
+        "isc_l1ca",
+        "isc_l2c",
+        "t_oe",
+        "a",
+        "a_dot",
+        "mean_anomaly",
+        "delta_mean_motion",
+        "delta_mean_motion_dot",
+        "eccentricity",
+        "argument_of_perigee",
+        "omega",
+        "omega_dot",
+        "inclination",
+        "inclination_dot",
+        "c_ic",
+        "c_is",
+        "c_uc",
+        "c_us",
+        "c_rc",
+        "c_rs",
+        "valid_flags",
+    )
+
     SET = 0x91
     DESCRIPTOR = 0x63
     NAME = "gnss_1.galileo_ephemeris"
     ROLE = "data"
+    _LAYOUT = (
+        ("index", "B", None),
+        ("count", "B", None),
+        ("tow", "d", None),
+        ("week_number", "H", None),
+        ("satellite_id", "B", None),
+        ("health", "B", None),
+        ("iodc", "B", None),
+        ("iode", "B", None),
+        ("t_oc", "d", None),
+        ("af0", "d", None),
+        ("af1", "d", None),
+        ("af2", "d", None),
+        ("t_gd", "d", None),
+        ("isc_l1ca", "d", None),
+        ("isc_l2c", "d", None),
+        ("t_oe", "d", None),
+        ("a", "d", None),
+        ("a_dot", "d", None),
+        ("mean_anomaly", "d", None),
+        ("delta_mean_motion", "d", None),
+        ("delta_mean_motion_dot", "d", None),
+        ("eccentricity", "d", None),
+        ("argument_of_perigee", "d", None),
+        ("omega", "d", None),
+        ("omega_dot", "d", None),
+        ("inclination", "d", None),
+        ("inclination_dot", "d", None),
+        ("c_ic", "d", None),
+        ("c_is", "d", None),
+        ("c_uc", "d", None),
+        ("c_us", "d", None),
+        ("c_rc", "d", None),
+        ("c_rs", "d", None),
+        ("valid_flags", "H", EphemerisFlags),
+    )
 
     index: int
     """Number of this field within the epoch."""
@@ -2906,6 +4133,78 @@ class GalileoEphemeris(Data):
     """
     valid_flags: EphemerisFlags
     """What the ephemeris holds."""
+
+    def __init__(
+        self,
+        index: int,
+        count: int,
+        tow: float,
+        week_number: int,
+        satellite_id: int,
+        health: int,
+        iodc: int,
+        iode: int,
+        t_oc: float,
+        af0: float,
+        af1: float,
+        af2: float,
+        t_gd: float,
+        isc_l1ca: float,
+        isc_l2c: float,
+        t_oe: float,
+        a: float,
+        a_dot: float,
+        mean_anomaly: float,
+        delta_mean_motion: float,
+        delta_mean_motion_dot: float,
+        eccentricity: float,
+        argument_of_perigee: float,
+        omega: float,
+        omega_dot: float,
+        inclination: float,
+        inclination_dot: float,
+        c_ic: float,
+        c_is: float,
+        c_uc: float,
+        c_us: float,
+        c_rc: float,
+        c_rs: float,
+        valid_flags: EphemerisFlags,
+    ) -> None:
+        self.index = index
+        self.count = count
+        self.tow = tow
+        self.week_number = week_number
+        self.satellite_id = satellite_id
+        self.health = health
+        self.iodc = iodc
+        self.iode = iode
+        self.t_oc = t_oc
+        self.af0 = af0
+        self.af1 = af1
+        self.af2 = af2
+        self.t_gd = t_gd
+        self.isc_l1ca = isc_l1ca
+        self.isc_l2c = isc_l2c
+        self.t_oe = t_oe
+        self.a = a
+        self.a_dot = a_dot
+        self.mean_anomaly = mean_anomaly
+        self.delta_mean_motion = delta_mean_motion
+        self.delta_mean_motion_dot = delta_mean_motion_dot
+        self.eccentricity = eccentricity
+        self.argument_of_perigee = argument_of_perigee
+        self.omega = omega
+        self.omega_dot = omega_dot
+        self.inclination = inclination
+        self.inclination_dot = inclination_dot
+        self.c_ic = c_ic
+        self.c_is = c_is
+        self.c_uc = c_uc
+        self.c_us = c_us
+        self.c_rc = c_rc
+        self.c_rs = c_rs
+        self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GalileoEphemeris, int]:
@@ -3061,7 +4360,6 @@ _BEIDOU_EPHEMERIS_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class BeidouEphemeris(Data):
     """BeiDou ephemeris (0x91,0x64).
 
@@ -3075,10 +4373,119 @@ class BeidouEphemeris(Data):
     - 3dm-cv7-gnss-ins: BeiDou Ephemeris (0x91,0x64)
     """
 
+    __slots__ = (
+        "index",
+        "count",
+        "tow",
+        "week_number",
+        "satellite_id",
+        "health",
+        "iodc",
+        "iode",
+        "t_oc",
+        "af0",
+        "af1",
+        "af2",
+        "t_gd",
+        "isc_l1ca",
+        "isc_l2c",
+        "t_oe",
+        "a",
+        "a_dot",
+        "mean_anomaly",
+        "delta_mean_motion",
+        "delta_mean_motion_dot",
+        "eccentricity",
+        "argument_of_perigee",
+        "omega",
+        "omega_dot",
+        "inclination",
+        "inclination_dot",
+        "c_ic",
+        "c_is",
+        "c_uc",
+        "c_us",
+        "c_rc",
+        "c_rs",
+        "valid_flags",
+    )
+    __match_args__ = (
+        "index",
+        "count",
+        "tow",
+        "week_number",
+        "satellite_id",
+        "health",
+        "iodc",
+        "iode",
+        "t_oc",
+        "af0",
+        "af1",
+        "af2",
+        "t_gd",
+        "isc_l1ca",
+        "isc_l2c",
+        "t_oe",
+        "a",
+        "a_dot",
+        "mean_anomaly",
+        "delta_mean_motion",
+        "delta_mean_motion_dot",
+        "eccentricity",
+        "argument_of_perigee",
+        "omega",
+        "omega_dot",
+        "inclination",
+        "inclination_dot",
+        "c_ic",
+        "c_is",
+        "c_uc",
+        "c_us",
+        "c_rc",
+        "c_rs",
+        "valid_flags",
+    )
+
     SET = 0x91
     DESCRIPTOR = 0x64
     NAME = "gnss_1.beidou_ephemeris"
     ROLE = "data"
+    _LAYOUT = (
+        ("index", "B", None),
+        ("count", "B", None),
+        ("tow", "d", None),
+        ("week_number", "H", None),
+        ("satellite_id", "B", None),
+        ("health", "B", None),
+        ("iodc", "B", None),
+        ("iode", "B", None),
+        ("t_oc", "d", None),
+        ("af0", "d", None),
+        ("af1", "d", None),
+        ("af2", "d", None),
+        ("t_gd", "d", None),
+        ("isc_l1ca", "d", None),
+        ("isc_l2c", "d", None),
+        ("t_oe", "d", None),
+        ("a", "d", None),
+        ("a_dot", "d", None),
+        ("mean_anomaly", "d", None),
+        ("delta_mean_motion", "d", None),
+        ("delta_mean_motion_dot", "d", None),
+        ("eccentricity", "d", None),
+        ("argument_of_perigee", "d", None),
+        ("omega", "d", None),
+        ("omega_dot", "d", None),
+        ("inclination", "d", None),
+        ("inclination_dot", "d", None),
+        ("c_ic", "d", None),
+        ("c_is", "d", None),
+        ("c_uc", "d", None),
+        ("c_us", "d", None),
+        ("c_rc", "d", None),
+        ("c_rs", "d", None),
+        ("valid_flags", "H", EphemerisFlags),
+    )
 
     index: int
     """Number of this field within the epoch."""
@@ -3183,6 +4590,78 @@ class BeidouEphemeris(Data):
     """
     valid_flags: EphemerisFlags
     """What the ephemeris holds."""
+
+    def __init__(
+        self,
+        index: int,
+        count: int,
+        tow: float,
+        week_number: int,
+        satellite_id: int,
+        health: int,
+        iodc: int,
+        iode: int,
+        t_oc: float,
+        af0: float,
+        af1: float,
+        af2: float,
+        t_gd: float,
+        isc_l1ca: float,
+        isc_l2c: float,
+        t_oe: float,
+        a: float,
+        a_dot: float,
+        mean_anomaly: float,
+        delta_mean_motion: float,
+        delta_mean_motion_dot: float,
+        eccentricity: float,
+        argument_of_perigee: float,
+        omega: float,
+        omega_dot: float,
+        inclination: float,
+        inclination_dot: float,
+        c_ic: float,
+        c_is: float,
+        c_uc: float,
+        c_us: float,
+        c_rc: float,
+        c_rs: float,
+        valid_flags: EphemerisFlags,
+    ) -> None:
+        self.index = index
+        self.count = count
+        self.tow = tow
+        self.week_number = week_number
+        self.satellite_id = satellite_id
+        self.health = health
+        self.iodc = iodc
+        self.iode = iode
+        self.t_oc = t_oc
+        self.af0 = af0
+        self.af1 = af1
+        self.af2 = af2
+        self.t_gd = t_gd
+        self.isc_l1ca = isc_l1ca
+        self.isc_l2c = isc_l2c
+        self.t_oe = t_oe
+        self.a = a
+        self.a_dot = a_dot
+        self.mean_anomaly = mean_anomaly
+        self.delta_mean_motion = delta_mean_motion
+        self.delta_mean_motion_dot = delta_mean_motion_dot
+        self.eccentricity = eccentricity
+        self.argument_of_perigee = argument_of_perigee
+        self.omega = omega
+        self.omega_dot = omega_dot
+        self.inclination = inclination
+        self.inclination_dot = inclination_dot
+        self.c_ic = c_ic
+        self.c_is = c_is
+        self.c_uc = c_uc
+        self.c_us = c_us
+        self.c_rc = c_rc
+        self.c_rs = c_rs
+        self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[BeidouEphemeris, int]:
@@ -3304,7 +4783,6 @@ _GPS_IONO_CORRECTION_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class GpsIonoCorrection(Data):
     """GPS ionospheric correction (0x91,0x71).
 
@@ -3316,10 +4794,20 @@ class GpsIonoCorrection(Data):
     - mip-sdk-4: Gps Iono Corr (0x81,0x71)
     """
 
+    __slots__ = ("tow", "week_number", "alpha", "beta", "valid_flags")
+    __match_args__ = ("tow", "week_number", "alpha", "beta", "valid_flags")
+
     SET = 0x91
     DESCRIPTOR = 0x71
     NAME = "gnss_1.gps_iono_correction"
     ROLE = "data"
+    _LAYOUT = (
+        ("tow", "d", None),
+        ("week_number", "H", None),
+        ("alpha", "dddd", tuple),
+        ("beta", "dddd", tuple),
+        ("valid_flags", "H", GpsIonoCorrectionFlags),
+    )
 
     tow: float
     """GPS time of week. Unit: s. Valid if `GpsIonoCorrectionFlags.TOW` of `valid_flags` is set."""
@@ -3337,6 +4825,20 @@ class GpsIonoCorrection(Data):
     """
     valid_flags: GpsIonoCorrectionFlags
     """Which values are valid."""
+
+    def __init__(
+        self,
+        tow: float,
+        week_number: int,
+        alpha: tuple[float, float, float, float],
+        beta: tuple[float, float, float, float],
+        valid_flags: GpsIonoCorrectionFlags,
+    ) -> None:
+        self.tow = tow
+        self.week_number = week_number
+        self.alpha = alpha
+        self.beta = beta
+        self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GpsIonoCorrection, int]:
@@ -3365,7 +4867,6 @@ _GALILEO_IONO_CORRECTION_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class GalileoIonoCorrection(Data):
     """Galileo ionospheric correction (0x91,0x73).
 
@@ -3377,10 +4878,20 @@ class GalileoIonoCorrection(Data):
     - mip-sdk-4: Galileo Iono Corr (0x81,0x73)
     """
 
+    __slots__ = ("tow", "week_number", "alpha", "disturbance_flags", "valid_flags")
+    __match_args__ = ("tow", "week_number", "alpha", "disturbance_flags", "valid_flags")
+
     SET = 0x91
     DESCRIPTOR = 0x73
     NAME = "gnss_1.galileo_iono_correction"
     ROLE = "data"
+    _LAYOUT = (
+        ("tow", "d", None),
+        ("week_number", "H", None),
+        ("alpha", "ddd", tuple),
+        ("disturbance_flags", "B", None),
+        ("valid_flags", "H", GalileoIonoCorrectionFlags),
+    )
 
     tow: float
     """GPS time of week. Unit: s. Valid if `GalileoIonoCorrectionFlags.TOW` of `valid_flags` is set.
@@ -3400,6 +4911,20 @@ class GalileoIonoCorrection(Data):
     """
     valid_flags: GalileoIonoCorrectionFlags
     """Which values are valid."""
+
+    def __init__(
+        self,
+        tow: float,
+        week_number: int,
+        alpha: tuple[float, float, float],
+        disturbance_flags: int,
+        valid_flags: GalileoIonoCorrectionFlags,
+    ) -> None:
+        self.tow = tow
+        self.week_number = week_number
+        self.alpha = alpha
+        self.disturbance_flags = disturbance_flags
+        self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GalileoIonoCorrection, int]:
@@ -3434,7 +4959,6 @@ _BEIDOU_IONO_CORRECTION_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class BeidouIonoCorrection(Data):
     """BeiDou ionospheric correction (0x91,0x74).
 
@@ -3446,10 +4970,21 @@ class BeidouIonoCorrection(Data):
     - mip-sdk-4: Beidou Iono Corr (0x81,0x74)
     """
 
+    __slots__ = ("tow", "week_number", "alpha", "beta", "alpha_correction", "valid_flags")
+    __match_args__ = ("tow", "week_number", "alpha", "beta", "alpha_correction", "valid_flags")
+
     SET = 0x91
     DESCRIPTOR = 0x74
     NAME = "gnss_1.beidou_iono_correction"
     ROLE = "data"
+    _LAYOUT = (
+        ("tow", "d", None),
+        ("week_number", "H", None),
+        ("alpha", "dddd", tuple),
+        ("beta", "dddd", tuple),
+        ("alpha_correction", "ddddddddd", tuple),
+        ("valid_flags", "H", BeidouIonoCorrectionFlags),
+    )
 
     tow: float
     """GPS time of week. Unit: s. Valid if `BeidouIonoCorrectionFlags.TOW` of `valid_flags` is set.
@@ -3472,6 +5007,22 @@ class BeidouIonoCorrection(Data):
     """
     valid_flags: BeidouIonoCorrectionFlags
     """Which values are valid."""
+
+    def __init__(
+        self,
+        tow: float,
+        week_number: int,
+        alpha: tuple[float, float, float, float],
+        beta: tuple[float, float, float, float],
+        alpha_correction: tuple[float, ...],
+        valid_flags: BeidouIonoCorrectionFlags,
+    ) -> None:
+        self.tow = tow
+        self.week_number = week_number
+        self.alpha = alpha
+        self.beta = beta
+        self.alpha_correction = alpha_correction
+        self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[BeidouIonoCorrection, int]:

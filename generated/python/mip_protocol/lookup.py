@@ -37,7 +37,7 @@ def _named(name: str) -> tuple[str, ...]:
 
         return tuple(t.NAME for t in types(int(numbers[1], 16), int(numbers[2], 16)))
     words = _words(name)
-    found = _keys().get(_key(words), ())
+    found = _keys().get("".join(words)) or _keys().get(_key(words), ())
     for role in ("command", "data"):
         hinted = tuple(x for x in found if FIELDS[x][2] == role)
         if len(found) > 1 and hinted and {role, f"{role}s"} & {*words}:
@@ -54,6 +54,10 @@ def _words(name: str) -> list[str]:
     return re.findall(r"[a-z0-9]+", apart.lower())
 
 
+def _joined(name: str) -> str:
+    return "".join(_words(name))
+
+
 def _key(words: list[str]) -> str:
     return "".join(w for w in words if w not in NOISE) or "".join(words)
 
@@ -66,7 +70,8 @@ def _keys() -> dict[str, tuple[str, ...]]:
         set, _, own = full.partition(".")
         for called in (own, title, *also):
             for words in (_words(called), _words(f"{set}.{called}")):
-                found.setdefault(_key(words), {})[full] = None
+                for key in ("".join(words), _key(words)):
+                    found.setdefault(key, {})[full] = None
     return {key: tuple(names) for key, names in found.items()}
 
 
@@ -86,8 +91,8 @@ def set_number(name: str) -> int:
         number = None
     found = [n for n, names in SETS.items() if n == number or name in names]
     if not found:
-        key = _words(name)
-        found = [n for n, names in SETS.items() if any(key == _words(x) for x in names)]
+        wanted = _joined(name).removeprefix("mip")  # the module of 3dm is mip_3dm
+        found = [n for n, names in SETS.items() if wanted in map(_joined, names)]
     if len(found) == 1:
         return found[0]
     raise unknown(name, "a descriptor set", [names[0] for names in SETS.values()])
@@ -98,9 +103,9 @@ def device_id(name: str) -> str:
     """The id of a device, of its id, its title or another name."""
     if name in DEVICES:
         return name
-    wanted = _words(name)
+    wanted = _joined(name)
     for id, names in DEVICES.items():
-        if any(wanted == _words(x) for x in (id, *names)):
+        if wanted in map(_joined, (id, *names)):
             return id
     raise unknown(name, "a device", DEVICES)
 

@@ -8,7 +8,6 @@ Commands that set up the sensors, the outputs, the pins and the events of a devi
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
 from enum import IntFlag
 from typing import Any
 
@@ -20,17 +19,23 @@ from .protocol import FunctionSelector
 _POLL_ENTRY_0 = codec.Block("BH", "descriptor", "reserved")
 
 
-@dataclass(slots=True)
 class PollEntry(Structure):
     """A field that a poll asks for.
 
     - 3dm-gx5-15: 4.2.1 Poll IMU Data (0x0C, 0x01)
     """
 
+    __slots__ = ("descriptor", "reserved")
+    __match_args__ = ("descriptor", "reserved")
+
     descriptor: int
     """Field descriptor."""
-    reserved: int = 0
+    reserved: int
     """In place of a decimation. Reserved: send 0."""
+
+    def __init__(self, descriptor: int, reserved: int = 0) -> None:
+        self.descriptor = descriptor
+        self.reserved = reserved
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PollEntry, int]:
@@ -96,12 +101,20 @@ _CONSTELLATION_SETTINGS_ENTRY_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class ConstellationSettingsEntry(Structure):
     """How a receiver tracks one constellation.
 
     - mip-sdk-4: Constellation Settings (0x0C,0x21)
     """
+
+    __slots__ = ("constellation_id", "enable", "reserved_channels", "max_channels", "option_flags")
+    __match_args__ = (
+        "constellation_id",
+        "enable",
+        "reserved_channels",
+        "max_channels",
+        "option_flags",
+    )
 
     constellation_id: ConstellationId
     """Constellation."""
@@ -113,6 +126,20 @@ class ConstellationSettingsEntry(Structure):
     """Channels that it takes at most. Unit: 1. Range: 0 to 32."""
     option_flags: ConstellationOptions
     """Options."""
+
+    def __init__(
+        self,
+        constellation_id: ConstellationId,
+        enable: int,
+        reserved_channels: int,
+        max_channels: int,
+        option_flags: ConstellationOptions,
+    ) -> None:
+        self.constellation_id = constellation_id
+        self.enable = enable
+        self.reserved_channels = reserved_channels
+        self.max_channels = max_channels
+        self.option_flags = option_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ConstellationSettingsEntry, int]:
@@ -196,17 +223,23 @@ class EventSupportQuery(codec.OpenEnum):
 _EVENT_SUPPORT_INFO_0 = codec.Block("BB", "type", "count")
 
 
-@dataclass(slots=True)
 class EventSupportInfo(Structure):
     """How many instances of one trigger or action type a device can have.
 
     - 3dm-cv7-gnss-ins: Info
     """
 
+    __slots__ = ("type", "count")
+    __match_args__ = ("type", "count")
+
     type: int
     """Type of triggers, or of actions."""
     count: int
     """Instances of this type at most. Unit: 1."""
+
+    def __init__(self, type: int, count: int) -> None:
+        self.type = type
+        self.count = count
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EventSupportInfo, int]:
@@ -224,17 +257,23 @@ class EventSupportInfo(Structure):
 _EVENT_TRIGGER_STATUS_ENTRY_0 = codec.Block("BB", "type", "status")
 
 
-@dataclass(slots=True)
 class EventTriggerStatusEntry(Structure):
     """Type and state of one trigger.
 
     - 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
     """
 
+    __slots__ = ("type", "status")
+    __match_args__ = ("type", "status")
+
     type: types.EventTriggerType
     """Configured type."""
     status: types.EventTriggerStatus
     """State."""
+
+    def __init__(self, type: types.EventTriggerType, status: types.EventTriggerStatus) -> None:
+        self.type = type
+        self.status = status
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EventTriggerStatusEntry, int]:
@@ -252,17 +291,23 @@ class EventTriggerStatusEntry(Structure):
 _EVENT_ACTION_STATUS_ENTRY_0 = codec.Block("BB", "action_type", "trigger_id")
 
 
-@dataclass(slots=True)
 class EventActionStatusEntry(Structure):
     """Type and trigger of one action.
 
     - 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D)
     """
 
+    __slots__ = ("action_type", "trigger_id")
+    __match_args__ = ("action_type", "trigger_id")
+
     action_type: types.EventActionType
     """Configured type."""
     trigger_id: int
     """Trigger instance that the action follows."""
+
+    def __init__(self, action_type: types.EventActionType, trigger_id: int) -> None:
+        self.action_type = action_type
+        self.trigger_id = trigger_id
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EventActionStatusEntry, int]:
@@ -310,17 +355,23 @@ class SensorRangeType(codec.OpenEnum):
 _SENSOR_RANGE_ENTRY_0 = codec.Block("Bf", "setting", "range")
 
 
-@dataclass(slots=True)
 class SensorRangeEntry(Structure):
     """A range that a sensor supports.
 
     - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
     """
 
+    __slots__ = ("setting", "range")
+    __match_args__ = ("setting", "range")
+
     setting: int
     """Value for the sensor range command."""
     range: float
     """Largest measurable value."""
+
+    def __init__(self, setting: int, range: float) -> None:
+        self.setting = setting
+        self.range = range
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorRangeEntry, int]:
@@ -366,7 +417,6 @@ class LegacyDataStream(codec.OpenEnum):
 _IMU_MESSAGE_FORMAT_RESPONSE_0 = codec.Block("B", "num_descriptors")
 
 
-@dataclass(slots=True)
 class ImuMessageFormatResponse(Response):
     """IMU Message Format response (0x0C,0x80).
 
@@ -376,6 +426,9 @@ class ImuMessageFormatResponse(Response):
     - 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08)
     """
 
+    __slots__ = ("descriptors",)
+    __match_args__ = ("descriptors",)
+
     SET = 0x0C
     DESCRIPTOR = 0x80
     NAME = "3dm.imu_message_format_response"
@@ -384,6 +437,9 @@ class ImuMessageFormatResponse(Response):
     # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[types.DescriptorRate, ...]
     """Fields and decimations."""
+
+    def __init__(self, descriptors: tuple[types.DescriptorRate, ...]) -> None:
+        self.descriptors = descriptors
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ImuMessageFormatResponse, int]:
@@ -405,7 +461,6 @@ class ImuMessageFormatResponse(Response):
 _GNSS_MESSAGE_FORMAT_RESPONSE_0 = codec.Block("B", "num_descriptors")
 
 
-@dataclass(slots=True)
 class GnssMessageFormatResponse(Response):
     """GNSS Message Format response (0x0C,0x81).
 
@@ -416,6 +471,9 @@ class GnssMessageFormatResponse(Response):
     - 3dm-gx5-35: 4.2.6 GNSS Message Format (0x0C, 0x09)
     """
 
+    __slots__ = ("descriptors",)
+    __match_args__ = ("descriptors",)
+
     SET = 0x0C
     DESCRIPTOR = 0x81
     NAME = "3dm.gnss_message_format_response"
@@ -425,6 +483,9 @@ class GnssMessageFormatResponse(Response):
     # Range: 0 to 82.
     descriptors: tuple[types.DescriptorRate, ...]
     """Fields and decimations."""
+
+    def __init__(self, descriptors: tuple[types.DescriptorRate, ...]) -> None:
+        self.descriptors = descriptors
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssMessageFormatResponse, int]:
@@ -448,7 +509,6 @@ class GnssMessageFormatResponse(Response):
 _FILTER_MESSAGE_FORMAT_RESPONSE_0 = codec.Block("B", "num_descriptors")
 
 
-@dataclass(slots=True)
 class FilterMessageFormatResponse(Response):
     """Estimation Filter Message Format response (0x0C,0x82).
 
@@ -458,6 +518,9 @@ class FilterMessageFormatResponse(Response):
     - 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
     """
 
+    __slots__ = ("descriptors",)
+    __match_args__ = ("descriptors",)
+
     SET = 0x0C
     DESCRIPTOR = 0x82
     NAME = "3dm.filter_message_format_response"
@@ -466,6 +529,9 @@ class FilterMessageFormatResponse(Response):
     # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[types.DescriptorRate, ...]
     """Fields and decimations."""
+
+    def __init__(self, descriptors: tuple[types.DescriptorRate, ...]) -> None:
+        self.descriptors = descriptors
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[FilterMessageFormatResponse, int]:
@@ -489,7 +555,6 @@ class FilterMessageFormatResponse(Response):
 _GET_IMU_BASE_RATE_RESPONSE_0 = codec.Block("H", "rate")
 
 
-@dataclass(slots=True)
 class GetImuBaseRateResponse(Response):
     """Get IMU Data Base Rate response (0x0C,0x83).
 
@@ -499,13 +564,20 @@ class GetImuBaseRateResponse(Response):
     - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
     """
 
+    __slots__ = ("rate",)
+    __match_args__ = ("rate",)
+
     SET = 0x0C
     DESCRIPTOR = 0x83
     NAME = "3dm.get_imu_base_rate_response"
     ROLE = "response"
+    _LAYOUT = (("rate", "H", None),)
 
     rate: int
     """Base rate of the sensor data. Unit: Hz."""
+
+    def __init__(self, rate: int) -> None:
+        self.rate = rate
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetImuBaseRateResponse, int]:
@@ -522,7 +594,6 @@ class GetImuBaseRateResponse(Response):
 _GET_GNSS_BASE_RATE_RESPONSE_0 = codec.Block("H", "rate")
 
 
-@dataclass(slots=True)
 class GetGnssBaseRateResponse(Response):
     """Get GNSS Data Base Rate response (0x0C,0x84).
 
@@ -533,13 +604,20 @@ class GetGnssBaseRateResponse(Response):
     - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
     """
 
+    __slots__ = ("rate",)
+    __match_args__ = ("rate",)
+
     SET = 0x0C
     DESCRIPTOR = 0x84
     NAME = "3dm.get_gnss_base_rate_response"
     ROLE = "response"
+    _LAYOUT = (("rate", "H", None),)
 
     rate: int
     """Base rate of the GNSS data. Unit: Hz."""
+
+    def __init__(self, rate: int) -> None:
+        self.rate = rate
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetGnssBaseRateResponse, int]:
@@ -556,7 +634,6 @@ class GetGnssBaseRateResponse(Response):
 _DATA_STREAM_CONTROL_RESPONSE_0 = codec.Block("BB", "descriptor_set", "enabled")
 
 
-@dataclass(slots=True)
 class DataStreamControlResponse(Response):
     """Data Stream Control response (0x0C,0x85).
 
@@ -571,10 +648,14 @@ class DataStreamControlResponse(Response):
     - 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
     """
 
+    __slots__ = ("descriptor_set", "enabled")
+    __match_args__ = ("descriptor_set", "enabled")
+
     SET = 0x0C
     DESCRIPTOR = 0x85
     NAME = "3dm.data_stream_control_response"
     ROLE = "response"
+    _LAYOUT = (("descriptor_set", "B", None), ("enabled", "B", codec.truth))
 
     descriptor_set: int
     """Stream of the command.
@@ -587,6 +668,10 @@ class DataStreamControlResponse(Response):
     """
     enabled: bool
     """Whether the stream is sent."""
+
+    def __init__(self, descriptor_set: int, enabled: bool) -> None:
+        self.descriptor_set = descriptor_set
+        self.enabled = enabled
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[DataStreamControlResponse, int]:
@@ -604,7 +689,6 @@ class DataStreamControlResponse(Response):
 _UART_BAUD_RATE_RESPONSE_0 = codec.Block("I", "baud")
 
 
-@dataclass(slots=True)
 class UartBaudRateResponse(Response):
     """UART Baud Rate response (0x0C,0x87).
 
@@ -616,13 +700,20 @@ class UartBaudRateResponse(Response):
     - 3dm-cv7-gnss-ins: UART Baudrate (0x0C,0x40)
     """
 
+    __slots__ = ("baud",)
+    __match_args__ = ("baud",)
+
     SET = 0x0C
     DESCRIPTOR = 0x87
     NAME = "3dm.uart_baud_rate_response"
     ROLE = "response"
+    _LAYOUT = (("baud", "I", None),)
 
     baud: int
     """Baud rate. Unit: Bd."""
+
+    def __init__(self, baud: int) -> None:
+        self.baud = baud
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[UartBaudRateResponse, int]:
@@ -639,7 +730,6 @@ class UartBaudRateResponse(Response):
 _GET_FILTER_BASE_RATE_RESPONSE_0 = codec.Block("H", "rate")
 
 
-@dataclass(slots=True)
 class GetFilterBaseRateResponse(Response):
     """Get Estimation Filter Data Base Rate response (0x0C,0x8A).
 
@@ -649,13 +739,20 @@ class GetFilterBaseRateResponse(Response):
     - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
     """
 
+    __slots__ = ("rate",)
+    __match_args__ = ("rate",)
+
     SET = 0x0C
     DESCRIPTOR = 0x8A
     NAME = "3dm.get_filter_base_rate_response"
     ROLE = "response"
+    _LAYOUT = (("rate", "H", None),)
 
     rate: int
     """Base rate of the filter data. Unit: Hz."""
+
+    def __init__(self, rate: int) -> None:
+        self.rate = rate
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetFilterBaseRateResponse, int]:
@@ -674,7 +771,6 @@ _IMU_LOW_PASS_FILTER_RESPONSE_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class ImuLowPassFilterResponse(Response):
     """Advanced Low-Pass Filter Settings response (0x0C,0x8B).
 
@@ -686,10 +782,20 @@ class ImuLowPassFilterResponse(Response):
     - 3dm-cv7-gnss-ins: Advanced Low-Pass Filter Settings (0x0C,0x50)
     """
 
+    __slots__ = ("target_descriptor", "enable", "manual", "frequency", "reserved")
+    __match_args__ = ("target_descriptor", "enable", "manual", "frequency", "reserved")
+
     SET = 0x0C
     DESCRIPTOR = 0x8B
     NAME = "3dm.imu_low_pass_filter_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("target_descriptor", "B", None),
+        ("enable", "B", codec.truth),
+        ("manual", "B", codec.truth),
+        ("frequency", "H", None),
+        ("reserved", "B", None),
+    )
 
     target_descriptor: int
     """Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05,
@@ -702,8 +808,17 @@ class ImuLowPassFilterResponse(Response):
     """
     frequency: int
     """Cutoff (-3 dB). It has no meaning if manual is false. Unit: Hz."""
-    reserved: int = 0
+    reserved: int
     """Reserved."""
+
+    def __init__(
+        self, target_descriptor: int, enable: bool, manual: bool, frequency: int, reserved: int = 0
+    ) -> None:
+        self.target_descriptor = target_descriptor
+        self.enable = enable
+        self.manual = manual
+        self.frequency = frequency
+        self.reserved = reserved
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ImuLowPassFilterResponse, int]:
@@ -726,7 +841,6 @@ class ImuLowPassFilterResponse(Response):
 _NMEA_MESSAGE_FORMAT_RESPONSE_0 = codec.Block("B", "count")
 
 
-@dataclass(slots=True)
 class NmeaMessageFormatResponse(Response):
     """NMEA Message Format response (0x0C,0x8C).
 
@@ -734,6 +848,9 @@ class NmeaMessageFormatResponse(Response):
 
     - 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C)
     """
+
+    __slots__ = ("format_entries",)
+    __match_args__ = ("format_entries",)
 
     SET = 0x0C
     DESCRIPTOR = 0x8C
@@ -743,6 +860,9 @@ class NmeaMessageFormatResponse(Response):
     # On the wire: count. Number of sentences. The number of elements of `format_entries`.
     format_entries: tuple[types.NmeaMessage, ...]
     """Sentences to stream."""
+
+    def __init__(self, format_entries: tuple[types.NmeaMessage, ...]) -> None:
+        self.format_entries = format_entries
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[NmeaMessageFormatResponse, int]:
@@ -768,7 +888,6 @@ class NmeaMessageFormatResponse(Response):
 _GET_BASE_RATE_RESPONSE_0 = codec.Block("BH", "descriptor_set", "rate")
 
 
-@dataclass(slots=True)
 class GetBaseRateResponse(Response):
     """Get Data Base Rate response (0x0C,0x8E).
 
@@ -777,15 +896,23 @@ class GetBaseRateResponse(Response):
     - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
     """
 
+    __slots__ = ("descriptor_set", "rate")
+    __match_args__ = ("descriptor_set", "rate")
+
     SET = 0x0C
     DESCRIPTOR = 0x8E
     NAME = "3dm.get_base_rate_response"
     ROLE = "response"
+    _LAYOUT = (("descriptor_set", "B", None), ("rate", "H", None))
 
     descriptor_set: int
     """Data descriptor set of the command."""
     rate: int
     """Base rate; 0 if the rate is variable or unknown and data is sent as it comes. Unit: Hz."""
+
+    def __init__(self, descriptor_set: int, rate: int) -> None:
+        self.descriptor_set = descriptor_set
+        self.rate = rate
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetBaseRateResponse, int]:
@@ -803,7 +930,6 @@ class GetBaseRateResponse(Response):
 _MESSAGE_FORMAT_RESPONSE_0 = codec.Block("BB", "descriptor_set", "num_descriptors")
 
 
-@dataclass(slots=True)
 class MessageFormatResponse(Response):
     """Message Format response (0x0C,0x8F).
 
@@ -811,6 +937,9 @@ class MessageFormatResponse(Response):
 
     - 3dm-cv7-gnss-ins: Message Format (0x0C,0x0F)
     """
+
+    __slots__ = ("descriptor_set", "descriptors")
+    __match_args__ = ("descriptor_set", "descriptors")
 
     SET = 0x0C
     DESCRIPTOR = 0x8F
@@ -822,6 +951,10 @@ class MessageFormatResponse(Response):
     # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[types.DescriptorRate, ...]
     """Fields and decimations."""
+
+    def __init__(self, descriptor_set: int, descriptors: tuple[types.DescriptorRate, ...]) -> None:
+        self.descriptor_set = descriptor_set
+        self.descriptors = descriptors
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MessageFormatResponse, int]:
@@ -847,7 +980,6 @@ _DEVICE_STATUS_BASIC_RESPONSE_0 = codec.Block("HB", "model_number", "status_sele
 _DEVICE_STATUS_BASIC_RESPONSE_1 = codec.Block("IHI", "status_flags", "system_state", "system_timer")
 
 
-@dataclass(slots=True)
 class DeviceStatusBasicResponse(Response):
     """Basic Device Status (0x0C,0x90).
 
@@ -865,6 +997,9 @@ class DeviceStatusBasicResponse(Response):
     - mscl: Device Status (0x0C,0x64)
     """
 
+    __slots__ = ("model_number", "status_flags", "system_state", "system_timer")
+    __match_args__ = ("model_number", "status_flags", "system_state", "system_timer")
+
     SET = 0x0C
     DESCRIPTOR = 0x90
     NAME = "3dm.device_status_basic_response"
@@ -879,6 +1014,14 @@ class DeviceStatusBasicResponse(Response):
     """State of the system; its values are not documented."""
     system_timer: int
     """Time since start-up. Unit: ms."""
+
+    def __init__(
+        self, model_number: int, status_flags: int, system_state: int, system_timer: int
+    ) -> None:
+        self.model_number = model_number
+        self.status_flags = status_flags
+        self.system_state = system_state
+        self.system_timer = system_timer
 
     @classmethod
     def matches(cls, data: bytes) -> bool:
@@ -909,7 +1052,6 @@ _DEVICE_STATUS_BASIC_WITHOUT_STATE_RESPONSE_0 = codec.Block("HB", "model_number"
 _DEVICE_STATUS_BASIC_WITHOUT_STATE_RESPONSE_1 = codec.Block("II", "status_flags", "system_timer")
 
 
-@dataclass(slots=True)
 class DeviceStatusBasicWithoutStateResponse(Response):
     """Basic Device Status without a state (0x0C,0x90).
 
@@ -930,6 +1072,9 @@ class DeviceStatusBasicWithoutStateResponse(Response):
     - mscl: Device Status (0x0C,0x64)
     """
 
+    __slots__ = ("model_number", "status_flags", "system_timer")
+    __match_args__ = ("model_number", "status_flags", "system_timer")
+
     SET = 0x0C
     DESCRIPTOR = 0x90
     NAME = "3dm.device_status_basic_without_state_response"
@@ -942,6 +1087,11 @@ class DeviceStatusBasicWithoutStateResponse(Response):
     """Reserved."""
     system_timer: int
     """Time since start-up. Unit: ms."""
+
+    def __init__(self, model_number: int, status_flags: int, system_timer: int) -> None:
+        self.model_number = model_number
+        self.status_flags = status_flags
+        self.system_timer = system_timer
 
     @classmethod
     def matches(cls, data: bytes) -> bool:
@@ -987,7 +1137,6 @@ _DEVICE_STATUS_DIAGNOSTIC_RESPONSE_1 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class DeviceStatusDiagnosticResponse(Response):
     """Diagnostic Device Status (0x0C,0x90).
 
@@ -1006,6 +1155,41 @@ class DeviceStatusDiagnosticResponse(Response):
     - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
     - mscl: Device Status (0x0C,0x64)
     """
+
+    __slots__ = (
+        "model_number",
+        "status_flags",
+        "system_state",
+        "system_timer",
+        "imu_stream_enabled",
+        "filter_stream_enabled",
+        "imu_dropped_packets",
+        "filter_dropped_packets",
+        "comm_port_bytes_written",
+        "comm_port_bytes_read",
+        "comm_port_write_overruns",
+        "comm_port_read_overruns",
+        "imu_parser_errors",
+        "imu_message_count",
+        "imu_last_message_time",
+    )
+    __match_args__ = (
+        "model_number",
+        "status_flags",
+        "system_state",
+        "system_timer",
+        "imu_stream_enabled",
+        "filter_stream_enabled",
+        "imu_dropped_packets",
+        "filter_dropped_packets",
+        "comm_port_bytes_written",
+        "comm_port_bytes_read",
+        "comm_port_write_overruns",
+        "comm_port_read_overruns",
+        "imu_parser_errors",
+        "imu_message_count",
+        "imu_last_message_time",
+    )
 
     SET = 0x0C
     DESCRIPTOR = 0x90
@@ -1043,6 +1227,40 @@ class DeviceStatusDiagnosticResponse(Response):
     """Messages of the IMU that were read. Unit: 1."""
     imu_last_message_time: int
     """System timer at the last message of the IMU. Unit: ms."""
+
+    def __init__(
+        self,
+        model_number: int,
+        status_flags: int,
+        system_state: int,
+        system_timer: int,
+        imu_stream_enabled: bool,
+        filter_stream_enabled: bool,
+        imu_dropped_packets: int,
+        filter_dropped_packets: int,
+        comm_port_bytes_written: int,
+        comm_port_bytes_read: int,
+        comm_port_write_overruns: int,
+        comm_port_read_overruns: int,
+        imu_parser_errors: int,
+        imu_message_count: int,
+        imu_last_message_time: int,
+    ) -> None:
+        self.model_number = model_number
+        self.status_flags = status_flags
+        self.system_state = system_state
+        self.system_timer = system_timer
+        self.imu_stream_enabled = imu_stream_enabled
+        self.filter_stream_enabled = filter_stream_enabled
+        self.imu_dropped_packets = imu_dropped_packets
+        self.filter_dropped_packets = filter_dropped_packets
+        self.comm_port_bytes_written = comm_port_bytes_written
+        self.comm_port_bytes_read = comm_port_bytes_read
+        self.comm_port_write_overruns = comm_port_write_overruns
+        self.comm_port_read_overruns = comm_port_read_overruns
+        self.imu_parser_errors = imu_parser_errors
+        self.imu_message_count = imu_message_count
+        self.imu_last_message_time = imu_last_message_time
 
     @classmethod
     def matches(cls, data: bytes) -> bool:
@@ -1137,7 +1355,6 @@ _DEVICE_STATUS_DIAGNOSTIC_GNSS_RESPONSE_1 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class DeviceStatusDiagnosticGnssResponse(Response):
     """Diagnostic Device Status with GNSS (0x0C,0x90).
 
@@ -1159,6 +1376,57 @@ class DeviceStatusDiagnosticGnssResponse(Response):
     - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
     - mscl: Device Status (0x0C,0x64)
     """
+
+    __slots__ = (
+        "model_number",
+        "status_flags",
+        "system_state",
+        "system_timer",
+        "gnss_power_state",
+        "pps_count",
+        "pps_last_time",
+        "imu_stream_enabled",
+        "gnss_stream_enabled",
+        "filter_stream_enabled",
+        "imu_dropped_packets",
+        "gnss_dropped_packets",
+        "filter_dropped_packets",
+        "comm_port_bytes_written",
+        "comm_port_bytes_read",
+        "comm_port_write_overruns",
+        "comm_port_read_overruns",
+        "imu_parser_errors",
+        "imu_message_count",
+        "imu_last_message_time",
+        "gnss_parser_errors",
+        "gnss_message_count",
+        "gnss_last_message_time",
+    )
+    __match_args__ = (
+        "model_number",
+        "status_flags",
+        "system_state",
+        "system_timer",
+        "gnss_power_state",
+        "pps_count",
+        "pps_last_time",
+        "imu_stream_enabled",
+        "gnss_stream_enabled",
+        "filter_stream_enabled",
+        "imu_dropped_packets",
+        "gnss_dropped_packets",
+        "filter_dropped_packets",
+        "comm_port_bytes_written",
+        "comm_port_bytes_read",
+        "comm_port_write_overruns",
+        "comm_port_read_overruns",
+        "imu_parser_errors",
+        "imu_message_count",
+        "imu_last_message_time",
+        "gnss_parser_errors",
+        "gnss_message_count",
+        "gnss_last_message_time",
+    )
 
     SET = 0x0C
     DESCRIPTOR = 0x90
@@ -1212,6 +1480,56 @@ class DeviceStatusDiagnosticGnssResponse(Response):
     """Messages of the receiver that were read. Unit: 1."""
     gnss_last_message_time: int
     """System timer at the last message of the receiver. Unit: ms."""
+
+    def __init__(
+        self,
+        model_number: int,
+        status_flags: int,
+        system_state: int,
+        system_timer: int,
+        gnss_power_state: int,
+        pps_count: int,
+        pps_last_time: int,
+        imu_stream_enabled: bool,
+        gnss_stream_enabled: bool,
+        filter_stream_enabled: bool,
+        imu_dropped_packets: int,
+        gnss_dropped_packets: int,
+        filter_dropped_packets: int,
+        comm_port_bytes_written: int,
+        comm_port_bytes_read: int,
+        comm_port_write_overruns: int,
+        comm_port_read_overruns: int,
+        imu_parser_errors: int,
+        imu_message_count: int,
+        imu_last_message_time: int,
+        gnss_parser_errors: int,
+        gnss_message_count: int,
+        gnss_last_message_time: int,
+    ) -> None:
+        self.model_number = model_number
+        self.status_flags = status_flags
+        self.system_state = system_state
+        self.system_timer = system_timer
+        self.gnss_power_state = gnss_power_state
+        self.pps_count = pps_count
+        self.pps_last_time = pps_last_time
+        self.imu_stream_enabled = imu_stream_enabled
+        self.gnss_stream_enabled = gnss_stream_enabled
+        self.filter_stream_enabled = filter_stream_enabled
+        self.imu_dropped_packets = imu_dropped_packets
+        self.gnss_dropped_packets = gnss_dropped_packets
+        self.filter_dropped_packets = filter_dropped_packets
+        self.comm_port_bytes_written = comm_port_bytes_written
+        self.comm_port_bytes_read = comm_port_bytes_read
+        self.comm_port_write_overruns = comm_port_write_overruns
+        self.comm_port_read_overruns = comm_port_read_overruns
+        self.imu_parser_errors = imu_parser_errors
+        self.imu_message_count = imu_message_count
+        self.imu_last_message_time = imu_last_message_time
+        self.gnss_parser_errors = gnss_parser_errors
+        self.gnss_message_count = gnss_message_count
+        self.gnss_last_message_time = gnss_last_message_time
 
     @classmethod
     def matches(cls, data: bytes) -> bool:
@@ -1333,7 +1651,6 @@ _DEVICE_STATUS_DIAGNOSTIC_GQ4_45_RESPONSE_1 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class DeviceStatusDiagnosticGq4_45Response(Response):
     """Diagnostic Device Status of the 3DM-GQ4-45 (0x0C,0x90).
 
@@ -1354,6 +1671,63 @@ class DeviceStatusDiagnosticGq4_45Response(Response):
     - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
     - mscl: Device Status (0x0C,0x64)
     """
+
+    __slots__ = (
+        "model_number",
+        "status_flags",
+        "system_state",
+        "system_timer",
+        "gnss_power_state",
+        "pps_count",
+        "pps_last_time",
+        "imu_stream_enabled",
+        "gnss_stream_enabled",
+        "filter_stream_enabled",
+        "imu_dropped_packets",
+        "gnss_dropped_packets",
+        "filter_dropped_packets",
+        "comm_port_bytes_written",
+        "comm_port_bytes_read",
+        "comm_port_write_overruns",
+        "comm_port_read_overruns",
+        "imu_parser_errors",
+        "imu_message_count",
+        "imu_last_message_time",
+        "gnss_parser_errors",
+        "gnss_message_count",
+        "gnss_last_message_time",
+        "mag_init_failed",
+        "pressure_init_failed",
+        "receiver_init_failed",
+    )
+    __match_args__ = (
+        "model_number",
+        "status_flags",
+        "system_state",
+        "system_timer",
+        "gnss_power_state",
+        "pps_count",
+        "pps_last_time",
+        "imu_stream_enabled",
+        "gnss_stream_enabled",
+        "filter_stream_enabled",
+        "imu_dropped_packets",
+        "gnss_dropped_packets",
+        "filter_dropped_packets",
+        "comm_port_bytes_written",
+        "comm_port_bytes_read",
+        "comm_port_write_overruns",
+        "comm_port_read_overruns",
+        "imu_parser_errors",
+        "imu_message_count",
+        "imu_last_message_time",
+        "gnss_parser_errors",
+        "gnss_message_count",
+        "gnss_last_message_time",
+        "mag_init_failed",
+        "pressure_init_failed",
+        "receiver_init_failed",
+    )
 
     SET = 0x0C
     DESCRIPTOR = 0x90
@@ -1413,6 +1787,62 @@ class DeviceStatusDiagnosticGq4_45Response(Response):
     """Whether the pressure sensor could not be started."""
     receiver_init_failed: bool
     """Whether the GNSS receiver could not be started."""
+
+    def __init__(
+        self,
+        model_number: int,
+        status_flags: int,
+        system_state: int,
+        system_timer: int,
+        gnss_power_state: int,
+        pps_count: int,
+        pps_last_time: int,
+        imu_stream_enabled: bool,
+        gnss_stream_enabled: bool,
+        filter_stream_enabled: bool,
+        imu_dropped_packets: int,
+        gnss_dropped_packets: int,
+        filter_dropped_packets: int,
+        comm_port_bytes_written: int,
+        comm_port_bytes_read: int,
+        comm_port_write_overruns: int,
+        comm_port_read_overruns: int,
+        imu_parser_errors: int,
+        imu_message_count: int,
+        imu_last_message_time: int,
+        gnss_parser_errors: int,
+        gnss_message_count: int,
+        gnss_last_message_time: int,
+        mag_init_failed: bool,
+        pressure_init_failed: bool,
+        receiver_init_failed: bool,
+    ) -> None:
+        self.model_number = model_number
+        self.status_flags = status_flags
+        self.system_state = system_state
+        self.system_timer = system_timer
+        self.gnss_power_state = gnss_power_state
+        self.pps_count = pps_count
+        self.pps_last_time = pps_last_time
+        self.imu_stream_enabled = imu_stream_enabled
+        self.gnss_stream_enabled = gnss_stream_enabled
+        self.filter_stream_enabled = filter_stream_enabled
+        self.imu_dropped_packets = imu_dropped_packets
+        self.gnss_dropped_packets = gnss_dropped_packets
+        self.filter_dropped_packets = filter_dropped_packets
+        self.comm_port_bytes_written = comm_port_bytes_written
+        self.comm_port_bytes_read = comm_port_bytes_read
+        self.comm_port_write_overruns = comm_port_write_overruns
+        self.comm_port_read_overruns = comm_port_read_overruns
+        self.imu_parser_errors = imu_parser_errors
+        self.imu_message_count = imu_message_count
+        self.imu_last_message_time = imu_last_message_time
+        self.gnss_parser_errors = gnss_parser_errors
+        self.gnss_message_count = gnss_message_count
+        self.gnss_last_message_time = gnss_last_message_time
+        self.mag_init_failed = mag_init_failed
+        self.pressure_init_failed = pressure_init_failed
+        self.receiver_init_failed = receiver_init_failed
 
     @classmethod
     def matches(cls, data: bytes) -> bool:
@@ -1543,7 +1973,6 @@ _DEVICE_STATUS_DIAGNOSTIC_RQ1_45_RESPONSE_1 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class DeviceStatusDiagnosticRq1_45Response(Response):
     """Diagnostic Device Status of the 3DM-RQ1-45 (0x0C,0x90).
 
@@ -1564,6 +1993,63 @@ class DeviceStatusDiagnosticRq1_45Response(Response):
     - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
     - mscl: Device Status (0x0C,0x64)
     """
+
+    __slots__ = (
+        "model_number",
+        "status_flags",
+        "system_state",
+        "system_timer",
+        "gnss_power_state",
+        "cold_start_on_power_on",
+        "temperature",
+        "temperature_last_time",
+        "pps_count",
+        "pps_last_time",
+        "imu_stream_enabled",
+        "gnss_stream_enabled",
+        "filter_stream_enabled",
+        "imu_dropped_packets",
+        "gnss_dropped_packets",
+        "filter_dropped_packets",
+        "comm_port_bytes_written",
+        "comm_port_bytes_read",
+        "comm_port_write_overruns",
+        "comm_port_read_overruns",
+        "imu_parser_errors",
+        "imu_message_count",
+        "imu_last_message_time",
+        "gnss_parser_errors",
+        "gnss_message_count",
+        "gnss_last_message_time",
+    )
+    __match_args__ = (
+        "model_number",
+        "status_flags",
+        "system_state",
+        "system_timer",
+        "gnss_power_state",
+        "cold_start_on_power_on",
+        "temperature",
+        "temperature_last_time",
+        "pps_count",
+        "pps_last_time",
+        "imu_stream_enabled",
+        "gnss_stream_enabled",
+        "filter_stream_enabled",
+        "imu_dropped_packets",
+        "gnss_dropped_packets",
+        "filter_dropped_packets",
+        "comm_port_bytes_written",
+        "comm_port_bytes_read",
+        "comm_port_write_overruns",
+        "comm_port_read_overruns",
+        "imu_parser_errors",
+        "imu_message_count",
+        "imu_last_message_time",
+        "gnss_parser_errors",
+        "gnss_message_count",
+        "gnss_last_message_time",
+    )
 
     SET = 0x0C
     DESCRIPTOR = 0x90
@@ -1623,6 +2109,62 @@ class DeviceStatusDiagnosticRq1_45Response(Response):
     """Messages of the receiver that were read. Unit: 1."""
     gnss_last_message_time: int
     """System timer at the last message of the receiver. Unit: ms."""
+
+    def __init__(
+        self,
+        model_number: int,
+        status_flags: int,
+        system_state: int,
+        system_timer: int,
+        gnss_power_state: int,
+        cold_start_on_power_on: int,
+        temperature: float,
+        temperature_last_time: int,
+        pps_count: int,
+        pps_last_time: int,
+        imu_stream_enabled: bool,
+        gnss_stream_enabled: bool,
+        filter_stream_enabled: bool,
+        imu_dropped_packets: int,
+        gnss_dropped_packets: int,
+        filter_dropped_packets: int,
+        comm_port_bytes_written: int,
+        comm_port_bytes_read: int,
+        comm_port_write_overruns: int,
+        comm_port_read_overruns: int,
+        imu_parser_errors: int,
+        imu_message_count: int,
+        imu_last_message_time: int,
+        gnss_parser_errors: int,
+        gnss_message_count: int,
+        gnss_last_message_time: int,
+    ) -> None:
+        self.model_number = model_number
+        self.status_flags = status_flags
+        self.system_state = system_state
+        self.system_timer = system_timer
+        self.gnss_power_state = gnss_power_state
+        self.cold_start_on_power_on = cold_start_on_power_on
+        self.temperature = temperature
+        self.temperature_last_time = temperature_last_time
+        self.pps_count = pps_count
+        self.pps_last_time = pps_last_time
+        self.imu_stream_enabled = imu_stream_enabled
+        self.gnss_stream_enabled = gnss_stream_enabled
+        self.filter_stream_enabled = filter_stream_enabled
+        self.imu_dropped_packets = imu_dropped_packets
+        self.gnss_dropped_packets = gnss_dropped_packets
+        self.filter_dropped_packets = filter_dropped_packets
+        self.comm_port_bytes_written = comm_port_bytes_written
+        self.comm_port_bytes_read = comm_port_bytes_read
+        self.comm_port_write_overruns = comm_port_write_overruns
+        self.comm_port_read_overruns = comm_port_read_overruns
+        self.imu_parser_errors = imu_parser_errors
+        self.imu_message_count = imu_message_count
+        self.imu_last_message_time = imu_last_message_time
+        self.gnss_parser_errors = gnss_parser_errors
+        self.gnss_message_count = gnss_message_count
+        self.gnss_last_message_time = gnss_last_message_time
 
     @classmethod
     def matches(cls, data: bytes) -> bool:
@@ -1747,7 +2289,6 @@ _DEVICE_STATUS_DIAGNOSTIC_GX4_RESPONSE_1 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class DeviceStatusDiagnosticGx4Response(Response):
     """Diagnostic Device Status of the 3DM-GX4-15 and 3DM-GX4-25 (0x0C,0x90).
 
@@ -1769,6 +2310,51 @@ class DeviceStatusDiagnosticGx4Response(Response):
     - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
     - mscl: Device Status (0x0C,0x64)
     """
+
+    __slots__ = (
+        "model_number",
+        "status_flags",
+        "system_timer",
+        "pps_count",
+        "pps_last_time",
+        "imu_stream_enabled",
+        "filter_stream_enabled",
+        "imu_dropped_packets",
+        "filter_dropped_packets",
+        "comm_port_bytes_written",
+        "comm_port_bytes_read",
+        "comm_port_write_overruns",
+        "comm_port_read_overruns",
+        "usb_bytes_written",
+        "usb_bytes_read",
+        "usb_write_overruns",
+        "usb_read_overruns",
+        "imu_parser_errors",
+        "imu_message_count",
+        "imu_last_message_time",
+    )
+    __match_args__ = (
+        "model_number",
+        "status_flags",
+        "system_timer",
+        "pps_count",
+        "pps_last_time",
+        "imu_stream_enabled",
+        "filter_stream_enabled",
+        "imu_dropped_packets",
+        "filter_dropped_packets",
+        "comm_port_bytes_written",
+        "comm_port_bytes_read",
+        "comm_port_write_overruns",
+        "comm_port_read_overruns",
+        "usb_bytes_written",
+        "usb_bytes_read",
+        "usb_write_overruns",
+        "usb_read_overruns",
+        "imu_parser_errors",
+        "imu_message_count",
+        "imu_last_message_time",
+    )
 
     SET = 0x0C
     DESCRIPTOR = 0x90
@@ -1816,6 +2402,50 @@ class DeviceStatusDiagnosticGx4Response(Response):
     """Messages of the IMU that were read. Unit: 1."""
     imu_last_message_time: int
     """System timer at the last message of the IMU. Unit: ms."""
+
+    def __init__(
+        self,
+        model_number: int,
+        status_flags: int,
+        system_timer: int,
+        pps_count: int,
+        pps_last_time: int,
+        imu_stream_enabled: bool,
+        filter_stream_enabled: bool,
+        imu_dropped_packets: int,
+        filter_dropped_packets: int,
+        comm_port_bytes_written: int,
+        comm_port_bytes_read: int,
+        comm_port_write_overruns: int,
+        comm_port_read_overruns: int,
+        usb_bytes_written: int,
+        usb_bytes_read: int,
+        usb_write_overruns: int,
+        usb_read_overruns: int,
+        imu_parser_errors: int,
+        imu_message_count: int,
+        imu_last_message_time: int,
+    ) -> None:
+        self.model_number = model_number
+        self.status_flags = status_flags
+        self.system_timer = system_timer
+        self.pps_count = pps_count
+        self.pps_last_time = pps_last_time
+        self.imu_stream_enabled = imu_stream_enabled
+        self.filter_stream_enabled = filter_stream_enabled
+        self.imu_dropped_packets = imu_dropped_packets
+        self.filter_dropped_packets = filter_dropped_packets
+        self.comm_port_bytes_written = comm_port_bytes_written
+        self.comm_port_bytes_read = comm_port_bytes_read
+        self.comm_port_write_overruns = comm_port_write_overruns
+        self.comm_port_read_overruns = comm_port_read_overruns
+        self.usb_bytes_written = usb_bytes_written
+        self.usb_bytes_read = usb_bytes_read
+        self.usb_write_overruns = usb_write_overruns
+        self.usb_read_overruns = usb_read_overruns
+        self.imu_parser_errors = imu_parser_errors
+        self.imu_message_count = imu_message_count
+        self.imu_last_message_time = imu_last_message_time
 
     @classmethod
     def matches(cls, data: bytes) -> bool:
@@ -1922,7 +2552,6 @@ _DEVICE_STATUS_DIAGNOSTIC_IMU_RESPONSE_1 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class DeviceStatusDiagnosticImuResponse(Response):
     """Diagnostic Device Status of an IMU (0x0C,0x90).
 
@@ -1944,6 +2573,50 @@ class DeviceStatusDiagnosticImuResponse(Response):
     - 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64)
     - mscl: Device Status (0x0C,0x64)
     """
+
+    __slots__ = (
+        "model_number",
+        "status_flags",
+        "system_timer",
+        "has_mag",
+        "has_pressure",
+        "power_state",
+        "gyro_range",
+        "accel_range",
+        "reserved",
+        "temperature",
+        "temperature_last_time",
+        "temperature_error",
+        "pps_count",
+        "pps_last_time",
+        "imu_stream_enabled",
+        "imu_dropped_packets",
+        "comm_port_bytes_written",
+        "comm_port_bytes_read",
+        "comm_port_write_overruns",
+        "comm_port_read_overruns",
+    )
+    __match_args__ = (
+        "model_number",
+        "status_flags",
+        "system_timer",
+        "has_mag",
+        "has_pressure",
+        "power_state",
+        "gyro_range",
+        "accel_range",
+        "temperature",
+        "temperature_last_time",
+        "temperature_error",
+        "pps_count",
+        "pps_last_time",
+        "imu_stream_enabled",
+        "imu_dropped_packets",
+        "comm_port_bytes_written",
+        "comm_port_bytes_read",
+        "comm_port_write_overruns",
+        "comm_port_read_overruns",
+    )
 
     SET = 0x0C
     DESCRIPTOR = 0x90
@@ -1967,7 +2640,7 @@ class DeviceStatusDiagnosticImuResponse(Response):
     """Range of the gyroscope."""
     accel_range: int
     """Range of the accelerometer."""
-    reserved: int = field(default=0, kw_only=True)
+    reserved: int
     """Reserved."""
     temperature: float
     """Of the board. Unit: degC. Uncertain: The unit is inferred."""
@@ -1991,6 +2664,51 @@ class DeviceStatusDiagnosticImuResponse(Response):
     """Overruns while writing to the port. Unit: 1."""
     comm_port_read_overruns: int
     """Overruns while reading from the port. Unit: 1."""
+
+    def __init__(
+        self,
+        model_number: int,
+        status_flags: int,
+        system_timer: int,
+        has_mag: bool,
+        has_pressure: bool,
+        power_state: int,
+        gyro_range: int,
+        accel_range: int,
+        temperature: float,
+        temperature_last_time: int,
+        temperature_error: int,
+        pps_count: int,
+        pps_last_time: int,
+        imu_stream_enabled: bool,
+        imu_dropped_packets: int,
+        comm_port_bytes_written: int,
+        comm_port_bytes_read: int,
+        comm_port_write_overruns: int,
+        comm_port_read_overruns: int,
+        *,
+        reserved: int = 0,
+    ) -> None:
+        self.model_number = model_number
+        self.status_flags = status_flags
+        self.system_timer = system_timer
+        self.has_mag = has_mag
+        self.has_pressure = has_pressure
+        self.power_state = power_state
+        self.gyro_range = gyro_range
+        self.accel_range = accel_range
+        self.reserved = reserved
+        self.temperature = temperature
+        self.temperature_last_time = temperature_last_time
+        self.temperature_error = temperature_error
+        self.pps_count = pps_count
+        self.pps_last_time = pps_last_time
+        self.imu_stream_enabled = imu_stream_enabled
+        self.imu_dropped_packets = imu_dropped_packets
+        self.comm_port_bytes_written = comm_port_bytes_written
+        self.comm_port_bytes_read = comm_port_bytes_read
+        self.comm_port_write_overruns = comm_port_write_overruns
+        self.comm_port_read_overruns = comm_port_read_overruns
 
     @classmethod
     def matches(cls, data: bytes) -> bool:
@@ -2081,7 +2799,6 @@ _COMPLEMENTARY_FILTER_RESPONSE_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class ComplementaryFilterResponse(Response):
     """Complementary Filter Configuration response (0x0C,0x97).
 
@@ -2093,10 +2810,29 @@ class ComplementaryFilterResponse(Response):
     - 3dm-cv7-gnss-ins: Complementary Filter Configuration (0x0C,0x51)
     """
 
+    __slots__ = (
+        "pitch_roll_enable",
+        "heading_enable",
+        "pitch_roll_time_constant",
+        "heading_time_constant",
+    )
+    __match_args__ = (
+        "pitch_roll_enable",
+        "heading_enable",
+        "pitch_roll_time_constant",
+        "heading_time_constant",
+    )
+
     SET = 0x0C
     DESCRIPTOR = 0x97
     NAME = "3dm.complementary_filter_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("pitch_roll_enable", "B", codec.truth),
+        ("heading_enable", "B", codec.truth),
+        ("pitch_roll_time_constant", "f", None),
+        ("heading_time_constant", "f", None),
+    )
 
     pitch_roll_enable: bool
     """Corrects pitch and roll (up, in terms of the 5-series)."""
@@ -2106,6 +2842,18 @@ class ComplementaryFilterResponse(Response):
     """Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000. Default: 10."""
     heading_time_constant: float
     """Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10."""
+
+    def __init__(
+        self,
+        pitch_roll_enable: bool,
+        heading_enable: bool,
+        pitch_roll_time_constant: float,
+        heading_time_constant: float,
+    ) -> None:
+        self.pitch_roll_enable = pitch_roll_enable
+        self.heading_enable = heading_enable
+        self.pitch_roll_time_constant = pitch_roll_time_constant
+        self.heading_time_constant = heading_time_constant
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ComplementaryFilterResponse, int]:
@@ -2132,7 +2880,6 @@ class ComplementaryFilterResponse(Response):
 _ACCEL_BIAS_RESPONSE_0 = codec.Block("fff", *["bias"] * 3)
 
 
-@dataclass(slots=True)
 class AccelBiasResponse(Response):
     """Accelerometer Bias Configuration response (0x0C,0x9A).
 
@@ -2143,30 +2890,37 @@ class AccelBiasResponse(Response):
     - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
     """
 
+    __slots__ = ("bias",)
+    __match_args__ = ("bias",)
+
     SET = 0x0C
     DESCRIPTOR = 0x9A
     NAME = "3dm.accel_bias_response"
     ROLE = "response"
+    _LAYOUT = (("bias", "fff", types.Vector3f),)
+    _VECTORS = {"bias": (types.Vector3f,)}
 
     bias: types.Vector3f
     """Accelerometer bias. Elements: x, y, z. Unit: g. Frame: sensor."""
+
+    def __init__(self, bias: types.Vector3f | codec.Numbers) -> None:
+        self.bias = codec.vector(bias, types.Vector3f)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AccelBiasResponse, int]:
         v = _ACCEL_BIAS_RESPONSE_0.read(raw, at)
         at += 12
-        bias = v[0:3]
+        bias = types.Vector3f._make(v[0:3])
         return cls(bias), at
 
     def _write(self) -> bytes:
-        out = _ACCEL_BIAS_RESPONSE_0.write(*codec.exactly("bias", self.bias, 3))
+        out = _ACCEL_BIAS_RESPONSE_0.write(*codec.elements("bias", self.bias, 3))
         return codec.finished(out)
 
 
 _GYRO_BIAS_RESPONSE_0 = codec.Block("fff", *["bias"] * 3)
 
 
-@dataclass(slots=True)
 class GyroBiasResponse(Response):
     """Gyroscope Bias Configuration response (0x0C,0x9B).
 
@@ -2180,30 +2934,37 @@ class GyroBiasResponse(Response):
     - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
     """
 
+    __slots__ = ("bias",)
+    __match_args__ = ("bias",)
+
     SET = 0x0C
     DESCRIPTOR = 0x9B
     NAME = "3dm.gyro_bias_response"
     ROLE = "response"
+    _LAYOUT = (("bias", "fff", types.Vector3f),)
+    _VECTORS = {"bias": (types.Vector3f,)}
 
     bias: types.Vector3f
     """Gyroscope bias. Elements: x, y, z. Unit: rad/s. Frame: sensor."""
+
+    def __init__(self, bias: types.Vector3f | codec.Numbers) -> None:
+        self.bias = codec.vector(bias, types.Vector3f)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GyroBiasResponse, int]:
         v = _GYRO_BIAS_RESPONSE_0.read(raw, at)
         at += 12
-        bias = v[0:3]
+        bias = types.Vector3f._make(v[0:3])
         return cls(bias), at
 
     def _write(self) -> bytes:
-        out = _GYRO_BIAS_RESPONSE_0.write(*codec.exactly("bias", self.bias, 3))
+        out = _GYRO_BIAS_RESPONSE_0.write(*codec.elements("bias", self.bias, 3))
         return codec.finished(out)
 
 
 _MAG_HARD_IRON_OFFSET_RESPONSE_0 = codec.Block("fff", *["offset"] * 3)
 
 
-@dataclass(slots=True)
 class MagHardIronOffsetResponse(Response):
     """Magnetometer Hard Iron Offset response (0x0C,0x9C).
 
@@ -2214,30 +2975,37 @@ class MagHardIronOffsetResponse(Response):
     - 3dm-gx5-45: (0x0C, 0x3A)
     """
 
+    __slots__ = ("offset",)
+    __match_args__ = ("offset",)
+
     SET = 0x0C
     DESCRIPTOR = 0x9C
     NAME = "3dm.mag_hard_iron_offset_response"
     ROLE = "response"
+    _LAYOUT = (("offset", "fff", types.Vector3f),)
+    _VECTORS = {"offset": (types.Vector3f,)}
 
     offset: types.Vector3f
     """Hard iron offset. Elements: x, y, z. Unit: gauss. Frame: sensor."""
+
+    def __init__(self, offset: types.Vector3f | codec.Numbers) -> None:
+        self.offset = codec.vector(offset, types.Vector3f)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagHardIronOffsetResponse, int]:
         v = _MAG_HARD_IRON_OFFSET_RESPONSE_0.read(raw, at)
         at += 12
-        offset = v[0:3]
+        offset = types.Vector3f._make(v[0:3])
         return cls(offset), at
 
     def _write(self) -> bytes:
-        out = _MAG_HARD_IRON_OFFSET_RESPONSE_0.write(*codec.exactly("offset", self.offset, 3))
+        out = _MAG_HARD_IRON_OFFSET_RESPONSE_0.write(*codec.elements("offset", self.offset, 3))
         return codec.finished(out)
 
 
 _MAG_SOFT_IRON_MATRIX_RESPONSE_0 = codec.Block("fffffffff", *["matrix"] * 9)
 
 
-@dataclass(slots=True)
 class MagSoftIronMatrixResponse(Response):
     """Magnetometer Soft Iron Matrix response (0x0C,0x9D).
 
@@ -2248,32 +3016,39 @@ class MagSoftIronMatrixResponse(Response):
     - 3dm-gx5-35: (0x0C, 0x3B)
     """
 
+    __slots__ = ("matrix",)
+    __match_args__ = ("matrix",)
+
     SET = 0x0C
     DESCRIPTOR = 0x9D
     NAME = "3dm.mag_soft_iron_matrix_response"
     ROLE = "response"
+    _LAYOUT = (("matrix", "fffffffff", types.Matrix3f),)
+    _VECTORS = {"matrix": (types.Matrix3f,)}
 
     matrix: types.Matrix3f
     """Soft iron matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
     Unit: 1. Frame: sensor.
     """
 
+    def __init__(self, matrix: types.Matrix3f | codec.Rows) -> None:
+        self.matrix = codec.vector(matrix, types.Matrix3f)
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagSoftIronMatrixResponse, int]:
         v = _MAG_SOFT_IRON_MATRIX_RESPONSE_0.read(raw, at)
         at += 36
-        matrix = v[0:9]
+        matrix = types.Matrix3f._make(v[0:9])
         return cls(matrix), at
 
     def _write(self) -> bytes:
-        out = _MAG_SOFT_IRON_MATRIX_RESPONSE_0.write(*codec.exactly("matrix", self.matrix, 9))
+        out = _MAG_SOFT_IRON_MATRIX_RESPONSE_0.write(*codec.elements("matrix", self.matrix, 9))
         return codec.finished(out)
 
 
 _CONING_SCULLING_ENABLE_RESPONSE_0 = codec.Block("B", "enable")
 
 
-@dataclass(slots=True)
 class ConingScullingEnableResponse(Response):
     """Coning and Sculling Enable response (0x0C,0x9E).
 
@@ -2283,13 +3058,20 @@ class ConingScullingEnableResponse(Response):
     - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
     """
 
+    __slots__ = ("enable",)
+    __match_args__ = ("enable",)
+
     SET = 0x0C
     DESCRIPTOR = 0x9E
     NAME = "3dm.coning_sculling_enable_response"
     ROLE = "response"
+    _LAYOUT = (("enable", "B", codec.truth),)
 
     enable: bool
     """Whether the compensation is on. Default: true."""
+
+    def __init__(self, enable: bool) -> None:
+        self.enable = enable
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ConingScullingEnableResponse, int]:
@@ -2308,7 +3090,6 @@ _CONSTELLATION_SETTINGS_RESPONSE_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class ConstellationSettingsResponse(Response):
     """Constellation Settings response (0x0C,0xA0).
 
@@ -2320,6 +3101,9 @@ class ConstellationSettingsResponse(Response):
     - mip-sdk-4: Constellation Settings (0x0C,0x21)
     - 3dm-gx5-35: 4.2.8 GNSS Constellation Settings (0x0C, 0x21)
     """
+
+    __slots__ = ("max_channels_available", "max_channels_use", "settings")
+    __match_args__ = ("max_channels_available", "max_channels_use", "settings")
 
     SET = 0x0C
     DESCRIPTOR = 0xA0
@@ -2334,6 +3118,16 @@ class ConstellationSettingsResponse(Response):
     # to 41.
     settings: tuple[ConstellationSettingsEntry, ...]
     """One entry for each constellation."""
+
+    def __init__(
+        self,
+        max_channels_available: int,
+        max_channels_use: int,
+        settings: tuple[ConstellationSettingsEntry, ...],
+    ) -> None:
+        self.max_channels_available = max_channels_available
+        self.max_channels_use = max_channels_use
+        self.settings = settings
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ConstellationSettingsResponse, int]:
@@ -2363,7 +3157,6 @@ _GNSS_SBAS_SETTINGS_RESPONSE_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class GnssSbasSettingsResponse(Response):
     """GNSS SBAS Settings response (0x0C,0xA1).
 
@@ -2372,6 +3165,9 @@ class GnssSbasSettingsResponse(Response):
 
     - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
     """
+
+    __slots__ = ("enable_sbas", "sbas_options", "included_prns")
+    __match_args__ = ("enable_sbas", "sbas_options", "included_prns")
 
     SET = 0x0C
     DESCRIPTOR = 0xA1
@@ -2386,6 +3182,13 @@ class GnssSbasSettingsResponse(Response):
     # elements of `included_prns`.
     included_prns: tuple[int, ...]
     """PRN numbers of the SBAS satellites to search for."""
+
+    def __init__(
+        self, enable_sbas: int, sbas_options: SbasOptions, included_prns: tuple[int, ...]
+    ) -> None:
+        self.enable_sbas = enable_sbas
+        self.sbas_options = sbas_options
+        self.included_prns = included_prns
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssSbasSettingsResponse, int]:
@@ -2414,7 +3217,6 @@ class GnssSbasSettingsResponse(Response):
 _GNSS_ASSISTED_FIX_RESPONSE_0 = codec.Block("BB", "option", "flags")
 
 
-@dataclass(slots=True)
 class GnssAssistedFixResponse(Response):
     """GNSS Assisted Fix response (0x0C,0xA2).
 
@@ -2424,15 +3226,23 @@ class GnssAssistedFixResponse(Response):
     - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
     """
 
+    __slots__ = ("option", "flags")
+    __match_args__ = ("option", "flags")
+
     SET = 0x0C
     DESCRIPTOR = 0xA2
     NAME = "3dm.gnss_assisted_fix_response"
     ROLE = "response"
+    _LAYOUT = (("option", "B", AssistedFixOption), ("flags", "B", None))
 
     option: AssistedFixOption
     """Assisted fix. Default: `AssistedFixOption.NONE`."""
-    flags: int = 255
+    flags: int
     """Reserved."""
+
+    def __init__(self, option: AssistedFixOption, flags: int = 255) -> None:
+        self.option = option
+        self.flags = flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssAssistedFixResponse, int]:
@@ -2450,7 +3260,6 @@ class GnssAssistedFixResponse(Response):
 _GNSS_TIME_ASSISTANCE_RESPONSE_0 = codec.Block("dHf", "tow", "week_number", "accuracy")
 
 
-@dataclass(slots=True)
 class GnssTimeAssistanceResponse(Response):
     """GNSS Time Assistance response (0x0C,0xA3).
 
@@ -2460,10 +3269,14 @@ class GnssTimeAssistanceResponse(Response):
     - mip-sdk-4: Gnss Time Assistance (0x0C,0x24)
     """
 
+    __slots__ = ("tow", "week_number", "accuracy")
+    __match_args__ = ("tow", "week_number", "accuracy")
+
     SET = 0x0C
     DESCRIPTOR = 0xA3
     NAME = "3dm.gnss_time_assistance_response"
     ROLE = "response"
+    _LAYOUT = (("tow", "d", None), ("week_number", "H", None), ("accuracy", "f", None))
 
     tow: float
     """GPS time of week. Unit: s."""
@@ -2471,6 +3284,11 @@ class GnssTimeAssistanceResponse(Response):
     """GPS week number since 1980. Unit: week."""
     accuracy: float
     """Accuracy of the time. Unit: s."""
+
+    def __init__(self, tow: float, week_number: int, accuracy: float) -> None:
+        self.tow = tow
+        self.week_number = week_number
+        self.accuracy = accuracy
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssTimeAssistanceResponse, int]:
@@ -2489,7 +3307,6 @@ class GnssTimeAssistanceResponse(Response):
 _PPS_SOURCE_CONTROL_RESPONSE_0 = codec.Block("B", "source")
 
 
-@dataclass(slots=True)
 class PpsSourceControlResponse(Response):
     """PPS Source Control response (0x0C,0xA8).
 
@@ -2499,13 +3316,20 @@ class PpsSourceControlResponse(Response):
     - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
     """
 
+    __slots__ = ("source",)
+    __match_args__ = ("source",)
+
     SET = 0x0C
     DESCRIPTOR = 0xA8
     NAME = "3dm.pps_source_control_response"
     ROLE = "response"
+    _LAYOUT = (("source", "B", PpsSource),)
 
     source: PpsSource
     """Source of the pulse. Default: `PpsSource.RECEIVER_1`."""
+
+    def __init__(self, source: PpsSource) -> None:
+        self.source = source
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PpsSourceControlResponse, int]:
@@ -2522,7 +3346,6 @@ class PpsSourceControlResponse(Response):
 _SENSOR_TO_VEHICLE_TRANSFORM_EULER_RESPONSE_0 = codec.Block("fff", "roll", "pitch", "yaw")
 
 
-@dataclass(slots=True)
 class SensorToVehicleTransformEulerResponse(Response):
     """Sensor-to-Vehicle Frame Transformation Euler response (0x0C,0xB1).
 
@@ -2532,10 +3355,14 @@ class SensorToVehicleTransformEulerResponse(Response):
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
     """
 
+    __slots__ = ("roll", "pitch", "yaw")
+    __match_args__ = ("roll", "pitch", "yaw")
+
     SET = 0x0C
     DESCRIPTOR = 0xB1
     NAME = "3dm.sensor_to_vehicle_transform_euler_response"
     ROLE = "response"
+    _LAYOUT = (("roll", "f", None), ("pitch", "f", None), ("yaw", "f", None))
 
     roll: float
     """Rotation about the x axis. Unit: rad."""
@@ -2543,6 +3370,11 @@ class SensorToVehicleTransformEulerResponse(Response):
     """Rotation about the y axis. Unit: rad."""
     yaw: float
     """Rotation about the z axis. Unit: rad."""
+
+    def __init__(self, roll: float, pitch: float, yaw: float) -> None:
+        self.roll = roll
+        self.pitch = pitch
+        self.yaw = yaw
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleTransformEulerResponse, int]:
@@ -2561,7 +3393,6 @@ class SensorToVehicleTransformEulerResponse(Response):
 _SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_RESPONSE_0 = codec.Block("ffff", *["q"] * 4)
 
 
-@dataclass(slots=True)
 class SensorToVehicleTransformQuaternionResponse(Response):
     """Sensor-to-Vehicle Frame Transformation Quaternion response (0x0C,0xB2).
 
@@ -2571,26 +3402,34 @@ class SensorToVehicleTransformQuaternionResponse(Response):
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
     """
 
+    __slots__ = ("q",)
+    __match_args__ = ("q",)
+
     SET = 0x0C
     DESCRIPTOR = 0xB2
     NAME = "3dm.sensor_to_vehicle_transform_quaternion_response"
     ROLE = "response"
+    _LAYOUT = (("q", "ffff", types.Quatf),)
+    _VECTORS = {"q": (types.Quatf,)}
 
     q: types.Quatf
     """Unit quaternion that transforms vectors from the sensor frame to the vehicle frame. Elements:
     w, x, y, z. Unit: 1.
     """
 
+    def __init__(self, q: types.Quatf | codec.Numbers) -> None:
+        self.q = codec.vector(q, types.Quatf)
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleTransformQuaternionResponse, int]:
         v = _SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_RESPONSE_0.read(raw, at)
         at += 16
-        q = v[0:4]
+        q = types.Quatf._make(v[0:4])
         return cls(q), at
 
     def _write(self) -> bytes:
         out = _SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_RESPONSE_0.write(
-            *codec.exactly("q", self.q, 4)
+            *codec.elements("q", self.q, 4)
         )
         return codec.finished(out)
 
@@ -2598,7 +3437,6 @@ class SensorToVehicleTransformQuaternionResponse(Response):
 _SENSOR_TO_VEHICLE_TRANSFORM_DCM_RESPONSE_0 = codec.Block("fffffffff", *["dcm"] * 9)
 
 
-@dataclass(slots=True)
 class SensorToVehicleTransformDcmResponse(Response):
     """Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix response (0x0C,0xB3).
 
@@ -2608,32 +3446,39 @@ class SensorToVehicleTransformDcmResponse(Response):
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
     """
 
+    __slots__ = ("dcm",)
+    __match_args__ = ("dcm",)
+
     SET = 0x0C
     DESCRIPTOR = 0xB3
     NAME = "3dm.sensor_to_vehicle_transform_dcm_response"
     ROLE = "response"
+    _LAYOUT = (("dcm", "fffffffff", types.Matrix3f),)
+    _VECTORS = {"dcm": (types.Matrix3f,)}
 
     dcm: types.Matrix3f
     """The matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
     1.
     """
 
+    def __init__(self, dcm: types.Matrix3f | codec.Rows) -> None:
+        self.dcm = codec.vector(dcm, types.Matrix3f)
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleTransformDcmResponse, int]:
         v = _SENSOR_TO_VEHICLE_TRANSFORM_DCM_RESPONSE_0.read(raw, at)
         at += 36
-        dcm = v[0:9]
+        dcm = types.Matrix3f._make(v[0:9])
         return cls(dcm), at
 
     def _write(self) -> bytes:
-        out = _SENSOR_TO_VEHICLE_TRANSFORM_DCM_RESPONSE_0.write(*codec.exactly("dcm", self.dcm, 9))
+        out = _SENSOR_TO_VEHICLE_TRANSFORM_DCM_RESPONSE_0.write(*codec.elements("dcm", self.dcm, 9))
         return codec.finished(out)
 
 
 _GET_EVENT_SUPPORT_RESPONSE_0 = codec.Block("BBB", "query", "max_instances", "num_entries")
 
 
-@dataclass(slots=True)
 class GetEventSupportResponse(Response):
     """Get Supported Events response (0x0C,0xB4).
 
@@ -2641,6 +3486,9 @@ class GetEventSupportResponse(Response):
 
     - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
     """
+
+    __slots__ = ("query", "max_instances", "entries")
+    __match_args__ = ("query", "max_instances", "entries")
 
     SET = 0x0C
     DESCRIPTOR = 0xB4
@@ -2659,6 +3507,13 @@ class GetEventSupportResponse(Response):
       `types.EventTriggerType`.
     - If `query` is `EventSupportQuery.ACTION_TYPES`: `type` has values of `types.EventActionType`.
     """
+
+    def __init__(
+        self, query: EventSupportQuery, max_instances: int, entries: tuple[EventSupportInfo, ...]
+    ) -> None:
+        self.query = query
+        self.max_instances = max_instances
+        self.entries = entries
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetEventSupportResponse, int]:
@@ -2684,7 +3539,6 @@ class GetEventSupportResponse(Response):
 _EVENT_CONTROL_RESPONSE_0 = codec.Block("BB", "instance", "mode")
 
 
-@dataclass(slots=True)
 class EventControlResponse(Response):
     """Event Control response (0x0C,0xB5).
 
@@ -2693,15 +3547,23 @@ class EventControlResponse(Response):
     - 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B)
     """
 
+    __slots__ = ("instance", "mode")
+    __match_args__ = ("instance", "mode")
+
     SET = 0x0C
     DESCRIPTOR = 0xB5
     NAME = "3dm.event_control_response"
     ROLE = "response"
+    _LAYOUT = (("instance", "B", None), ("mode", "B", types.EventTriggerMode))
 
     instance: int
     """Trigger instance; 0 means all configured triggers, except for read."""
     mode: types.EventTriggerMode
     """New mode. Default: `types.EventTriggerMode.DISABLED`."""
+
+    def __init__(self, instance: int, mode: types.EventTriggerMode) -> None:
+        self.instance = instance
+        self.mode = mode
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EventControlResponse, int]:
@@ -2719,7 +3581,6 @@ class EventControlResponse(Response):
 _GET_EVENT_TRIGGER_STATUS_RESPONSE_0 = codec.Block("B", "count")
 
 
-@dataclass(slots=True)
 class GetEventTriggerStatusResponse(Response):
     """Get Event Trigger Status response (0x0C,0xB6).
 
@@ -2727,6 +3588,9 @@ class GetEventTriggerStatusResponse(Response):
 
     - 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
     """
+
+    __slots__ = ("triggers",)
+    __match_args__ = ("triggers",)
 
     SET = 0x0C
     DESCRIPTOR = 0xB6
@@ -2736,6 +3600,9 @@ class GetEventTriggerStatusResponse(Response):
     # On the wire: count. Number of entries. The number of elements of `triggers`.
     triggers: tuple[EventTriggerStatusEntry, ...]
     """One entry per trigger, in the order asked for, or by instance if all were asked for."""
+
+    def __init__(self, triggers: tuple[EventTriggerStatusEntry, ...]) -> None:
+        self.triggers = triggers
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetEventTriggerStatusResponse, int]:
@@ -2759,7 +3626,6 @@ class GetEventTriggerStatusResponse(Response):
 _GET_EVENT_ACTION_STATUS_RESPONSE_0 = codec.Block("B", "count")
 
 
-@dataclass(slots=True)
 class GetEventActionStatusResponse(Response):
     """Get Event Action Status response (0x0C,0xB7).
 
@@ -2767,6 +3633,9 @@ class GetEventActionStatusResponse(Response):
 
     - 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D)
     """
+
+    __slots__ = ("actions",)
+    __match_args__ = ("actions",)
 
     SET = 0x0C
     DESCRIPTOR = 0xB7
@@ -2776,6 +3645,9 @@ class GetEventActionStatusResponse(Response):
     # On the wire: count. Number of entries. The number of elements of `actions`.
     actions: tuple[EventActionStatusEntry, ...]
     """One entry per action, in the order asked for, or by instance if all were asked for."""
+
+    def __init__(self, actions: tuple[EventActionStatusEntry, ...]) -> None:
+        self.actions = actions
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetEventActionStatusResponse, int]:
@@ -2797,7 +3669,6 @@ class GetEventActionStatusResponse(Response):
 _EVENT_TRIGGER_CONFIG_RESPONSE_0 = codec.Block("BB", "instance", "type")
 
 
-@dataclass(slots=True)
 class EventTriggerConfigResponse(Response):
     """Event Trigger Configuration response (0x0C,0xB8).
 
@@ -2806,6 +3677,9 @@ class EventTriggerConfigResponse(Response):
 
     - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
     """
+
+    __slots__ = ("instance", "type", "parameters")
+    __match_args__ = ("instance", "type", "parameters")
 
     SET = 0x0C
     DESCRIPTOR = 0xB8
@@ -2818,7 +3692,7 @@ class EventTriggerConfigResponse(Response):
     """Kind of trigger. Default: `types.EventTriggerType.NONE`."""
     parameters: (
         types.EventTriggerGpio | types.EventTriggerThreshold | types.EventTriggerCombination | None
-    ) = None
+    )
     """The condition. Selected by `type`.
 
     - If `type` is `types.EventTriggerType.NONE`: `None`.
@@ -2826,6 +3700,19 @@ class EventTriggerConfigResponse(Response):
     - If `type` is `types.EventTriggerType.THRESHOLD`: `types.EventTriggerThreshold`.
     - If `type` is `types.EventTriggerType.COMBINATION`: `types.EventTriggerCombination`.
     """
+
+    def __init__(
+        self,
+        instance: int,
+        type: types.EventTriggerType,
+        parameters: types.EventTriggerGpio
+        | types.EventTriggerThreshold
+        | types.EventTriggerCombination
+        | None = None,
+    ) -> None:
+        self.instance = instance
+        self.type = type
+        self.parameters = parameters
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EventTriggerConfigResponse, int]:
@@ -2869,7 +3756,6 @@ class EventTriggerConfigResponse(Response):
 _EVENT_ACTION_CONFIG_RESPONSE_0 = codec.Block("BBB", "instance", "trigger", "type")
 
 
-@dataclass(slots=True)
 class EventActionConfigResponse(Response):
     """Event Action Configuration response (0x0C,0xB9).
 
@@ -2877,6 +3763,9 @@ class EventActionConfigResponse(Response):
 
     - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
     """
+
+    __slots__ = ("instance", "trigger", "type", "parameters")
+    __match_args__ = ("instance", "trigger", "type", "parameters")
 
     SET = 0x0C
     DESCRIPTOR = 0xB9
@@ -2889,13 +3778,25 @@ class EventActionConfigResponse(Response):
     """Trigger instance that the action follows."""
     type: types.EventActionType
     """Kind of action. Default: `types.EventActionType.NONE`."""
-    parameters: types.EventActionGpio | types.EventActionMessage | None = None
+    parameters: types.EventActionGpio | types.EventActionMessage | None
     """The effect. Selected by `type`.
 
     - If `type` is `types.EventActionType.NONE`: `None`.
     - If `type` is `types.EventActionType.GPIO`: `types.EventActionGpio`.
     - If `type` is `types.EventActionType.MESSAGE`: `types.EventActionMessage`.
     """
+
+    def __init__(
+        self,
+        instance: int,
+        trigger: int,
+        type: types.EventActionType,
+        parameters: types.EventActionGpio | types.EventActionMessage | None = None,
+    ) -> None:
+        self.instance = instance
+        self.trigger = trigger
+        self.type = type
+        self.parameters = parameters
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EventActionConfigResponse, int]:
@@ -2929,7 +3830,6 @@ class EventActionConfigResponse(Response):
 _GPIO_CONFIG_RESPONSE_0 = codec.Block("BBBB", "pin", "feature", "behavior", "pin_mode")
 
 
-@dataclass(slots=True)
 class GpioConfigResponse(Response):
     """GPIO Configuration response (0x0C,0xC1).
 
@@ -2939,10 +3839,19 @@ class GpioConfigResponse(Response):
     - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
     """
 
+    __slots__ = ("pin", "feature", "behavior", "pin_mode")
+    __match_args__ = ("pin", "feature", "behavior", "pin_mode")
+
     SET = 0x0C
     DESCRIPTOR = 0xC1
     NAME = "3dm.gpio_config_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("pin", "B", None),
+        ("feature", "B", types.GpioFeature),
+        ("behavior", "B", None),
+        ("pin_mode", "B", types.GpioPinMode),
+    )
 
     pin: int
     """GPIO pin, counted from 1; 0 means all pins (save, load, default)."""
@@ -2960,6 +3869,14 @@ class GpioConfigResponse(Response):
     """
     pin_mode: types.GpioPinMode
     """Electrical options."""
+
+    def __init__(
+        self, pin: int, feature: types.GpioFeature, behavior: int, pin_mode: types.GpioPinMode
+    ) -> None:
+        self.pin = pin
+        self.feature = feature
+        self.behavior = behavior
+        self.pin_mode = pin_mode
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GpioConfigResponse, int]:
@@ -2979,7 +3896,6 @@ class GpioConfigResponse(Response):
 _GPIO_STATE_RESPONSE_0 = codec.Block("BB", "pin", "state")
 
 
-@dataclass(slots=True)
 class GpioStateResponse(Response):
     """GPIO State response (0x0C,0xC2).
 
@@ -2988,15 +3904,23 @@ class GpioStateResponse(Response):
     - 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42)
     """
 
+    __slots__ = ("pin", "state")
+    __match_args__ = ("pin", "state")
+
     SET = 0x0C
     DESCRIPTOR = 0xC2
     NAME = "3dm.gpio_state_response"
     ROLE = "response"
+    _LAYOUT = (("pin", "B", None), ("state", "B", codec.truth))
 
     pin: int
     """GPIO pin, counted from 1. Range: at least 1."""
     state: bool
     """True is high."""
+
+    def __init__(self, pin: int, state: bool) -> None:
+        self.pin = pin
+        self.state = state
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GpioStateResponse, int]:
@@ -3014,7 +3938,6 @@ class GpioStateResponse(Response):
 _ODOMETER_CONFIG_RESPONSE_0 = codec.Block("Bff", "mode", "scaling", "uncertainty")
 
 
-@dataclass(slots=True)
 class OdometerConfigResponse(Response):
     """Odometer Configuration response (0x0C,0xC3).
 
@@ -3023,10 +3946,14 @@ class OdometerConfigResponse(Response):
     - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
     """
 
+    __slots__ = ("mode", "scaling", "uncertainty")
+    __match_args__ = ("mode", "scaling", "uncertainty")
+
     SET = 0x0C
     DESCRIPTOR = 0xC3
     NAME = "3dm.odometer_config_response"
     ROLE = "response"
+    _LAYOUT = (("mode", "B", OdometerMode), ("scaling", "f", None), ("uncertainty", "f", None))
 
     mode: OdometerMode
     """How the input works."""
@@ -3036,6 +3963,11 @@ class OdometerConfigResponse(Response):
     """
     uncertainty: float
     """Relative uncertainty of the scaling, 1 sigma. Unit: 1."""
+
+    def __init__(self, mode: OdometerMode, scaling: float, uncertainty: float) -> None:
+        self.mode = mode
+        self.scaling = scaling
+        self.uncertainty = uncertainty
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[OdometerConfigResponse, int]:
@@ -3054,7 +3986,6 @@ class OdometerConfigResponse(Response):
 _SENSOR_RANGE_RESPONSE_0 = codec.Block("BB", "sensor", "setting")
 
 
-@dataclass(slots=True)
 class SensorRangeResponse(Response):
     """Sensor Range response (0x0C,0xD2).
 
@@ -3063,15 +3994,23 @@ class SensorRangeResponse(Response):
     - 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
     """
 
+    __slots__ = ("sensor", "setting")
+    __match_args__ = ("sensor", "setting")
+
     SET = 0x0C
     DESCRIPTOR = 0xD2
     NAME = "3dm.sensor_range_response"
     ROLE = "response"
+    _LAYOUT = (("sensor", "B", SensorRangeType), ("setting", "B", None))
 
     sensor: SensorRangeType
     """The sensor."""
     setting: int
     """Number of the range."""
+
+    def __init__(self, sensor: SensorRangeType, setting: int) -> None:
+        self.sensor = sensor
+        self.setting = setting
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorRangeResponse, int]:
@@ -3089,7 +4028,6 @@ class SensorRangeResponse(Response):
 _GET_CALIBRATED_SENSOR_RANGES_RESPONSE_0 = codec.Block("BB", "sensor", "num_ranges")
 
 
-@dataclass(slots=True)
 class GetCalibratedSensorRangesResponse(Response):
     """Get Calibrated Sensor Ranges response (0x0C,0xD3).
 
@@ -3098,6 +4036,9 @@ class GetCalibratedSensorRangesResponse(Response):
 
     - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
     """
+
+    __slots__ = ("sensor", "ranges")
+    __match_args__ = ("sensor", "ranges")
 
     SET = 0x0C
     DESCRIPTOR = 0xD3
@@ -3115,6 +4056,10 @@ class GetCalibratedSensorRangesResponse(Response):
     - If `sensor` is `SensorRangeType.MAG`: `range` has unit gauss.
     - If `sensor` is `SensorRangeType.PRESSURE`: `range` has unit mbar.
     """
+
+    def __init__(self, sensor: SensorRangeType, ranges: tuple[SensorRangeEntry, ...]) -> None:
+        self.sensor = sensor
+        self.ranges = ranges
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetCalibratedSensorRangesResponse, int]:
@@ -3141,7 +4086,6 @@ _LOW_PASS_FILTER_RESPONSE_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class LowPassFilterResponse(Response):
     """Low-Pass Anti-Aliasing Filter response (0x0C,0xD4).
 
@@ -3151,10 +4095,20 @@ class LowPassFilterResponse(Response):
     - 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54)
     """
 
+    __slots__ = ("descriptor_set", "field_descriptor", "enable", "manual", "frequency")
+    __match_args__ = ("descriptor_set", "field_descriptor", "enable", "manual", "frequency")
+
     SET = 0x0C
     DESCRIPTOR = 0xD4
     NAME = "3dm.low_pass_filter_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("descriptor_set", "B", None),
+        ("field_descriptor", "B", None),
+        ("enable", "B", codec.truth),
+        ("manual", "B", codec.truth),
+        ("frequency", "f", None),
+    )
 
     descriptor_set: int
     """Descriptor set of the field."""
@@ -3166,6 +4120,20 @@ class LowPassFilterResponse(Response):
     """True uses the frequency; false follows half the rate of the field in the message format."""
     frequency: float
     """Cutoff; a write ignores it if manual is false, a read gives the cutoff in use. Unit: Hz."""
+
+    def __init__(
+        self,
+        descriptor_set: int,
+        field_descriptor: int,
+        enable: bool,
+        manual: bool,
+        frequency: float,
+    ) -> None:
+        self.descriptor_set = descriptor_set
+        self.field_descriptor = field_descriptor
+        self.enable = enable
+        self.manual = manual
+        self.frequency = frequency
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[LowPassFilterResponse, int]:
@@ -3188,7 +4156,6 @@ class LowPassFilterResponse(Response):
 _POLL_IMU_DATA_0 = codec.Block("BB", "suppress_ack", "num_descriptors")
 
 
-@dataclass(slots=True)
 class PollImuData(Command[None]):
     """Poll IMU Data (0x0C,0x01).
 
@@ -3204,6 +4171,9 @@ class PollImuData(Command[None]):
     - 3dm-gx5-15: 4.2.1 Poll IMU Data (0x0C, 0x01)
     """
 
+    __slots__ = ("suppress_ack", "descriptors")
+    __match_args__ = ("suppress_ack", "descriptors")
+
     SET = 0x0C
     DESCRIPTOR = 0x01
     NAME = "3dm.poll_imu_data"
@@ -3214,6 +4184,10 @@ class PollImuData(Command[None]):
     # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[PollEntry, ...]
     """Fields to send."""
+
+    def __init__(self, suppress_ack: bool, descriptors: tuple[PollEntry, ...]) -> None:
+        self.suppress_ack = suppress_ack
+        self.descriptors = descriptors
 
     @property
     def answered(self) -> bool:
@@ -3242,7 +4216,6 @@ class PollImuData(Command[None]):
 _POLL_GNSS_DATA_0 = codec.Block("BB", "suppress_ack", "num_descriptors")
 
 
-@dataclass(slots=True)
 class PollGnssData(Command[None]):
     """Poll GNSS Data (0x0C,0x02).
 
@@ -3259,6 +4232,9 @@ class PollGnssData(Command[None]):
     - mip-sdk-4: Poll Gnss Message (0x0C,0x02)
     """
 
+    __slots__ = ("suppress_ack", "descriptors")
+    __match_args__ = ("suppress_ack", "descriptors")
+
     SET = 0x0C
     DESCRIPTOR = 0x02
     NAME = "3dm.poll_gnss_data"
@@ -3272,6 +4248,10 @@ class PollGnssData(Command[None]):
     """Fields to send. Uncertain: The SDK has a decimation in place of the reserved number and does
     not say what a poll does with it.
     """
+
+    def __init__(self, suppress_ack: bool, descriptors: tuple[PollEntry, ...]) -> None:
+        self.suppress_ack = suppress_ack
+        self.descriptors = descriptors
 
     @property
     def answered(self) -> bool:
@@ -3300,7 +4280,6 @@ class PollGnssData(Command[None]):
 _POLL_FILTER_DATA_0 = codec.Block("BB", "suppress_ack", "num_descriptors")
 
 
-@dataclass(slots=True)
 class PollFilterData(Command[None]):
     """Poll Estimation Filter Data (0x0C,0x03).
 
@@ -3315,6 +4294,9 @@ class PollFilterData(Command[None]):
     - 3dm-gx5-15: 4.2.2 Poll Estimation Filter Data (0x0C, 0x03)
     """
 
+    __slots__ = ("suppress_ack", "descriptors")
+    __match_args__ = ("suppress_ack", "descriptors")
+
     SET = 0x0C
     DESCRIPTOR = 0x03
     NAME = "3dm.poll_filter_data"
@@ -3325,6 +4307,10 @@ class PollFilterData(Command[None]):
     # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[PollEntry, ...]
     """Fields to send."""
+
+    def __init__(self, suppress_ack: bool, descriptors: tuple[PollEntry, ...]) -> None:
+        self.suppress_ack = suppress_ack
+        self.descriptors = descriptors
 
     @property
     def answered(self) -> bool:
@@ -3353,7 +4339,6 @@ class PollFilterData(Command[None]):
 _POLL_NMEA_DATA_0 = codec.Block("BB", "suppress_ack", "count")
 
 
-@dataclass(slots=True)
 class PollNmeaData(Command[None]):
     """Poll NMEA Data (0x0C,0x04).
 
@@ -3369,6 +4354,9 @@ class PollNmeaData(Command[None]):
     - 3dm-cv7-gnss-ins: Poll NMEA Data (0x0C,0x04)
     """
 
+    __slots__ = ("suppress_ack", "format_entries")
+    __match_args__ = ("suppress_ack", "format_entries")
+
     SET = 0x0C
     DESCRIPTOR = 0x04
     NAME = "3dm.poll_nmea_data"
@@ -3379,6 +4367,10 @@ class PollNmeaData(Command[None]):
     # On the wire: count. Number of sentences. The number of elements of `format_entries`.
     format_entries: tuple[types.NmeaMessage, ...]
     """Sentences to send."""
+
+    def __init__(self, suppress_ack: bool, format_entries: tuple[types.NmeaMessage, ...]) -> None:
+        self.suppress_ack = suppress_ack
+        self.format_entries = format_entries
 
     @property
     def answered(self) -> bool:
@@ -3406,7 +4398,6 @@ class PollNmeaData(Command[None]):
         return codec.finished(out)
 
 
-@dataclass(slots=True)
 class GetImuBaseRate(Command[GetImuBaseRateResponse]):
     """Get IMU Data Base Rate (0x0C,0x06).
 
@@ -3417,6 +4408,8 @@ class GetImuBaseRate(Command[GetImuBaseRateResponse]):
 
     - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
     """
+
+    __slots__ = ()
 
     SET = 0x0C
     DESCRIPTOR = 0x06
@@ -3432,7 +4425,6 @@ class GetImuBaseRate(Command[GetImuBaseRateResponse]):
         return b""
 
 
-@dataclass(slots=True)
 class GetGnssBaseRate(Command[GetGnssBaseRateResponse]):
     """Get GNSS Data Base Rate (0x0C,0x07).
 
@@ -3444,6 +4436,8 @@ class GetGnssBaseRate(Command[GetGnssBaseRateResponse]):
 
     - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
     """
+
+    __slots__ = ()
 
     SET = 0x0C
     DESCRIPTOR = 0x07
@@ -3464,7 +4458,6 @@ _IMU_MESSAGE_FORMAT_1 = codec.Block("B", "num_descriptors")
 _IMU_MESSAGE_FORMAT_GROUPS = ((2, ("descriptors",), False),)
 
 
-@dataclass(slots=True)
 class ImuMessageFormat(Command[R]):
     """IMU Message Format (0x0C,0x08).
 
@@ -3481,6 +4474,9 @@ class ImuMessageFormat(Command[R]):
     - 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08)
     """
 
+    __slots__ = ("function", "descriptors")
+    __match_args__ = ("function", "descriptors")
+
     SET = 0x0C
     DESCRIPTOR = 0x08
     NAME = "3dm.imu_message_format"
@@ -3492,8 +4488,16 @@ class ImuMessageFormat(Command[R]):
     """What to do with the setting."""
     # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
     # Required for `write`.
-    descriptors: tuple[types.DescriptorRate, ...] | None = None
+    descriptors: tuple[types.DescriptorRate, ...] | None
     """Fields and decimations. Required for `write`."""
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        descriptors: tuple[types.DescriptorRate, ...] | None = None,
+    ) -> None:
+        self.function = function
+        self.descriptors = descriptors
 
     @classmethod
     def write(
@@ -3570,7 +4574,6 @@ _GNSS_MESSAGE_FORMAT_1 = codec.Block("B", "num_descriptors")
 _GNSS_MESSAGE_FORMAT_GROUPS = ((2, ("descriptors",), False),)
 
 
-@dataclass(slots=True)
 class GnssMessageFormat(Command[R]):
     """GNSS Message Format (0x0C,0x09).
 
@@ -3587,6 +4590,9 @@ class GnssMessageFormat(Command[R]):
     - 3dm-gx5-35: 4.2.6 GNSS Message Format (0x0C, 0x09)
     """
 
+    __slots__ = ("function", "descriptors")
+    __match_args__ = ("function", "descriptors")
+
     SET = 0x0C
     DESCRIPTOR = 0x09
     NAME = "3dm.gnss_message_format"
@@ -3598,8 +4604,16 @@ class GnssMessageFormat(Command[R]):
     """What to do with the setting."""
     # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
     # Range: 0 to 82. Required for `write`.
-    descriptors: tuple[types.DescriptorRate, ...] | None = None
+    descriptors: tuple[types.DescriptorRate, ...] | None
     """Fields and decimations. Required for `write`."""
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        descriptors: tuple[types.DescriptorRate, ...] | None = None,
+    ) -> None:
+        self.function = function
+        self.descriptors = descriptors
 
     @classmethod
     def write(
@@ -3676,7 +4690,6 @@ _FILTER_MESSAGE_FORMAT_1 = codec.Block("B", "num_descriptors")
 _FILTER_MESSAGE_FORMAT_GROUPS = ((2, ("descriptors",), False),)
 
 
-@dataclass(slots=True)
 class FilterMessageFormat(Command[R]):
     """Estimation Filter Message Format (0x0C,0x0A).
 
@@ -3693,6 +4706,9 @@ class FilterMessageFormat(Command[R]):
     - 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
     """
 
+    __slots__ = ("function", "descriptors")
+    __match_args__ = ("function", "descriptors")
+
     SET = 0x0C
     DESCRIPTOR = 0x0A
     NAME = "3dm.filter_message_format"
@@ -3704,8 +4720,16 @@ class FilterMessageFormat(Command[R]):
     """What to do with the setting."""
     # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
     # Required for `write`.
-    descriptors: tuple[types.DescriptorRate, ...] | None = None
+    descriptors: tuple[types.DescriptorRate, ...] | None
     """Fields and decimations. Required for `write`."""
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        descriptors: tuple[types.DescriptorRate, ...] | None = None,
+    ) -> None:
+        self.function = function
+        self.descriptors = descriptors
 
     @classmethod
     def write(
@@ -3779,7 +4803,6 @@ class FilterMessageFormat(Command[R]):
         return codec.finished(out)
 
 
-@dataclass(slots=True)
 class GetFilterBaseRate(Command[GetFilterBaseRateResponse]):
     """Get Estimation Filter Data Base Rate (0x0C,0x0B).
 
@@ -3790,6 +4813,8 @@ class GetFilterBaseRate(Command[GetFilterBaseRateResponse]):
 
     - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
     """
+
+    __slots__ = ()
 
     SET = 0x0C
     DESCRIPTOR = 0x0B
@@ -3810,7 +4835,6 @@ _NMEA_MESSAGE_FORMAT_1 = codec.Block("B", "count")
 _NMEA_MESSAGE_FORMAT_GROUPS = ((2, ("format_entries",), False),)
 
 
-@dataclass(slots=True)
 class NmeaMessageFormat(Command[R]):
     """NMEA Message Format (0x0C,0x0C).
 
@@ -3825,6 +4849,9 @@ class NmeaMessageFormat(Command[R]):
     - 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C)
     """
 
+    __slots__ = ("function", "format_entries")
+    __match_args__ = ("function", "format_entries")
+
     SET = 0x0C
     DESCRIPTOR = 0x0C
     NAME = "3dm.nmea_message_format"
@@ -3836,8 +4863,16 @@ class NmeaMessageFormat(Command[R]):
     """What to do with the setting."""
     # On the wire: count. Number of sentences. The number of elements of `format_entries`. Required
     # for `write`.
-    format_entries: tuple[types.NmeaMessage, ...] | None = None
+    format_entries: tuple[types.NmeaMessage, ...] | None
     """Sentences to stream. Required for `write`."""
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        format_entries: tuple[types.NmeaMessage, ...] | None = None,
+    ) -> None:
+        self.function = function
+        self.format_entries = format_entries
 
     @classmethod
     def write(
@@ -3914,7 +4949,6 @@ class NmeaMessageFormat(Command[R]):
 _POLL_DATA_0 = codec.Block("BBB", "descriptor_set", "suppress_ack", "num_descriptors")
 
 
-@dataclass(slots=True)
 class PollData(Command[None]):
     """Poll Data (0x0C,0x0D).
 
@@ -3929,6 +4963,9 @@ class PollData(Command[None]):
     - 3dm-cv7-gnss-ins: Poll Data (0x0C,0x0D)
     """
 
+    __slots__ = ("descriptor_set", "suppress_ack", "descriptors")
+    __match_args__ = ("descriptor_set", "suppress_ack", "descriptors")
+
     SET = 0x0C
     DESCRIPTOR = 0x0D
     NAME = "3dm.poll_data"
@@ -3941,6 +4978,13 @@ class PollData(Command[None]):
     # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[int, ...]
     """Field descriptors."""
+
+    def __init__(
+        self, descriptor_set: int, suppress_ack: bool, descriptors: tuple[int, ...]
+    ) -> None:
+        self.descriptor_set = descriptor_set
+        self.suppress_ack = suppress_ack
+        self.descriptors = descriptors
 
     @property
     def answered(self) -> bool:
@@ -3973,7 +5017,6 @@ class PollData(Command[None]):
 _GET_BASE_RATE_0 = codec.Block("B", "descriptor_set")
 
 
-@dataclass(slots=True)
 class GetBaseRate(Command[GetBaseRateResponse]):
     """Get Data Base Rate (0x0C,0x0E).
 
@@ -3984,14 +5027,21 @@ class GetBaseRate(Command[GetBaseRateResponse]):
     - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
     """
 
+    __slots__ = ("descriptor_set",)
+    __match_args__ = ("descriptor_set",)
+
     SET = 0x0C
     DESCRIPTOR = 0x0E
     NAME = "3dm.get_base_rate"
     ROLE = "command"
     RESPONSES = (GetBaseRateResponse,)
+    _LAYOUT = (("descriptor_set", "B", None),)
 
     descriptor_set: int
     """Data descriptor set. Range: 128 to 254."""
+
+    def __init__(self, descriptor_set: int) -> None:
+        self.descriptor_set = descriptor_set
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetBaseRate, int]:
@@ -4011,7 +5061,6 @@ _MESSAGE_FORMAT_2 = codec.Block("B", "num_descriptors")
 _MESSAGE_FORMAT_GROUPS = ((1, ("descriptor_set",), False), (3, ("descriptors",), False))
 
 
-@dataclass(slots=True)
 class MessageFormat(Command[R]):
     """Message Format (0x0C,0x0F).
 
@@ -4027,6 +5076,9 @@ class MessageFormat(Command[R]):
     - 3dm-cv7-gnss-ins: Message Format (0x0C,0x0F)
     """
 
+    __slots__ = ("function", "descriptor_set", "descriptors")
+    __match_args__ = ("function", "descriptor_set", "descriptors")
+
     SET = 0x0C
     DESCRIPTOR = 0x0F
     NAME = "3dm.message_format"
@@ -4036,12 +5088,22 @@ class MessageFormat(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    descriptor_set: int | None = None
+    descriptor_set: int | None
     """Data descriptor set; 0 means all of them (save, load, default)."""
     # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
     # Required for `write`.
-    descriptors: tuple[types.DescriptorRate, ...] | None = None
+    descriptors: tuple[types.DescriptorRate, ...] | None
     """Fields and decimations. Required for `write`."""
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        descriptor_set: int | None = None,
+        descriptors: tuple[types.DescriptorRate, ...] | None = None,
+    ) -> None:
+        self.function = function
+        self.descriptor_set = descriptor_set
+        self.descriptors = descriptors
 
     @classmethod
     def write(
@@ -4129,7 +5191,6 @@ class MessageFormat(Command[R]):
 _FACTORY_STREAMING_0 = codec.Block("BB", "action", "reserved")
 
 
-@dataclass(slots=True)
 class FactoryStreaming(Command[None]):
     """Factory Streaming (0x0C,0x10).
 
@@ -4140,15 +5201,23 @@ class FactoryStreaming(Command[None]):
     - 3dm-cv7-gnss-ins: Factory Streaming (0x0C,0x10)
     """
 
+    __slots__ = ("action", "reserved")
+    __match_args__ = ("action", "reserved")
+
     SET = 0x0C
     DESCRIPTOR = 0x10
     NAME = "3dm.factory_streaming"
     ROLE = "command"
+    _LAYOUT = (("action", "B", FactoryStreamingAction), ("reserved", "B", None))
 
     action: FactoryStreamingAction
     """What happens to the present formats."""
-    reserved: int = 0
+    reserved: int
     """Reserved: send 0."""
+
+    def __init__(self, action: FactoryStreamingAction, reserved: int = 0) -> None:
+        self.action = action
+        self.reserved = reserved
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[FactoryStreaming, int]:
@@ -4169,7 +5238,6 @@ _DATA_STREAM_CONTROL_2 = codec.Block("B", "enable")
 _DATA_STREAM_CONTROL_GROUPS = ((1, ("descriptor_set",), False), (2, ("enable",), False))
 
 
-@dataclass(slots=True)
 class DataStreamControl(Command[R]):
     """Data Stream Control (0x0C,0x11).
 
@@ -4189,6 +5257,9 @@ class DataStreamControl(Command[R]):
     - 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
     """
 
+    __slots__ = ("function", "descriptor_set", "enable")
+    __match_args__ = ("function", "descriptor_set", "enable")
+
     SET = 0x0C
     DESCRIPTOR = 0x11
     NAME = "3dm.data_stream_control"
@@ -4198,7 +5269,7 @@ class DataStreamControl(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    descriptor_set: int | None = None
+    descriptor_set: int | None
     """Data descriptor set; 0 means all streams (save, load, default).
 
     - On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15,
@@ -4207,8 +5278,18 @@ class DataStreamControl(Command[R]):
       3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of
       `LegacyDataStream`.
     """
-    enable: bool | None = None
+    enable: bool | None
     """Whether the stream is sent. Default: true. Required for `write`."""
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        descriptor_set: int | None = None,
+        enable: bool | None = None,
+    ) -> None:
+        self.function = function
+        self.descriptor_set = descriptor_set
+        self.enable = enable
 
     @classmethod
     def write(
@@ -4292,7 +5373,6 @@ _CONSTELLATION_SETTINGS_2 = codec.Block("B", "config_count")
 _CONSTELLATION_SETTINGS_GROUPS = ((1, ("max_channels",), False), (3, ("settings",), False))
 
 
-@dataclass(slots=True)
 class ConstellationSettings(Command[R]):
     """Constellation Settings (0x0C,0x21).
 
@@ -4314,6 +5394,9 @@ class ConstellationSettings(Command[R]):
     - 3dm-gx5-35: 4.2.8 GNSS Constellation Settings (0x0C, 0x21)
     """
 
+    __slots__ = ("function", "max_channels", "settings")
+    __match_args__ = ("function", "max_channels", "settings")
+
     SET = 0x0C
     DESCRIPTOR = 0x21
     NAME = "3dm.constellation_settings"
@@ -4323,14 +5406,24 @@ class ConstellationSettings(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    max_channels: int | None = None
+    max_channels: int | None
     """Tracking channels in use at most; no more than the response reports as available. Unit: 1.
     Required for `write`.
     """
     # On the wire: config_count. Number of entries. The number of elements of `settings`. Range: 0
     # to 41. Required for `write`.
-    settings: tuple[ConstellationSettingsEntry, ...] | None = None
+    settings: tuple[ConstellationSettingsEntry, ...] | None
     """One entry for each constellation. Required for `write`."""
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        max_channels: int | None = None,
+        settings: tuple[ConstellationSettingsEntry, ...] | None = None,
+    ) -> None:
+        self.function = function
+        self.max_channels = max_channels
+        self.settings = settings
 
     @classmethod
     def write(
@@ -4424,7 +5517,6 @@ _GNSS_SBAS_SETTINGS_GROUPS = (
 )
 
 
-@dataclass(slots=True)
 class GnssSbasSettings(Command[R]):
     """GNSS SBAS Settings (0x0C,0x22).
 
@@ -4437,6 +5529,9 @@ class GnssSbasSettings(Command[R]):
     - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
     """
 
+    __slots__ = ("function", "enable_sbas", "sbas_options", "included_prns")
+    __match_args__ = ("function", "enable_sbas", "sbas_options", "included_prns")
+
     SET = 0x0C
     DESCRIPTOR = 0x22
     NAME = "3dm.gnss_sbas_settings"
@@ -4446,20 +5541,32 @@ class GnssSbasSettings(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    enable_sbas: int | None = None
+    enable_sbas: int | None
     """1 switches SBAS on, 0 off. Range: 0 to 1. Required for `write`.
 
     - On the 3DM-GX5-35: default 1.
     """
-    sbas_options: SbasOptions | None = None
+    sbas_options: SbasOptions | None
     """What SBAS is used for. Required for `write`.
 
     - On the 3DM-GX5-35: default `SbasOptions.ENABLE_RANGING` and `SbasOptions.ENABLE_CORRECTIONS`.
     """
     # On the wire: num_included_prns. Number of satellites listed; 0 searches for all. The number of
     # elements of `included_prns`. Required for `write`.
-    included_prns: tuple[int, ...] | None = None
+    included_prns: tuple[int, ...] | None
     """PRN numbers of the SBAS satellites to search for. Required for `write`."""
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        enable_sbas: int | None = None,
+        sbas_options: SbasOptions | None = None,
+        included_prns: tuple[int, ...] | None = None,
+    ) -> None:
+        self.function = function
+        self.enable_sbas = enable_sbas
+        self.sbas_options = sbas_options
+        self.included_prns = included_prns
 
     @classmethod
     def write(
@@ -4564,7 +5671,6 @@ _GNSS_ASSISTED_FIX_2 = codec.Block("B", "flags")
 _GNSS_ASSISTED_FIX_GROUPS = ((1, ("option",), False), (2, ("flags",), False))
 
 
-@dataclass(slots=True)
 class GnssAssistedFix(Command[R]):
     """GNSS Assisted Fix (0x0C,0x23).
 
@@ -4582,6 +5688,9 @@ class GnssAssistedFix(Command[R]):
     - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
     """
 
+    __slots__ = ("function", "option", "flags")
+    __match_args__ = ("function", "option", "flags")
+
     SET = 0x0C
     DESCRIPTOR = 0x23
     NAME = "3dm.gnss_assisted_fix"
@@ -4591,16 +5700,26 @@ class GnssAssistedFix(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    option: AssistedFixOption | None = None
+    option: AssistedFixOption | None
     """Assisted fix. Default: `AssistedFixOption.NONE`. Required for `write`.
 
     - On the 3DM-GX5-35: default `AssistedFixOption.NONE`.
     """
-    flags: int | None = None
+    flags: int | None
     """Reserved: send 255. Required for `write`.
 
     - On the 3DM-GX5-35: default 255.
     """
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        option: AssistedFixOption | None = None,
+        flags: int | None = None,
+    ) -> None:
+        self.function = function
+        self.option = option
+        self.flags = flags
 
     @classmethod
     def write(
@@ -4685,7 +5804,6 @@ _GNSS_TIME_ASSISTANCE_GROUPS = (
 )
 
 
-@dataclass(slots=True)
 class GnssTimeAssistance(Command[R]):
     """GNSS Time Assistance (0x0C,0x24).
 
@@ -4699,6 +5817,9 @@ class GnssTimeAssistance(Command[R]):
     - mip-sdk-4: Gnss Time Assistance (0x0C,0x24)
     """
 
+    __slots__ = ("function", "tow", "week_number", "accuracy")
+    __match_args__ = ("function", "tow", "week_number", "accuracy")
+
     SET = 0x0C
     DESCRIPTOR = 0x24
     NAME = "3dm.gnss_time_assistance"
@@ -4708,12 +5829,24 @@ class GnssTimeAssistance(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    tow: float | None = None
+    tow: float | None
     """GPS time of week. Unit: s. Required for `write`."""
-    week_number: int | None = None
+    week_number: int | None
     """GPS week number since 1980. Unit: week. Required for `write`."""
-    accuracy: float | None = None
+    accuracy: float | None
     """Accuracy of the time. Unit: s. Required for `write`."""
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        tow: float | None = None,
+        week_number: int | None = None,
+        accuracy: float | None = None,
+    ) -> None:
+        self.function = function
+        self.tow = tow
+        self.week_number = week_number
+        self.accuracy = accuracy
 
     @classmethod
     def write(
@@ -4788,7 +5921,6 @@ _PPS_SOURCE_CONTROL_1 = codec.Block("B", "source")
 _PPS_SOURCE_CONTROL_GROUPS = ((1, ("source",), False),)
 
 
-@dataclass(slots=True)
 class PpsSourceControl(Command[R]):
     """PPS Source Control (0x0C,0x28).
 
@@ -4804,6 +5936,9 @@ class PpsSourceControl(Command[R]):
     - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
     """
 
+    __slots__ = ("function", "source")
+    __match_args__ = ("function", "source")
+
     SET = 0x0C
     DESCRIPTOR = 0x28
     NAME = "3dm.pps_source_control"
@@ -4813,12 +5948,16 @@ class PpsSourceControl(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    source: PpsSource | None = None
+    source: PpsSource | None
     """Source of the pulse. Default: `PpsSource.RECEIVER_1`. Required for `write`.
 
     - On the 3DM-CV7-AHRS and 3DM-CV7-AR: only `PpsSource.DISABLED`, `PpsSource.GPIO` and
       `PpsSource.GENERATED`.
     """
+
+    def __init__(self, function: FunctionSelector, source: PpsSource | None = None) -> None:
+        self.function = function
+        self.source = source
 
     @classmethod
     def write(cls: ClassOf[PpsSourceControl[Any]], source: PpsSource) -> PpsSourceControl[None]:
@@ -4884,7 +6023,6 @@ class PpsSourceControl(Command[R]):
 _GET_EVENT_SUPPORT_0 = codec.Block("B", "query")
 
 
-@dataclass(slots=True)
 class GetEventSupport(Command[GetEventSupportResponse]):
     """Get Supported Events (0x0C,0x2A).
 
@@ -4895,14 +6033,21 @@ class GetEventSupport(Command[GetEventSupportResponse]):
     - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
     """
 
+    __slots__ = ("query",)
+    __match_args__ = ("query",)
+
     SET = 0x0C
     DESCRIPTOR = 0x2A
     NAME = "3dm.get_event_support"
     ROLE = "command"
     RESPONSES = (GetEventSupportResponse,)
+    _LAYOUT = (("query", "B", EventSupportQuery),)
 
     query: EventSupportQuery
     """Triggers or actions."""
+
+    def __init__(self, query: EventSupportQuery) -> None:
+        self.query = query
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetEventSupport, int]:
@@ -4922,7 +6067,6 @@ _EVENT_CONTROL_2 = codec.Block("B", "mode")
 _EVENT_CONTROL_GROUPS = ((1, ("instance",), False), (2, ("mode",), False))
 
 
-@dataclass(slots=True)
 class EventControl(Command[R]):
     """Event Control (0x0C,0x2B).
 
@@ -4937,6 +6081,9 @@ class EventControl(Command[R]):
     - 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B)
     """
 
+    __slots__ = ("function", "instance", "mode")
+    __match_args__ = ("function", "instance", "mode")
+
     SET = 0x0C
     DESCRIPTOR = 0x2B
     NAME = "3dm.event_control"
@@ -4946,10 +6093,20 @@ class EventControl(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    instance: int | None = None
+    instance: int | None
     """Trigger instance; 0 means all configured triggers, except for read."""
-    mode: types.EventTriggerMode | None = None
+    mode: types.EventTriggerMode | None
     """New mode. Default: `types.EventTriggerMode.DISABLED`. Required for `write`."""
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        instance: int | None = None,
+        mode: types.EventTriggerMode | None = None,
+    ) -> None:
+        self.function = function
+        self.instance = instance
+        self.mode = mode
 
     @classmethod
     def write(
@@ -5026,7 +6183,6 @@ class EventControl(Command[R]):
 _GET_EVENT_TRIGGER_STATUS_0 = codec.Block("B", "requested_count")
 
 
-@dataclass(slots=True)
 class GetEventTriggerStatus(Command[GetEventTriggerStatusResponse]):
     """Get Event Trigger Status (0x0C,0x2C).
 
@@ -5036,6 +6192,9 @@ class GetEventTriggerStatus(Command[GetEventTriggerStatusResponse]):
 
     - 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
     """
+
+    __slots__ = ("requested_instances",)
+    __match_args__ = ("requested_instances",)
 
     SET = 0x0C
     DESCRIPTOR = 0x2C
@@ -5047,6 +6206,9 @@ class GetEventTriggerStatus(Command[GetEventTriggerStatusResponse]):
     # of elements of `requested_instances`.
     requested_instances: tuple[int, ...]
     """Trigger instances."""
+
+    def __init__(self, requested_instances: tuple[int, ...]) -> None:
+        self.requested_instances = requested_instances
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetEventTriggerStatus, int]:
@@ -5073,7 +6235,6 @@ class GetEventTriggerStatus(Command[GetEventTriggerStatusResponse]):
 _GET_EVENT_ACTION_STATUS_0 = codec.Block("B", "requested_count")
 
 
-@dataclass(slots=True)
 class GetEventActionStatus(Command[GetEventActionStatusResponse]):
     """Get Event Action Status (0x0C,0x2D).
 
@@ -5083,6 +6244,9 @@ class GetEventActionStatus(Command[GetEventActionStatusResponse]):
 
     - 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D)
     """
+
+    __slots__ = ("requested_instances",)
+    __match_args__ = ("requested_instances",)
 
     SET = 0x0C
     DESCRIPTOR = 0x2D
@@ -5094,6 +6258,9 @@ class GetEventActionStatus(Command[GetEventActionStatusResponse]):
     # elements of `requested_instances`.
     requested_instances: tuple[int, ...]
     """Action instances."""
+
+    def __init__(self, requested_instances: tuple[int, ...]) -> None:
+        self.requested_instances = requested_instances
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetEventActionStatus, int]:
@@ -5127,7 +6294,6 @@ _EVENT_TRIGGER_CONFIG_GROUPS = (
 )
 
 
-@dataclass(slots=True)
 class EventTriggerConfig(Command[R]):
     """Event Trigger Configuration (0x0C,0x2E).
 
@@ -5142,6 +6308,9 @@ class EventTriggerConfig(Command[R]):
     - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
     """
 
+    __slots__ = ("function", "instance", "type", "parameters")
+    __match_args__ = ("function", "instance", "type", "parameters")
+
     SET = 0x0C
     DESCRIPTOR = 0x2E
     NAME = "3dm.event_trigger_config"
@@ -5151,13 +6320,13 @@ class EventTriggerConfig(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    instance: int | None = None
+    instance: int | None
     """Trigger instance; 0 means all (save, load, default)."""
-    type: types.EventTriggerType | None = None
+    type: types.EventTriggerType | None
     """Kind of trigger. Default: `types.EventTriggerType.NONE`. Required for `write`."""
     parameters: (
         types.EventTriggerGpio | types.EventTriggerThreshold | types.EventTriggerCombination | None
-    ) = None
+    )
     """The condition. Selected by `type`. Required for `write`.
 
     - If `type` is `types.EventTriggerType.NONE`: `None`.
@@ -5165,6 +6334,21 @@ class EventTriggerConfig(Command[R]):
     - If `type` is `types.EventTriggerType.THRESHOLD`: `types.EventTriggerThreshold`.
     - If `type` is `types.EventTriggerType.COMBINATION`: `types.EventTriggerCombination`.
     """
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        instance: int | None = None,
+        type: types.EventTriggerType | None = None,
+        parameters: types.EventTriggerGpio
+        | types.EventTriggerThreshold
+        | types.EventTriggerCombination
+        | None = None,
+    ) -> None:
+        self.function = function
+        self.instance = instance
+        self.type = type
+        self.parameters = parameters
 
     @classmethod
     def write(
@@ -5288,7 +6472,6 @@ _EVENT_ACTION_CONFIG_GROUPS = (
 )
 
 
-@dataclass(slots=True)
 class EventActionConfig(Command[R]):
     """Event Action Configuration (0x0C,0x2F).
 
@@ -5303,6 +6486,9 @@ class EventActionConfig(Command[R]):
     - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
     """
 
+    __slots__ = ("function", "instance", "trigger", "type", "parameters")
+    __match_args__ = ("function", "instance", "trigger", "type", "parameters")
+
     SET = 0x0C
     DESCRIPTOR = 0x2F
     NAME = "3dm.event_action_config"
@@ -5312,19 +6498,33 @@ class EventActionConfig(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    instance: int | None = None
+    instance: int | None
     """Action instance; 0 means all (save, load, default)."""
-    trigger: int | None = None
+    trigger: int | None
     """Trigger instance that the action follows. Required for `write`."""
-    type: types.EventActionType | None = None
+    type: types.EventActionType | None
     """Kind of action. Default: `types.EventActionType.NONE`. Required for `write`."""
-    parameters: types.EventActionGpio | types.EventActionMessage | None = None
+    parameters: types.EventActionGpio | types.EventActionMessage | None
     """The effect. Selected by `type`. Required for `write`.
 
     - If `type` is `types.EventActionType.NONE`: `None`.
     - If `type` is `types.EventActionType.GPIO`: `types.EventActionGpio`.
     - If `type` is `types.EventActionType.MESSAGE`: `types.EventActionMessage`.
     """
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        instance: int | None = None,
+        trigger: int | None = None,
+        type: types.EventActionType | None = None,
+        parameters: types.EventActionGpio | types.EventActionMessage | None = None,
+    ) -> None:
+        self.function = function
+        self.instance = instance
+        self.trigger = trigger
+        self.type = type
+        self.parameters = parameters
 
     @classmethod
     def write(
@@ -5441,7 +6641,6 @@ class EventActionConfig(Command[R]):
 _DEVICE_SETTINGS_0 = codec.Block("B", "function")
 
 
-@dataclass(slots=True)
 class DeviceSettings(Command[None]):
     """Device Start Up Settings (0x0C,0x30).
 
@@ -5457,6 +6656,9 @@ class DeviceSettings(Command[None]):
     - 3dm-cv7-gnss-ins: Device Start Up Settings (0x0C,0x30)
     """
 
+    __slots__ = ("function",)
+    __match_args__ = ("function",)
+
     SET = 0x0C
     DESCRIPTOR = 0x30
     NAME = "3dm.device_settings"
@@ -5466,6 +6668,9 @@ class DeviceSettings(Command[None]):
 
     function: FunctionSelector
     """What to do with the setting."""
+
+    def __init__(self, function: FunctionSelector) -> None:
+        self.function = function
 
     @classmethod
     def save(cls) -> DeviceSettings:
@@ -5505,7 +6710,6 @@ _SENSOR_TO_VEHICLE_TRANSFORM_EULER_GROUPS = (
 )
 
 
-@dataclass(slots=True)
 class SensorToVehicleTransformEuler(Command[R]):
     """Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31).
 
@@ -5526,6 +6730,9 @@ class SensorToVehicleTransformEuler(Command[R]):
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
     """
 
+    __slots__ = ("function", "roll", "pitch", "yaw")
+    __match_args__ = ("function", "roll", "pitch", "yaw")
+
     SET = 0x0C
     DESCRIPTOR = 0x31
     NAME = "3dm.sensor_to_vehicle_transform_euler"
@@ -5535,12 +6742,24 @@ class SensorToVehicleTransformEuler(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    roll: float | None = None
+    roll: float | None
     """Rotation about the x axis. Unit: rad. Required for `write`."""
-    pitch: float | None = None
+    pitch: float | None
     """Rotation about the y axis. Unit: rad. Required for `write`."""
-    yaw: float | None = None
+    yaw: float | None
     """Rotation about the z axis. Unit: rad. Required for `write`."""
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        roll: float | None = None,
+        pitch: float | None = None,
+        yaw: float | None = None,
+    ) -> None:
+        self.function = function
+        self.roll = roll
+        self.pitch = pitch
+        self.yaw = yaw
 
     @classmethod
     def write(
@@ -5636,7 +6855,6 @@ _SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_1 = codec.Block("ffff", *["q"] * 4)
 _SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_GROUPS = ((1, ("q",), False),)
 
 
-@dataclass(slots=True)
 class SensorToVehicleTransformQuaternion(Command[R]):
     """Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32).
 
@@ -5655,23 +6873,33 @@ class SensorToVehicleTransformQuaternion(Command[R]):
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
     """
 
+    __slots__ = ("function", "q")
+    __match_args__ = ("function", "q")
+
     SET = 0x0C
     DESCRIPTOR = 0x32
     NAME = "3dm.sensor_to_vehicle_transform_quaternion"
     ROLE = "command"
     RESPONSES = (SensorToVehicleTransformQuaternionResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _VECTORS = {"q": (types.Quatf,)}
 
     function: FunctionSelector
     """What to do with the setting."""
-    q: types.Quatf | None = None
+    q: types.Quatf | None
     """Unit quaternion that transforms vectors from the sensor frame to the vehicle frame. Elements:
     w, x, y, z. Unit: 1. Required for `write`.
     """
 
+    def __init__(
+        self, function: FunctionSelector, q: types.Quatf | None | codec.Numbers = None
+    ) -> None:
+        self.function = function
+        self.q = codec.vector(q, types.Quatf)
+
     @classmethod
     def write(
-        cls: ClassOf[SensorToVehicleTransformQuaternion[Any]], q: types.Quatf
+        cls: ClassOf[SensorToVehicleTransformQuaternion[Any]], q: types.Quatf | codec.Numbers
     ) -> SensorToVehicleTransformQuaternion[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, q=q)
@@ -5723,7 +6951,7 @@ class SensorToVehicleTransformQuaternion(Command[R]):
                 raise Truncated(1, 0)
             v = _SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_1.read(raw, at)
             at += 16
-            q = v[0:4]
+            q = types.Quatf._make(v[0:4])
             done, end = 1, at
         except Truncated:
             if done < required:
@@ -5736,7 +6964,7 @@ class SensorToVehicleTransformQuaternion(Command[R]):
         required = self.REQUIRED.get(self.function, 0)
         there = codec.present(self, required, _SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_GROUPS)
         if there >= 1:
-            out += _SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_1.write(*codec.exactly("q", self.q, 4))
+            out += _SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_1.write(*codec.elements("q", self.q, 4))
         return codec.finished(out)
 
 
@@ -5745,7 +6973,6 @@ _SENSOR_TO_VEHICLE_TRANSFORM_DCM_1 = codec.Block("fffffffff", *["dcm"] * 9)
 _SENSOR_TO_VEHICLE_TRANSFORM_DCM_GROUPS = ((1, ("dcm",), False),)
 
 
-@dataclass(slots=True)
 class SensorToVehicleTransformDcm(Command[R]):
     """Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33).
 
@@ -5762,23 +6989,33 @@ class SensorToVehicleTransformDcm(Command[R]):
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
     """
 
+    __slots__ = ("function", "dcm")
+    __match_args__ = ("function", "dcm")
+
     SET = 0x0C
     DESCRIPTOR = 0x33
     NAME = "3dm.sensor_to_vehicle_transform_dcm"
     ROLE = "command"
     RESPONSES = (SensorToVehicleTransformDcmResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _VECTORS = {"dcm": (types.Matrix3f,)}
 
     function: FunctionSelector
     """What to do with the setting."""
-    dcm: types.Matrix3f | None = None
+    dcm: types.Matrix3f | None
     """The matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
     1. Required for `write`.
     """
 
+    def __init__(
+        self, function: FunctionSelector, dcm: types.Matrix3f | None | codec.Rows = None
+    ) -> None:
+        self.function = function
+        self.dcm = codec.vector(dcm, types.Matrix3f)
+
     @classmethod
     def write(
-        cls: ClassOf[SensorToVehicleTransformDcm[Any]], dcm: types.Matrix3f
+        cls: ClassOf[SensorToVehicleTransformDcm[Any]], dcm: types.Matrix3f | codec.Rows
     ) -> SensorToVehicleTransformDcm[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, dcm=dcm)
@@ -5826,7 +7063,7 @@ class SensorToVehicleTransformDcm(Command[R]):
                 raise Truncated(1, 0)
             v = _SENSOR_TO_VEHICLE_TRANSFORM_DCM_1.read(raw, at)
             at += 36
-            dcm = v[0:9]
+            dcm = types.Matrix3f._make(v[0:9])
             done, end = 1, at
         except Truncated:
             if done < required:
@@ -5839,7 +7076,7 @@ class SensorToVehicleTransformDcm(Command[R]):
         required = self.REQUIRED.get(self.function, 0)
         there = codec.present(self, required, _SENSOR_TO_VEHICLE_TRANSFORM_DCM_GROUPS)
         if there >= 1:
-            out += _SENSOR_TO_VEHICLE_TRANSFORM_DCM_1.write(*codec.exactly("dcm", self.dcm, 9))
+            out += _SENSOR_TO_VEHICLE_TRANSFORM_DCM_1.write(*codec.elements("dcm", self.dcm, 9))
         return codec.finished(out)
 
 
@@ -5848,7 +7085,6 @@ _ACCEL_BIAS_1 = codec.Block("fff", *["bias"] * 3)
 _ACCEL_BIAS_GROUPS = ((1, ("bias",), False),)
 
 
-@dataclass(slots=True)
 class AccelBias(Command[R]):
     """Accelerometer Bias Configuration (0x0C,0x37).
 
@@ -5863,22 +7099,34 @@ class AccelBias(Command[R]):
     - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
     """
 
+    __slots__ = ("function", "bias")
+    __match_args__ = ("function", "bias")
+
     SET = 0x0C
     DESCRIPTOR = 0x37
     NAME = "3dm.accel_bias"
     ROLE = "command"
     RESPONSES = (AccelBiasResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0, 6: 1}
+    _VECTORS = {"bias": (types.Vector3f,)}
 
     function: FunctionSelector
     """What to do with the setting."""
-    bias: types.Vector3f | None = None
+    bias: types.Vector3f | None
     """Accelerometer bias. Elements: x, y, z. Unit: g. Frame: sensor. Required for `write` and
     `apply`.
     """
 
+    def __init__(
+        self, function: FunctionSelector, bias: types.Vector3f | None | codec.Numbers = None
+    ) -> None:
+        self.function = function
+        self.bias = codec.vector(bias, types.Vector3f)
+
     @classmethod
-    def write(cls: ClassOf[AccelBias[Any]], bias: types.Vector3f) -> AccelBias[None]:
+    def write(
+        cls: ClassOf[AccelBias[Any]], bias: types.Vector3f | codec.Numbers
+    ) -> AccelBias[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, bias=bias)
 
@@ -5903,7 +7151,9 @@ class AccelBias(Command[R]):
         return cls(FunctionSelector.DEFAULT)
 
     @classmethod
-    def apply(cls: ClassOf[AccelBias[Any]], bias: types.Vector3f) -> AccelBias[None]:
+    def apply(
+        cls: ClassOf[AccelBias[Any]], bias: types.Vector3f | codec.Numbers
+    ) -> AccelBias[None]:
         """Apply the new setting and send no acknowledge (5-series devices)."""
         return cls(FunctionSelector.APPLY, bias=bias)
 
@@ -5930,7 +7180,7 @@ class AccelBias(Command[R]):
                 raise Truncated(1, 0)
             v = _ACCEL_BIAS_1.read(raw, at)
             at += 12
-            bias = v[0:3]
+            bias = types.Vector3f._make(v[0:3])
             done, end = 1, at
         except Truncated:
             if done < required:
@@ -5943,7 +7193,7 @@ class AccelBias(Command[R]):
         required = self.REQUIRED.get(self.function, 0)
         there = codec.present(self, required, _ACCEL_BIAS_GROUPS)
         if there >= 1:
-            out += _ACCEL_BIAS_1.write(*codec.exactly("bias", self.bias, 3))
+            out += _ACCEL_BIAS_1.write(*codec.elements("bias", self.bias, 3))
         return codec.finished(out)
 
 
@@ -5952,7 +7202,6 @@ _GYRO_BIAS_1 = codec.Block("fff", *["bias"] * 3)
 _GYRO_BIAS_GROUPS = ((1, ("bias",), False),)
 
 
-@dataclass(slots=True)
 class GyroBias(Command[R]):
     """Gyroscope Bias Configuration (0x0C,0x38).
 
@@ -5969,22 +7218,32 @@ class GyroBias(Command[R]):
     - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
     """
 
+    __slots__ = ("function", "bias")
+    __match_args__ = ("function", "bias")
+
     SET = 0x0C
     DESCRIPTOR = 0x38
     NAME = "3dm.gyro_bias"
     ROLE = "command"
     RESPONSES = (GyroBiasResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0, 6: 1}
+    _VECTORS = {"bias": (types.Vector3f,)}
 
     function: FunctionSelector
     """What to do with the setting."""
-    bias: types.Vector3f | None = None
+    bias: types.Vector3f | None
     """Gyroscope bias. Elements: x, y, z. Unit: rad/s. Frame: sensor. Required for `write` and
     `apply`.
     """
 
+    def __init__(
+        self, function: FunctionSelector, bias: types.Vector3f | None | codec.Numbers = None
+    ) -> None:
+        self.function = function
+        self.bias = codec.vector(bias, types.Vector3f)
+
     @classmethod
-    def write(cls: ClassOf[GyroBias[Any]], bias: types.Vector3f) -> GyroBias[None]:
+    def write(cls: ClassOf[GyroBias[Any]], bias: types.Vector3f | codec.Numbers) -> GyroBias[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, bias=bias)
 
@@ -6009,7 +7268,7 @@ class GyroBias(Command[R]):
         return cls(FunctionSelector.DEFAULT)
 
     @classmethod
-    def apply(cls: ClassOf[GyroBias[Any]], bias: types.Vector3f) -> GyroBias[None]:
+    def apply(cls: ClassOf[GyroBias[Any]], bias: types.Vector3f | codec.Numbers) -> GyroBias[None]:
         """Apply the new setting and send no acknowledge (5-series devices)."""
         return cls(FunctionSelector.APPLY, bias=bias)
 
@@ -6036,7 +7295,7 @@ class GyroBias(Command[R]):
                 raise Truncated(1, 0)
             v = _GYRO_BIAS_1.read(raw, at)
             at += 12
-            bias = v[0:3]
+            bias = types.Vector3f._make(v[0:3])
             done, end = 1, at
         except Truncated:
             if done < required:
@@ -6049,14 +7308,13 @@ class GyroBias(Command[R]):
         required = self.REQUIRED.get(self.function, 0)
         there = codec.present(self, required, _GYRO_BIAS_GROUPS)
         if there >= 1:
-            out += _GYRO_BIAS_1.write(*codec.exactly("bias", self.bias, 3))
+            out += _GYRO_BIAS_1.write(*codec.elements("bias", self.bias, 3))
         return codec.finished(out)
 
 
 _CAPTURE_GYRO_BIAS_0 = codec.Block("H", "averaging_time_ms")
 
 
-@dataclass(slots=True)
 class CaptureGyroBias(Command[GyroBiasResponse]):
     """Capture Gyroscope Bias (0x0C,0x39).
 
@@ -6074,15 +7332,22 @@ class CaptureGyroBias(Command[GyroBiasResponse]):
     - 3dm-cv7-gnss-ins: Capture Gyroscope Bias (0x0C,0x39)
     """
 
+    __slots__ = ("averaging_time_ms",)
+    __match_args__ = ("averaging_time_ms",)
+
     SET = 0x0C
     DESCRIPTOR = 0x39
     NAME = "3dm.capture_gyro_bias"
     ROLE = "command"
     RESPONSES = (GyroBiasResponse,)
     TIMEOUT = 31.0
+    _LAYOUT = (("averaging_time_ms", "H", None),)
 
     averaging_time_ms: int
     """Time to average over. Unit: ms. Range: 1000 to 30000."""
+
+    def __init__(self, averaging_time_ms: int) -> None:
+        self.averaging_time_ms = averaging_time_ms
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[CaptureGyroBias, int]:
@@ -6101,7 +7366,6 @@ _MAG_HARD_IRON_OFFSET_1 = codec.Block("fff", *["offset"] * 3)
 _MAG_HARD_IRON_OFFSET_GROUPS = ((1, ("offset",), False),)
 
 
-@dataclass(slots=True)
 class MagHardIronOffset(Command[R]):
     """Magnetometer Hard Iron Offset (0x0C,0x3A).
 
@@ -6120,25 +7384,35 @@ class MagHardIronOffset(Command[R]):
     - 3dm-gx5-45: (0x0C, 0x3A)
     """
 
+    __slots__ = ("function", "offset")
+    __match_args__ = ("function", "offset")
+
     SET = 0x0C
     DESCRIPTOR = 0x3A
     NAME = "3dm.mag_hard_iron_offset"
     ROLE = "command"
     RESPONSES = (MagHardIronOffsetResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0, 6: 1}
+    _VECTORS = {"offset": (types.Vector3f,)}
 
     function: FunctionSelector
     """What to do with the setting."""
-    offset: types.Vector3f | None = None
+    offset: types.Vector3f | None
     """Hard iron offset. Elements: x, y, z. Unit: gauss. Frame: sensor. Required for `write` and
     `apply`.
 
     - On the 3DM-GX5-45: default 0, 0, 0.
     """
 
+    def __init__(
+        self, function: FunctionSelector, offset: types.Vector3f | None | codec.Numbers = None
+    ) -> None:
+        self.function = function
+        self.offset = codec.vector(offset, types.Vector3f)
+
     @classmethod
     def write(
-        cls: ClassOf[MagHardIronOffset[Any]], offset: types.Vector3f
+        cls: ClassOf[MagHardIronOffset[Any]], offset: types.Vector3f | codec.Numbers
     ) -> MagHardIronOffset[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, offset=offset)
@@ -6165,7 +7439,7 @@ class MagHardIronOffset(Command[R]):
 
     @classmethod
     def apply(
-        cls: ClassOf[MagHardIronOffset[Any]], offset: types.Vector3f
+        cls: ClassOf[MagHardIronOffset[Any]], offset: types.Vector3f | codec.Numbers
     ) -> MagHardIronOffset[None]:
         """Apply the new setting and send no acknowledge (5-series devices)."""
         return cls(FunctionSelector.APPLY, offset=offset)
@@ -6193,7 +7467,7 @@ class MagHardIronOffset(Command[R]):
                 raise Truncated(1, 0)
             v = _MAG_HARD_IRON_OFFSET_1.read(raw, at)
             at += 12
-            offset = v[0:3]
+            offset = types.Vector3f._make(v[0:3])
             done, end = 1, at
         except Truncated:
             if done < required:
@@ -6206,7 +7480,7 @@ class MagHardIronOffset(Command[R]):
         required = self.REQUIRED.get(self.function, 0)
         there = codec.present(self, required, _MAG_HARD_IRON_OFFSET_GROUPS)
         if there >= 1:
-            out += _MAG_HARD_IRON_OFFSET_1.write(*codec.exactly("offset", self.offset, 3))
+            out += _MAG_HARD_IRON_OFFSET_1.write(*codec.elements("offset", self.offset, 3))
         return codec.finished(out)
 
 
@@ -6215,7 +7489,6 @@ _MAG_SOFT_IRON_MATRIX_1 = codec.Block("fffffffff", *["matrix"] * 9)
 _MAG_SOFT_IRON_MATRIX_GROUPS = ((1, ("matrix",), False),)
 
 
-@dataclass(slots=True)
 class MagSoftIronMatrix(Command[R]):
     """Magnetometer Soft Iron Matrix (0x0C,0x3B).
 
@@ -6234,23 +7507,33 @@ class MagSoftIronMatrix(Command[R]):
     - 3dm-gx5-35: (0x0C, 0x3B)
     """
 
+    __slots__ = ("function", "matrix")
+    __match_args__ = ("function", "matrix")
+
     SET = 0x0C
     DESCRIPTOR = 0x3B
     NAME = "3dm.mag_soft_iron_matrix"
     ROLE = "command"
     RESPONSES = (MagSoftIronMatrixResponse,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0, 6: 1}
+    _VECTORS = {"matrix": (types.Matrix3f,)}
 
     function: FunctionSelector
     """What to do with the setting."""
-    matrix: types.Matrix3f | None = None
+    matrix: types.Matrix3f | None
     """Soft iron matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
     Unit: 1. Frame: sensor. Required for `write` and `apply`.
     """
 
+    def __init__(
+        self, function: FunctionSelector, matrix: types.Matrix3f | None | codec.Rows = None
+    ) -> None:
+        self.function = function
+        self.matrix = codec.vector(matrix, types.Matrix3f)
+
     @classmethod
     def write(
-        cls: ClassOf[MagSoftIronMatrix[Any]], matrix: types.Matrix3f
+        cls: ClassOf[MagSoftIronMatrix[Any]], matrix: types.Matrix3f | codec.Rows
     ) -> MagSoftIronMatrix[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, matrix=matrix)
@@ -6277,7 +7560,7 @@ class MagSoftIronMatrix(Command[R]):
 
     @classmethod
     def apply(
-        cls: ClassOf[MagSoftIronMatrix[Any]], matrix: types.Matrix3f
+        cls: ClassOf[MagSoftIronMatrix[Any]], matrix: types.Matrix3f | codec.Rows
     ) -> MagSoftIronMatrix[None]:
         """Apply the new setting and send no acknowledge (5-series devices)."""
         return cls(FunctionSelector.APPLY, matrix=matrix)
@@ -6305,7 +7588,7 @@ class MagSoftIronMatrix(Command[R]):
                 raise Truncated(1, 0)
             v = _MAG_SOFT_IRON_MATRIX_1.read(raw, at)
             at += 36
-            matrix = v[0:9]
+            matrix = types.Matrix3f._make(v[0:9])
             done, end = 1, at
         except Truncated:
             if done < required:
@@ -6318,7 +7601,7 @@ class MagSoftIronMatrix(Command[R]):
         required = self.REQUIRED.get(self.function, 0)
         there = codec.present(self, required, _MAG_SOFT_IRON_MATRIX_GROUPS)
         if there >= 1:
-            out += _MAG_SOFT_IRON_MATRIX_1.write(*codec.exactly("matrix", self.matrix, 9))
+            out += _MAG_SOFT_IRON_MATRIX_1.write(*codec.elements("matrix", self.matrix, 9))
         return codec.finished(out)
 
 
@@ -6327,7 +7610,6 @@ _CONING_SCULLING_ENABLE_1 = codec.Block("B", "enable")
 _CONING_SCULLING_ENABLE_GROUPS = ((1, ("enable",), False),)
 
 
-@dataclass(slots=True)
 class ConingScullingEnable(Command[R]):
     """Coning and Sculling Enable (0x0C,0x3E).
 
@@ -6340,6 +7622,9 @@ class ConingScullingEnable(Command[R]):
     - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
     """
 
+    __slots__ = ("function", "enable")
+    __match_args__ = ("function", "enable")
+
     SET = 0x0C
     DESCRIPTOR = 0x3E
     NAME = "3dm.coning_sculling_enable"
@@ -6349,8 +7634,12 @@ class ConingScullingEnable(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    enable: bool | None = None
+    enable: bool | None
     """Whether the compensation is on. Default: true. Required for `write`."""
+
+    def __init__(self, function: FunctionSelector, enable: bool | None = None) -> None:
+        self.function = function
+        self.enable = enable
 
     @classmethod
     def write(cls: ClassOf[ConingScullingEnable[Any]], enable: bool) -> ConingScullingEnable[None]:
@@ -6420,7 +7709,6 @@ _UART_BAUD_RATE_1 = codec.Block("I", "baud")
 _UART_BAUD_RATE_GROUPS = ((1, ("baud",), False),)
 
 
-@dataclass(slots=True)
 class UartBaudRate(Command[R]):
     """UART Baud Rate (0x0C,0x40).
 
@@ -6439,6 +7727,9 @@ class UartBaudRate(Command[R]):
     - 3dm-cv7-gnss-ins: UART Baudrate (0x0C,0x40)
     """
 
+    __slots__ = ("function", "baud")
+    __match_args__ = ("function", "baud")
+
     SET = 0x0C
     DESCRIPTOR = 0x40
     NAME = "3dm.uart_baud_rate"
@@ -6448,11 +7739,15 @@ class UartBaudRate(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    baud: int | None = None
+    baud: int | None
     """Baud rate. Unit: Bd. Required for `write`.
 
     - On the 3DM-GX5-15 and 3DM-GX5-45: default 115200.
     """
+
+    def __init__(self, function: FunctionSelector, baud: int | None = None) -> None:
+        self.function = function
+        self.baud = baud
 
     @classmethod
     def write(cls: ClassOf[UartBaudRate[Any]], baud: int) -> UartBaudRate[None]:
@@ -6528,7 +7823,6 @@ _GPIO_CONFIG_GROUPS = (
 )
 
 
-@dataclass(slots=True)
 class GpioConfig(Command[R]):
     """GPIO Configuration (0x0C,0x41).
 
@@ -6546,6 +7840,9 @@ class GpioConfig(Command[R]):
     - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
     """
 
+    __slots__ = ("function", "pin", "feature", "behavior", "pin_mode")
+    __match_args__ = ("function", "pin", "feature", "behavior", "pin_mode")
+
     SET = 0x0C
     DESCRIPTOR = 0x41
     NAME = "3dm.gpio_config"
@@ -6555,11 +7852,11 @@ class GpioConfig(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    pin: int | None = None
+    pin: int | None
     """GPIO pin, counted from 1; 0 means all pins (save, load, default)."""
-    feature: types.GpioFeature | None = None
+    feature: types.GpioFeature | None
     """Use of the pin. Default: `types.GpioFeature.UNUSED`. Required for `write`."""
-    behavior: int | None = None
+    behavior: int | None
     """Role of the pin within the feature; 0 where the feature names none. Required for `write`.
 
     - If `feature` is `types.GpioFeature.UNUSED`: values of `types.GpioUnusedBehavior`.
@@ -6569,8 +7866,22 @@ class GpioConfig(Command[R]):
     - If `feature` is `types.GpioFeature.TIMESTAMP`: values of `types.GpioTimestampBehavior`.
     - If `feature` is `types.GpioFeature.UART`: values of `types.GpioUartBehavior`.
     """
-    pin_mode: types.GpioPinMode | None = None
+    pin_mode: types.GpioPinMode | None
     """Electrical options. Required for `write`."""
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        pin: int | None = None,
+        feature: types.GpioFeature | None = None,
+        behavior: int | None = None,
+        pin_mode: types.GpioPinMode | None = None,
+    ) -> None:
+        self.function = function
+        self.pin = pin
+        self.feature = feature
+        self.behavior = behavior
+        self.pin_mode = pin_mode
 
     @classmethod
     def write(
@@ -6674,7 +7985,6 @@ _GPIO_STATE_2 = codec.Block("B", "state")
 _GPIO_STATE_GROUPS = ((1, ("pin",), False), (2, ("state",), False))
 
 
-@dataclass(slots=True)
 class GpioState(Command[R]):
     """GPIO State (0x0C,0x42).
 
@@ -6690,6 +8000,9 @@ class GpioState(Command[R]):
     - 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42)
     """
 
+    __slots__ = ("function", "pin", "state")
+    __match_args__ = ("function", "pin", "state")
+
     SET = 0x0C
     DESCRIPTOR = 0x42
     NAME = "3dm.gpio_state"
@@ -6699,10 +8012,17 @@ class GpioState(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    pin: int | None = None
+    pin: int | None
     """GPIO pin, counted from 1. Range: at least 1."""
-    state: bool | None = None
+    state: bool | None
     """True is high. Required for `write`."""
+
+    def __init__(
+        self, function: FunctionSelector, pin: int | None = None, state: bool | None = None
+    ) -> None:
+        self.function = function
+        self.pin = pin
+        self.state = state
 
     @classmethod
     def write(cls: ClassOf[GpioState[Any]], pin: int, state: bool) -> GpioState[None]:
@@ -6770,7 +8090,6 @@ _ODOMETER_CONFIG_GROUPS = (
 )
 
 
-@dataclass(slots=True)
 class OdometerConfig(Command[R]):
     """Odometer Configuration (0x0C,0x43).
 
@@ -6782,6 +8101,9 @@ class OdometerConfig(Command[R]):
     - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
     """
 
+    __slots__ = ("function", "mode", "scaling", "uncertainty")
+    __match_args__ = ("function", "mode", "scaling", "uncertainty")
+
     SET = 0x0C
     DESCRIPTOR = 0x43
     NAME = "3dm.odometer_config"
@@ -6791,15 +8113,27 @@ class OdometerConfig(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    mode: OdometerMode | None = None
+    mode: OdometerMode | None
     """How the input works. Required for `write`."""
-    scaling: float | None = None
+    scaling: float | None
     """Pulses over the distance travelled; negative if the encoder turns backwards. Unit: pulse/m.
     Required for `write`. Pulses on line A per turn of the wheel, divided by the circumference of
     the wheel.
     """
-    uncertainty: float | None = None
+    uncertainty: float | None
     """Relative uncertainty of the scaling, 1 sigma. Unit: 1. Required for `write`."""
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        mode: OdometerMode | None = None,
+        scaling: float | None = None,
+        uncertainty: float | None = None,
+    ) -> None:
+        self.function = function
+        self.mode = mode
+        self.scaling = scaling
+        self.uncertainty = uncertainty
 
     @classmethod
     def write(
@@ -6897,7 +8231,6 @@ _IMU_LOW_PASS_FILTER_GROUPS = (
 )
 
 
-@dataclass(slots=True)
 class ImuLowPassFilter(Command[R]):
     """Advanced Low-Pass Filter Settings (0x0C,0x50).
 
@@ -6918,6 +8251,9 @@ class ImuLowPassFilter(Command[R]):
     - 3dm-cv7-gnss-ins: Advanced Low-Pass Filter Settings (0x0C,0x50)
     """
 
+    __slots__ = ("function", "target_descriptor", "enable", "manual", "frequency", "reserved")
+    __match_args__ = ("function", "target_descriptor", "enable", "manual", "frequency", "reserved")
+
     SET = 0x0C
     DESCRIPTOR = 0x50
     NAME = "3dm.imu_low_pass_filter"
@@ -6927,26 +8263,42 @@ class ImuLowPassFilter(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    target_descriptor: int | None = None
+    target_descriptor: int | None
     """Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05,
     magnetic field 0x06 or pressure 0x17.
 
     - On the 3DM-CV7-GNSS/INS: Field descriptor in the sensor data set: scaled acceleration 0x04,
       angular rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read.
     """
-    enable: bool | None = None
+    enable: bool | None
     """Whether the quantity is filtered. Default: true. Required for `write`."""
-    manual: bool | None = None
+    manual: bool | None
     """True uses the frequency; false follows half the rate of the message format. Default: false.
     Required for `write`.
     """
-    frequency: int | None = None
+    frequency: int | None
     """Cutoff (-3 dB). It has no meaning if manual is false. Unit: Hz. Required for `write`.
 
     - On the 3DM-GX5-15: range at most 250.
     """
-    reserved: int | None = None
+    reserved: int | None
     """Reserved: send 0. Required for `write`."""
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        target_descriptor: int | None = None,
+        enable: bool | None = None,
+        manual: bool | None = None,
+        frequency: int | None = None,
+        reserved: int | None = None,
+    ) -> None:
+        self.function = function
+        self.target_descriptor = target_descriptor
+        self.enable = enable
+        self.manual = manual
+        self.frequency = frequency
+        self.reserved = reserved
 
     @classmethod
     def write(
@@ -7075,7 +8427,6 @@ _COMPLEMENTARY_FILTER_GROUPS = (
 )
 
 
-@dataclass(slots=True)
 class ComplementaryFilter(Command[R]):
     """Complementary Filter Configuration (0x0C,0x51).
 
@@ -7095,6 +8446,21 @@ class ComplementaryFilter(Command[R]):
     - 3dm-cv7-gnss-ins: Complementary Filter Configuration (0x0C,0x51)
     """
 
+    __slots__ = (
+        "function",
+        "pitch_roll_enable",
+        "heading_enable",
+        "pitch_roll_time_constant",
+        "heading_time_constant",
+    )
+    __match_args__ = (
+        "function",
+        "pitch_roll_enable",
+        "heading_enable",
+        "pitch_roll_time_constant",
+        "heading_time_constant",
+    )
+
     SET = 0x0C
     DESCRIPTOR = 0x51
     NAME = "3dm.complementary_filter"
@@ -7104,26 +8470,40 @@ class ComplementaryFilter(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    pitch_roll_enable: bool | None = None
+    pitch_roll_enable: bool | None
     """Corrects pitch and roll (up, in terms of the 5-series). Required for `write`.
 
     - On the 3DM-GX5-15: default true.
     """
-    heading_enable: bool | None = None
+    heading_enable: bool | None
     """Corrects the heading (north, in terms of the 5-series). Required for `write`.
 
     - On the 3DM-CL5-15, 3DM-CV5-10, 3DM-CV5-15, 3DM-CX5-10, 3DM-CX5-15 and 3DM-GX5-10: MSCL does
       not offer it.
     - On the 3DM-GX5-15: default true.
     """
-    pitch_roll_time_constant: float | None = None
+    pitch_roll_time_constant: float | None
     """Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000. Default: 10.
     Required for `write`.
     """
-    heading_time_constant: float | None = None
+    heading_time_constant: float | None
     """Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10.
     Required for `write`.
     """
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        pitch_roll_enable: bool | None = None,
+        heading_enable: bool | None = None,
+        pitch_roll_time_constant: float | None = None,
+        heading_time_constant: float | None = None,
+    ) -> None:
+        self.function = function
+        self.pitch_roll_enable = pitch_roll_enable
+        self.heading_enable = heading_enable
+        self.pitch_roll_time_constant = pitch_roll_time_constant
+        self.heading_time_constant = heading_time_constant
 
     @classmethod
     def write(
@@ -7239,7 +8619,6 @@ _SENSOR_RANGE_2 = codec.Block("B", "setting")
 _SENSOR_RANGE_GROUPS = ((1, ("sensor",), False), (2, ("setting",), False))
 
 
-@dataclass(slots=True)
 class SensorRange(Command[R]):
     """Sensor Range (0x0C,0x52).
 
@@ -7254,6 +8633,9 @@ class SensorRange(Command[R]):
     - 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
     """
 
+    __slots__ = ("function", "sensor", "setting")
+    __match_args__ = ("function", "sensor", "setting")
+
     SET = 0x0C
     DESCRIPTOR = 0x52
     NAME = "3dm.sensor_range"
@@ -7263,10 +8645,20 @@ class SensorRange(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    sensor: SensorRangeType | None = None
+    sensor: SensorRangeType | None
     """The sensor."""
-    setting: int | None = None
+    setting: int | None
     """Number of the range. Required for `write`."""
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        sensor: SensorRangeType | None = None,
+        setting: int | None = None,
+    ) -> None:
+        self.function = function
+        self.sensor = sensor
+        self.setting = setting
 
     @classmethod
     def write(
@@ -7345,7 +8737,6 @@ class SensorRange(Command[R]):
 _GET_CALIBRATED_SENSOR_RANGES_0 = codec.Block("B", "sensor")
 
 
-@dataclass(slots=True)
 class GetCalibratedSensorRanges(Command[GetCalibratedSensorRangesResponse]):
     """Get Calibrated Sensor Ranges (0x0C,0x53).
 
@@ -7357,14 +8748,21 @@ class GetCalibratedSensorRanges(Command[GetCalibratedSensorRangesResponse]):
     - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
     """
 
+    __slots__ = ("sensor",)
+    __match_args__ = ("sensor",)
+
     SET = 0x0C
     DESCRIPTOR = 0x53
     NAME = "3dm.get_calibrated_sensor_ranges"
     ROLE = "command"
     RESPONSES = (GetCalibratedSensorRangesResponse,)
+    _LAYOUT = (("sensor", "B", SensorRangeType),)
 
     sensor: SensorRangeType
     """The sensor; not all."""
+
+    def __init__(self, sensor: SensorRangeType) -> None:
+        self.sensor = sensor
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetCalibratedSensorRanges, int]:
@@ -7393,7 +8791,6 @@ _LOW_PASS_FILTER_GROUPS = (
 )
 
 
-@dataclass(slots=True)
 class LowPassFilter(Command[R]):
     """Low-Pass Anti-Aliasing Filter (0x0C,0x54).
 
@@ -7408,6 +8805,16 @@ class LowPassFilter(Command[R]):
     - 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54)
     """
 
+    __slots__ = ("function", "descriptor_set", "field_descriptor", "enable", "manual", "frequency")
+    __match_args__ = (
+        "function",
+        "descriptor_set",
+        "field_descriptor",
+        "enable",
+        "manual",
+        "frequency",
+    )
+
     SET = 0x0C
     DESCRIPTOR = 0x54
     NAME = "3dm.low_pass_filter"
@@ -7417,20 +8824,36 @@ class LowPassFilter(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    descriptor_set: int | None = None
+    descriptor_set: int | None
     """Descriptor set of the field."""
-    field_descriptor: int | None = None
+    field_descriptor: int | None
     """Field descriptor; 0 if the set is 0."""
-    enable: bool | None = None
+    enable: bool | None
     """Whether the field is filtered. Required for `write`."""
-    manual: bool | None = None
+    manual: bool | None
     """True uses the frequency; false follows half the rate of the field in the message format.
     Required for `write`.
     """
-    frequency: float | None = None
+    frequency: float | None
     """Cutoff; a write ignores it if manual is false, a read gives the cutoff in use. Unit: Hz.
     Required for `write`.
     """
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        descriptor_set: int | None = None,
+        field_descriptor: int | None = None,
+        enable: bool | None = None,
+        manual: bool | None = None,
+        frequency: float | None = None,
+    ) -> None:
+        self.function = function
+        self.descriptor_set = descriptor_set
+        self.field_descriptor = field_descriptor
+        self.enable = enable
+        self.manual = manual
+        self.frequency = frequency
 
     @classmethod
     def write(
@@ -7564,7 +8987,6 @@ class LowPassFilter(Command[R]):
 _DEVICE_STATUS_0 = codec.Block("HB", "model_number", "status_selector")
 
 
-@dataclass(slots=True)
 class DeviceStatus(
     Command[
         DeviceStatusBasicResponse
@@ -7599,6 +9021,9 @@ class DeviceStatus(
     - mscl: Device Status (0x0C,0x64)
     """
 
+    __slots__ = ("model_number", "status_selector")
+    __match_args__ = ("model_number", "status_selector")
+
     SET = 0x0C
     DESCRIPTOR = 0x64
     NAME = "3dm.device_status"
@@ -7613,6 +9038,7 @@ class DeviceStatus(
         DeviceStatusDiagnosticGx4Response,
         DeviceStatusDiagnosticImuResponse,
     )
+    _LAYOUT = (("model_number", "H", None), ("status_selector", "B", DeviceStatusSelector))
 
     model_number: int
     """Model number of the device that is asked.
@@ -7623,6 +9049,10 @@ class DeviceStatus(
     """
     status_selector: DeviceStatusSelector
     """How much the answer tells."""
+
+    def __init__(self, model_number: int, status_selector: DeviceStatusSelector) -> None:
+        self.model_number = model_number
+        self.status_selector = status_selector
 
     @property
     def expected(self) -> ResponseClasses:

@@ -2,10 +2,129 @@
 
 from __future__ import annotations
 
-from .packet import OVERHEAD, SYNC, Packet, checksum
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any, Generic, TypeVar
+
+from .checks import HEADS, is_correct
+from .packet import OVERHEAD, SYNC, Packet
+
+if TYPE_CHECKING:
+    from typing_extensions import Buffer
+
+T = TypeVar("T")
+
+#: Other buffers than bytes are copied and searched in pieces of this size.
+PIECE = 1 << 20
 
 
-class Parser:
+class Scanner(Generic[T]):
+    """What `Parser` and `Decoder` have in common: they take bytes, and return what they make of the packets."""
+
+    def __init__(self) -> None:
+        self._rest = b""  # less than one packet
+        #: Bytes that belong to no packet.
+        self.skipped = 0
+        #: What looked like a packet but has a wrong checksum.
+        self.bad_checksums = 0
+
+    @property
+    def pending(self) -> int:
+        """The number of bytes that may be the start of a packet."""
+        return len(self._rest)
+
+    def feed(self, data: Buffer) -> list[T]:
+        """The packets that are complete with these bytes, in any buffer: bytes, a memoryview, a mapped file, an array."""
+        found: list[T] = []
+        for piece in _pieces(data):
+            self._scan(piece, found)
+        return found
+
+    def flush(self) -> list[T]:
+        """Gives up an incomplete packet, as at the end of a file, and searches the bytes in it."""
+        found: list[T] = []
+        self._scan(b"", found, final=True)
+        return found
+
+    def feed_all(self, data: Buffer) -> list[T | bytes]:
+        """As `feed`, with the bytes between packets, in order: nothing of the stream is lost.
+
+        What is between two packets may come in several pieces.
+        """
+        found: list[T | bytes] = []
+        for piece in _pieces(data):
+            self._scan(piece, found, between=True)
+        return found
+
+    def flush_all(self) -> list[T | bytes]:
+        """As `flush`, with the bytes between packets."""
+        found: list[T | bytes] = []
+        self._scan(b"", found, between=True, final=True)
+        return found
+
+    def look_behind(self) -> list[T]:
+        """Gives up the incomplete packet only if a whole one is behind its first bytes.
+
+        The first was noise then. Otherwise nothing changes.
+        """
+        found: list[T] = []
+        rest, at = self._rest, 0
+        while (at := rest.find(SYNC, at + 1)) >= 0 and len(rest) - at >= OVERHEAD:
+            end = at + rest[at + 3] + OVERHEAD
+            if end <= len(rest) and rest[at + 2] != 0 and is_correct(rest[at:end]):
+                self.skipped += at
+                self._rest = rest[at:]
+                self._scan(b"", found)
+                break
+        return found
+
+    def _scan(
+        self, data: bytes, found: list[Any], between: bool = False, final: bool = False
+    ) -> None:
+        """Adds the packets of the bytes that wait and of these, and if asked for what is between them."""
+        raise NotImplementedError
+
+    def _find(self, buffer: bytes, at: int, final: bool) -> tuple[int, int]:
+        """Where the next packet begins and ends; no end: from where on bytes wait for more."""
+        length = len(buffer)
+        while True:
+            found = buffer.find(SYNC, at)
+            if found < 0:
+                waits = not final and buffer.endswith(SYNC[:1], at)
+                return length - waits, 0
+            at = found
+            if length - at > 2 and buffer[at + 2] == 0:  # no packet has descriptor set 0
+                at += 1
+                continue
+            size = buffer[at + 3] + OVERHEAD if length - at > 3 else OVERHEAD
+            if length - at >= size:
+                if is_correct(buffer[at : at + size]):
+                    return at, at + size
+                at = self._behind_bad(buffer, at, size)
+            elif final:
+                at += 1
+            else:
+                return at, 0
+
+    def _behind_bad(self, buffer: bytes, at: int, size: int) -> int:
+        """Where to go on behind a bad packet. Noise may repeat itself, and every repetition is as bad."""
+        self.bad_checksums += 1
+        again = buffer.find(SYNC, at + 1)
+        if again < 0 or buffer[again : again + size] != buffer[at : at + size]:
+            return at + 1 if again < 0 else again
+        same, step = size, 4096
+        while step:
+            piece = buffer[again + same : again + same + step]
+            if len(piece) == step and piece == buffer[at + same : at + same + step]:
+                same += step
+            else:
+                step //= 4
+        period = again - at
+        repeated = (same - size) // period
+        self.bad_checksums += repeated + 1
+        return again + repeated * period + 1
+
+
+class Parser(Scanner[Packet]):
     """Takes bytes in pieces of any size and returns the packets in them.
 
     Anything else in the stream (NMEA sentences, noise, packets with a bad checksum) is skipped and
@@ -20,64 +139,47 @@ class Parser:
     6
     """
 
-    def __init__(self) -> None:
-        self._buffer = bytearray()
-        self.skipped = 0
-
-    @property
-    def pending(self) -> int:
-        """The number of bytes that may be the start of a packet."""
-        return len(self._buffer)
-
-    def feed(self, data: bytes) -> list[Packet]:
-        """The packets that are complete with these bytes."""
-        self._buffer += data
-        return self._scan(final=False)
-
-    def flush(self) -> list[Packet]:
-        """Gives up an incomplete packet, as at the end of a file, and searches the bytes in it."""
-        return self._scan(final=True)
-
-    def look_behind(self) -> list[Packet]:
-        """Gives up the incomplete packet only if a whole one is behind its first bytes.
-
-        The first was noise then. Otherwise nothing changes.
-        """
-        buffer, at = self._buffer, 0
-        while (at := buffer.find(SYNC, at + 1)) >= 0 and len(buffer) - at >= OVERHEAD:
-            candidate = bytes(buffer[at : at + buffer[at + 3] + OVERHEAD])
-            whole = len(candidate) == candidate[3] + OVERHEAD and candidate[2] != 0
-            if whole and checksum(candidate[:-2]) == candidate[-2:]:
-                self.skipped += at
-                del buffer[:at]
-                return self._scan(final=False)
-        return []
-
-    def _scan(self, final: bool) -> list[Packet]:
-        buffer, at, packets = self._buffer, 0, []
-        end = len(buffer)
+    def _scan(
+        self, data: bytes, found: list[Any], between: bool = False, final: bool = False
+    ) -> None:
+        buffer = self._rest + data if self._rest else data
+        add, known, new = found.append, HEADS.made.get, object.__new__
+        at, length = 0, len(buffer)
         while True:
-            found = buffer.find(SYNC, at)
-            if found < 0:
-                last = not final and end > at and buffer[end - 1] == SYNC[0]
-                found = end - 1 if last else end
-                self.skipped += found - at
-                at = found
-                break
-            self.skipped += found - at
-            at = found
-            size = buffer[at + 3] + OVERHEAD if end - at > 3 else OVERHEAD
-            candidate = b""
-            if end - at < 3 or buffer[at + 2] != 0:  # no packet has descriptor set 0
-                if end - at >= size:
-                    candidate = bytes(buffer[at : at + size])
-                elif not final:
-                    break
-            if candidate and checksum(candidate[:-2]) == candidate[-2:]:
-                packets.append(Packet._trusted(candidate))
-                at += size
-            else:
-                self.skipped += 1
-                at += 1
-        del buffer[:at]
-        return packets
+            head = known(buffer[at : at + 4])
+            if head is not None:
+                size, check = head
+                end = at + size
+                if end <= length and check(buffer, at):
+                    packet = new(Packet)
+                    packet._data = buffer[at:end]
+                    add(packet)
+                    at = end
+                    continue
+            begin, end = self._find(buffer, at, final)
+            if begin != at:
+                self.skipped += begin - at
+                if between:
+                    add(buffer[at:begin])
+            if not end:
+                self._rest = buffer[begin:]
+                return
+            HEADS.count(buffer[begin : begin + 4])
+            add(Packet._trusted(buffer[begin:end]))
+            at = end
+
+
+def _pieces(data: Buffer) -> Iterator[bytes]:
+    if type(data) is bytes:
+        yield data
+        return
+    view = memoryview(data)
+    if view.nbytes <= PIECE or not view.c_contiguous:
+        yield view.tobytes()
+        return
+    view = view.cast("B")
+    for at in range(0, len(view), PIECE):
+        yield view[at : at + PIECE].tobytes()
+
+
+__all__ = ["Parser", "Scanner"]

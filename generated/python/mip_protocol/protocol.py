@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from . import codec, types
-from .field import Response
+from .field import Response, Shared
 from .types import AckCode
 
 #: The version of the specification that this package was generated from.
@@ -32,8 +30,7 @@ class FunctionSelector(codec.OpenEnum):
 _ACKNOWLEDGE_0 = codec.Block("BB", "command", "code")
 
 
-@dataclass(slots=True)
-class Acknowledge(Response):
+class Acknowledge(Shared, Response):
     """Acknowledge (0x00,0xF1).
 
     Answers one command field. A response, if there is one, follows it in the same packet.
@@ -42,15 +39,23 @@ class Acknowledge(Response):
     - 3dm-cv7-gnss-ins: Ack/Nack Field Specification
     """
 
+    __slots__ = ("command", "code")
+    __match_args__ = ("command", "code")
+
     SET = 0x00
     DESCRIPTOR = 0xF1
     NAME = "protocol.acknowledge"
     ROLE = "response"
+    _LAYOUT = (("command", "B", None), ("code", "B", types.AckCode))
 
     command: int
     """Descriptor of the command that is answered."""
     code: types.AckCode
     """Zero acknowledges, any other value refuses."""
+
+    def __init__(self, command: int, code: types.AckCode) -> None:
+        self.command = command
+        self.code = code
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Acknowledge, int]:

@@ -31,12 +31,16 @@ def info(kind: type[Structure] | type[Described]) -> StructureInfo: ...
 def info(kind: type[IntEnum]) -> EnumInfo: ...
 @overload
 def info(kind: type[IntFlag]) -> BitsInfo: ...
-@cache
 def info(kind: type) -> Any:
     """What is known of a field, a structure, an enumeration or a bitfield of the specification.
 
     Raises LookupError for any other class.
     """
+    return _info(kind)
+
+
+@cache
+def _info(kind: type) -> Info:
     for base in kind.__mro__:
         package, _, module = base.__module__.rpartition(".")
         if package == __package__ and module in _modules():

@@ -6,8 +6,8 @@ from functools import cache
 from importlib import import_module
 
 from ._sets import MODULES
-from .errors import PacketError
 from .field import Field, chosen
+from .layouts import Layouts
 from .packet import Packet, RawField
 from .protocol import Acknowledge
 
@@ -87,21 +87,17 @@ def all_types() -> list[tuple[int, type[Field]]]:
 def decode(raw: RawField) -> Field | None:
     """A field with its values; None if its descriptor is unknown. Raises DecodeError."""
     kind = chosen(types(raw.set, raw.descriptor), raw)
-    return None if kind is None else kind.decode(raw.data)
+    return None if kind is None else kind._received(raw)
 
 
 def decode_packet(packet: Packet) -> list[Field | RawField]:
     """All fields of a packet; those that are unknown or cannot be decoded stay raw.
 
-    Stops at a malformed field, because no field can be found after it.
+    `error` of a raw field says why it cannot be decoded. Stops at a malformed field, because no field can be found
+    after it: see `Packet.malformed`.
     """
-    found: list[Field | RawField] = []
-    try:
-        for raw in packet:
-            try:
-                found.append(decode(raw) or raw)
-            except ValueError:
-                found.append(raw)
-    except PacketError:
-        pass
-    return found
+    return list(LAYOUTS.decode(packet))
+
+
+#: The decoders of whole packets that were made so far.
+LAYOUTS = Layouts(types)

@@ -10,7 +10,6 @@ Uncertain: How the strings are padded or ended.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import IntFlag
 from typing import Any
 
@@ -74,7 +73,6 @@ class LedAction(codec.OpenEnum):
 _GET_STATUS_FLAGS_RESPONSE_0 = codec.Block("I", "flags")
 
 
-@dataclass(slots=True)
 class GetStatusFlagsResponse(Response):
     """Get status flags response (0x0F,0x81).
 
@@ -83,13 +81,20 @@ class GetStatusFlagsResponse(Response):
     - mip-sdk-4: Get Status Flags (0x0F,0x01)
     """
 
+    __slots__ = ("flags",)
+    __match_args__ = ("flags",)
+
     SET = 0x0F
     DESCRIPTOR = 0x81
     NAME = "rtk.get_status_flags_response"
     ROLE = "response"
+    _LAYOUT = (("flags", "I", types.RtkStatusFlags),)
 
     flags: types.RtkStatusFlags
     """State of the modem and of the corrections."""
+
+    def __init__(self, flags: types.RtkStatusFlags) -> None:
+        self.flags = flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetStatusFlagsResponse, int]:
@@ -103,7 +108,6 @@ class GetStatusFlagsResponse(Response):
         return codec.finished(out)
 
 
-@dataclass(slots=True)
 class GetImeiResponse(Response):
     """Get IMEI response (0x0F,0x82).
 
@@ -112,6 +116,9 @@ class GetImeiResponse(Response):
     - mip-sdk-4: Get Imei (0x0F,0x02)
     """
 
+    __slots__ = ("imei",)
+    __match_args__ = ("imei",)
+
     SET = 0x0F
     DESCRIPTOR = 0x82
     NAME = "rtk.get_imei_response"
@@ -119,6 +126,9 @@ class GetImeiResponse(Response):
 
     imei: str
     """International mobile equipment identity."""
+
+    def __init__(self, imei: str) -> None:
+        self.imei = imei
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetImeiResponse, int]:
@@ -132,7 +142,6 @@ class GetImeiResponse(Response):
         return codec.finished(out)
 
 
-@dataclass(slots=True)
 class GetImsiResponse(Response):
     """Get IMSI response (0x0F,0x83).
 
@@ -141,6 +150,9 @@ class GetImsiResponse(Response):
     - mip-sdk-4: Get Imsi (0x0F,0x03)
     """
 
+    __slots__ = ("imsi",)
+    __match_args__ = ("imsi",)
+
     SET = 0x0F
     DESCRIPTOR = 0x83
     NAME = "rtk.get_imsi_response"
@@ -148,6 +160,9 @@ class GetImsiResponse(Response):
 
     imsi: str
     """International mobile subscriber identity."""
+
+    def __init__(self, imsi: str) -> None:
+        self.imsi = imsi
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetImsiResponse, int]:
@@ -161,7 +176,6 @@ class GetImsiResponse(Response):
         return codec.finished(out)
 
 
-@dataclass(slots=True)
 class GetIccidResponse(Response):
     """Get ICCID response (0x0F,0x84).
 
@@ -170,6 +184,9 @@ class GetIccidResponse(Response):
     - mip-sdk-4: Get Iccid (0x0F,0x04)
     """
 
+    __slots__ = ("iccid",)
+    __match_args__ = ("iccid",)
+
     SET = 0x0F
     DESCRIPTOR = 0x84
     NAME = "rtk.get_iccid_response"
@@ -177,6 +194,9 @@ class GetIccidResponse(Response):
 
     iccid: str
     """Number of the SIM card."""
+
+    def __init__(self, iccid: str) -> None:
+        self.iccid = iccid
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetIccidResponse, int]:
@@ -193,7 +213,6 @@ class GetIccidResponse(Response):
 _GET_RSSI_RESPONSE_0 = codec.Block("Bii", "valid", "rssi", "signal_quality")
 
 
-@dataclass(slots=True)
 class GetRssiResponse(Response):
     """Get RSSI response (0x0F,0x85).
 
@@ -203,10 +222,14 @@ class GetRssiResponse(Response):
     - mip-sdk-4: Get Rssi (0x0F,0x05)
     """
 
+    __slots__ = ("valid", "rssi", "signal_quality")
+    __match_args__ = ("valid", "rssi", "signal_quality")
+
     SET = 0x0F
     DESCRIPTOR = 0x85
     NAME = "rtk.get_rssi_response"
     ROLE = "response"
+    _LAYOUT = (("valid", "B", codec.truth), ("rssi", "i", None), ("signal_quality", "i", None))
 
     valid: bool
     """Whether the modem is connected."""
@@ -214,6 +237,11 @@ class GetRssiResponse(Response):
     """Received signal strength. Valid if `valid` is true. Uncertain: The unit; dBm is likely."""
     signal_quality: int
     """Signal quality. Valid if `valid` is true. Uncertain: The unit."""
+
+    def __init__(self, valid: bool, rssi: int, signal_quality: int) -> None:
+        self.valid = valid
+        self.rssi = rssi
+        self.signal_quality = signal_quality
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetRssiResponse, int]:
@@ -232,7 +260,6 @@ class GetRssiResponse(Response):
 _CONNECTED_DEVICE_TYPE_RESPONSE_0 = codec.Block("B", "device_type")
 
 
-@dataclass(slots=True)
 class ConnectedDeviceTypeResponse(Response):
     """Connected device type response (0x0F,0x86).
 
@@ -241,13 +268,20 @@ class ConnectedDeviceTypeResponse(Response):
     - mip-sdk-4: Connected Device Type (0x0F,0x06)
     """
 
+    __slots__ = ("device_type",)
+    __match_args__ = ("device_type",)
+
     SET = 0x0F
     DESCRIPTOR = 0x86
     NAME = "rtk.connected_device_type_response"
     ROLE = "response"
+    _LAYOUT = (("device_type", "B", ConnectedDevice),)
 
     device_type: ConnectedDevice
     """Type of the device."""
+
+    def __init__(self, device_type: ConnectedDevice) -> None:
+        self.device_type = device_type
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ConnectedDeviceTypeResponse, int]:
@@ -261,7 +295,6 @@ class ConnectedDeviceTypeResponse(Response):
         return codec.finished(out)
 
 
-@dataclass(slots=True)
 class GetActivationCodeResponse(Response):
     """Get activation code response (0x0F,0x87).
 
@@ -271,6 +304,9 @@ class GetActivationCodeResponse(Response):
     - mip-sdk-4: Get Act Code (0x0F,0x07)
     """
 
+    __slots__ = ("activation_code",)
+    __match_args__ = ("activation_code",)
+
     SET = 0x0F
     DESCRIPTOR = 0x87
     NAME = "rtk.get_activation_code_response"
@@ -278,6 +314,9 @@ class GetActivationCodeResponse(Response):
 
     activation_code: str
     """Activation code."""
+
+    def __init__(self, activation_code: str) -> None:
+        self.activation_code = activation_code
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetActivationCodeResponse, int]:
@@ -291,7 +330,6 @@ class GetActivationCodeResponse(Response):
         return codec.finished(out)
 
 
-@dataclass(slots=True)
 class GetModemFirmwareVersionResponse(Response):
     """Get modem firmware version response (0x0F,0x88).
 
@@ -300,6 +338,9 @@ class GetModemFirmwareVersionResponse(Response):
     - mip-sdk-4: Get Modem Firmware Version (0x0F,0x08)
     """
 
+    __slots__ = ("modem_firmware_version",)
+    __match_args__ = ("modem_firmware_version",)
+
     SET = 0x0F
     DESCRIPTOR = 0x88
     NAME = "rtk.get_modem_firmware_version_response"
@@ -307,6 +348,9 @@ class GetModemFirmwareVersionResponse(Response):
 
     modem_firmware_version: str
     """Firmware version."""
+
+    def __init__(self, modem_firmware_version: str) -> None:
+        self.modem_firmware_version = modem_firmware_version
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetModemFirmwareVersionResponse, int]:
@@ -325,7 +369,6 @@ _SERVICE_STATUS_RESPONSE_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class ServiceStatusResponse(Response):
     """Service status response (0x0F,0x8A).
 
@@ -337,10 +380,19 @@ class ServiceStatusResponse(Response):
     - mip-sdk-4: Service Status (0x0F,0x0A)
     """
 
+    __slots__ = ("flags", "received_bytes", "last_bytes", "last_bytes_time")
+    __match_args__ = ("flags", "received_bytes", "last_bytes", "last_bytes_time")
+
     SET = 0x0F
     DESCRIPTOR = 0x8A
     NAME = "rtk.service_status_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("flags", "B", ServiceFlags),
+        ("received_bytes", "I", None),
+        ("last_bytes", "I", None),
+        ("last_bytes_time", "Q", None),
+    )
 
     flags: ServiceFlags
     """State of the service."""
@@ -350,6 +402,14 @@ class ServiceStatusResponse(Response):
     """Bytes of the last transfer. Unit: byte."""
     last_bytes_time: int
     """Time of the last transfer. Uncertain: The unit and the epoch."""
+
+    def __init__(
+        self, flags: ServiceFlags, received_bytes: int, last_bytes: int, last_bytes_time: int
+    ) -> None:
+        self.flags = flags
+        self.received_bytes = received_bytes
+        self.last_bytes = last_bytes
+        self.last_bytes_time = last_bytes_time
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ServiceStatusResponse, int]:
@@ -368,7 +428,6 @@ class ServiceStatusResponse(Response):
         return codec.finished(out)
 
 
-@dataclass(slots=True)
 class GetStatusFlags(Command[GetStatusFlagsResponse]):
     """Get status flags (0x0F,0x01).
 
@@ -381,6 +440,8 @@ class GetStatusFlags(Command[GetStatusFlagsResponse]):
 
     - mip-sdk-4: Get Status Flags (0x0F,0x01)
     """
+
+    __slots__ = ()
 
     SET = 0x0F
     DESCRIPTOR = 0x01
@@ -396,7 +457,6 @@ class GetStatusFlags(Command[GetStatusFlagsResponse]):
         return b""
 
 
-@dataclass(slots=True)
 class GetImei(Command[GetImeiResponse]):
     """Get IMEI (0x0F,0x02).
 
@@ -407,6 +467,8 @@ class GetImei(Command[GetImeiResponse]):
 
     - mip-sdk-4: Get Imei (0x0F,0x02)
     """
+
+    __slots__ = ()
 
     SET = 0x0F
     DESCRIPTOR = 0x02
@@ -422,7 +484,6 @@ class GetImei(Command[GetImeiResponse]):
         return b""
 
 
-@dataclass(slots=True)
 class GetImsi(Command[GetImsiResponse]):
     """Get IMSI (0x0F,0x03).
 
@@ -433,6 +494,8 @@ class GetImsi(Command[GetImsiResponse]):
 
     - mip-sdk-4: Get Imsi (0x0F,0x03)
     """
+
+    __slots__ = ()
 
     SET = 0x0F
     DESCRIPTOR = 0x03
@@ -448,7 +511,6 @@ class GetImsi(Command[GetImsiResponse]):
         return b""
 
 
-@dataclass(slots=True)
 class GetIccid(Command[GetIccidResponse]):
     """Get ICCID (0x0F,0x04).
 
@@ -459,6 +521,8 @@ class GetIccid(Command[GetIccidResponse]):
 
     - mip-sdk-4: Get Iccid (0x0F,0x04)
     """
+
+    __slots__ = ()
 
     SET = 0x0F
     DESCRIPTOR = 0x04
@@ -474,7 +538,6 @@ class GetIccid(Command[GetIccidResponse]):
         return b""
 
 
-@dataclass(slots=True)
 class GetRssi(Command[GetRssiResponse]):
     """Get RSSI (0x0F,0x05).
 
@@ -485,6 +548,8 @@ class GetRssi(Command[GetRssiResponse]):
 
     - mip-sdk-4: Get Rssi (0x0F,0x05)
     """
+
+    __slots__ = ()
 
     SET = 0x0F
     DESCRIPTOR = 0x05
@@ -505,7 +570,6 @@ _CONNECTED_DEVICE_TYPE_1 = codec.Block("B", "device_type")
 _CONNECTED_DEVICE_TYPE_GROUPS = ((1, ("device_type",), False),)
 
 
-@dataclass(slots=True)
 class ConnectedDeviceType(Command[R]):
     """Connected device type (0x0F,0x06).
 
@@ -518,6 +582,9 @@ class ConnectedDeviceType(Command[R]):
     - mip-sdk-4: Connected Device Type (0x0F,0x06)
     """
 
+    __slots__ = ("function", "device_type")
+    __match_args__ = ("function", "device_type")
+
     SET = 0x0F
     DESCRIPTOR = 0x06
     NAME = "rtk.connected_device_type"
@@ -527,8 +594,14 @@ class ConnectedDeviceType(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    device_type: ConnectedDevice | None = None
+    device_type: ConnectedDevice | None
     """Type of the device. Required for `write`."""
+
+    def __init__(
+        self, function: FunctionSelector, device_type: ConnectedDevice | None = None
+    ) -> None:
+        self.function = function
+        self.device_type = device_type
 
     @classmethod
     def write(
@@ -595,7 +668,6 @@ class ConnectedDeviceType(Command[R]):
         return codec.finished(out)
 
 
-@dataclass(slots=True)
 class GetActivationCode(Command[GetActivationCodeResponse]):
     """Get activation code (0x0F,0x07).
 
@@ -606,6 +678,8 @@ class GetActivationCode(Command[GetActivationCodeResponse]):
 
     - mip-sdk-4: Get Act Code (0x0F,0x07)
     """
+
+    __slots__ = ()
 
     SET = 0x0F
     DESCRIPTOR = 0x07
@@ -621,7 +695,6 @@ class GetActivationCode(Command[GetActivationCodeResponse]):
         return b""
 
 
-@dataclass(slots=True)
 class GetModemFirmwareVersion(Command[GetModemFirmwareVersionResponse]):
     """Get modem firmware version (0x0F,0x08).
 
@@ -632,6 +705,8 @@ class GetModemFirmwareVersion(Command[GetModemFirmwareVersionResponse]):
 
     - mip-sdk-4: Get Modem Firmware Version (0x0F,0x08)
     """
+
+    __slots__ = ()
 
     SET = 0x0F
     DESCRIPTOR = 0x08
@@ -650,7 +725,6 @@ class GetModemFirmwareVersion(Command[GetModemFirmwareVersionResponse]):
 _SERVICE_STATUS_0 = codec.Block("II", "reserved1", "reserved2")
 
 
-@dataclass(slots=True)
 class ServiceStatus(Command[ServiceStatusResponse]):
     """Service status (0x0F,0x0A).
 
@@ -664,16 +738,24 @@ class ServiceStatus(Command[ServiceStatusResponse]):
     - mip-sdk-4: Service Status (0x0F,0x0A)
     """
 
+    __slots__ = ("reserved1", "reserved2")
+    __match_args__ = ("reserved1", "reserved2")
+
     SET = 0x0F
     DESCRIPTOR = 0x0A
     NAME = "rtk.service_status"
     ROLE = "command"
     RESPONSES = (ServiceStatusResponse,)
+    _LAYOUT = (("reserved1", "I", None), ("reserved2", "I", None))
 
-    reserved1: int = 0
+    reserved1: int
     """Reserved: send 0. Uncertain: What the modem sends; 0 is assumed."""
-    reserved2: int = 0
+    reserved2: int
     """Reserved: send 0. Uncertain: What the modem sends; 0 is assumed."""
+
+    def __init__(self, reserved1: int = 0, reserved2: int = 0) -> None:
+        self.reserved1 = reserved1
+        self.reserved2 = reserved2
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ServiceStatus, int]:
@@ -691,7 +773,6 @@ class ServiceStatus(Command[ServiceStatusResponse]):
 _ERASE_STORAGE_0 = codec.Block("B", "media")
 
 
-@dataclass(slots=True)
 class EraseStorage(Command[None]):
     """Erase storage (0x0F,0x20).
 
@@ -705,13 +786,20 @@ class EraseStorage(Command[None]):
     - mip-sdk-4: Prod Erase Storage (0x0F,0x20)
     """
 
+    __slots__ = ("media",)
+    __match_args__ = ("media",)
+
     SET = 0x0F
     DESCRIPTOR = 0x20
     NAME = "rtk.erase_storage"
     ROLE = "command"
+    _LAYOUT = (("media", "B", StorageMedium),)
 
     media: StorageMedium
     """The medium."""
+
+    def __init__(self, media: StorageMedium) -> None:
+        self.media = media
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EraseStorage, int]:
@@ -730,7 +818,6 @@ _LED_CONTROL_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class LedControl(Command[None]):
     """LED control (0x0F,0x21).
 
@@ -743,10 +830,19 @@ class LedControl(Command[None]):
     - mip-sdk-4: Led Control (0x0F,0x21)
     """
 
+    __slots__ = ("primary_color", "alternate_color", "action", "period")
+    __match_args__ = ("primary_color", "alternate_color", "action", "period")
+
     SET = 0x0F
     DESCRIPTOR = 0x21
     NAME = "rtk.led_control"
     ROLE = "command"
+    _LAYOUT = (
+        ("primary_color", "BBB", tuple),
+        ("alternate_color", "BBB", tuple),
+        ("action", "B", LedAction),
+        ("period", "I", None),
+    )
 
     primary_color: tuple[int, int, int]
     """First colour. Uncertain: The order of its parts; red, green, blue is likely."""
@@ -756,6 +852,18 @@ class LedControl(Command[None]):
     """Pattern."""
     period: int
     """Period of the pattern. Uncertain: The unit; ms is likely."""
+
+    def __init__(
+        self,
+        primary_color: tuple[int, int, int],
+        alternate_color: tuple[int, int, int],
+        action: LedAction,
+        period: int,
+    ) -> None:
+        self.primary_color = primary_color
+        self.alternate_color = alternate_color
+        self.action = action
+        self.period = period
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[LedControl, int]:
@@ -777,7 +885,6 @@ class LedControl(Command[None]):
         return codec.finished(out)
 
 
-@dataclass(slots=True)
 class ModemHardReset(Command[None]):
     """Modem hard reset (0x0F,0x22).
 
@@ -789,6 +896,8 @@ class ModemHardReset(Command[None]):
 
     - mip-sdk-4: Modem Hard Reset (0x0F,0x22)
     """
+
+    __slots__ = ()
 
     SET = 0x0F
     DESCRIPTOR = 0x22

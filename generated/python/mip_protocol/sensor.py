@@ -8,7 +8,6 @@ Inertial, magnetic and pressure measurements, and the attitude of the complement
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import IntFlag
 
 from . import codec, types
@@ -52,7 +51,6 @@ class OdometerFlags(IntFlag):
 _RAW_ACCEL_0 = codec.Block("fff", *["raw_accel"] * 3)
 
 
-@dataclass(slots=True)
 class RawAccel(Data):
     """Raw accel (0x80,0x01).
 
@@ -63,30 +61,37 @@ class RawAccel(Data):
     - mip-sdk-4: Raw Accel (0x80,0x01)
     """
 
+    __slots__ = ("raw_accel",)
+    __match_args__ = ("raw_accel",)
+
     SET = 0x80
     DESCRIPTOR = 0x01
     NAME = "sensor.raw_accel"
     ROLE = "data"
+    _LAYOUT = (("raw_accel", "fff", types.Vector3f),)
+    _VECTORS = {"raw_accel": (types.Vector3f,)}
 
     raw_accel: types.Vector3f
     """Acceleration in counts. Elements: x, y, z. Unit: 1. Frame: sensor."""
+
+    def __init__(self, raw_accel: types.Vector3f | codec.Numbers) -> None:
+        self.raw_accel = codec.vector(raw_accel, types.Vector3f)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[RawAccel, int]:
         v = _RAW_ACCEL_0.read(raw, at)
         at += 12
-        raw_accel = v[0:3]
+        raw_accel = types.Vector3f._make(v[0:3])
         return cls(raw_accel), at
 
     def _write(self) -> bytes:
-        out = _RAW_ACCEL_0.write(*codec.exactly("raw_accel", self.raw_accel, 3))
+        out = _RAW_ACCEL_0.write(*codec.elements("raw_accel", self.raw_accel, 3))
         return codec.finished(out)
 
 
 _RAW_GYRO_0 = codec.Block("fff", *["raw_gyro"] * 3)
 
 
-@dataclass(slots=True)
 class RawGyro(Data):
     """Raw gyro (0x80,0x02).
 
@@ -97,30 +102,37 @@ class RawGyro(Data):
     - mip-sdk-4: Raw Gyro (0x80,0x02)
     """
 
+    __slots__ = ("raw_gyro",)
+    __match_args__ = ("raw_gyro",)
+
     SET = 0x80
     DESCRIPTOR = 0x02
     NAME = "sensor.raw_gyro"
     ROLE = "data"
+    _LAYOUT = (("raw_gyro", "fff", types.Vector3f),)
+    _VECTORS = {"raw_gyro": (types.Vector3f,)}
 
     raw_gyro: types.Vector3f
     """Angular rate in counts. Elements: x, y, z. Unit: 1. Frame: sensor."""
+
+    def __init__(self, raw_gyro: types.Vector3f | codec.Numbers) -> None:
+        self.raw_gyro = codec.vector(raw_gyro, types.Vector3f)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[RawGyro, int]:
         v = _RAW_GYRO_0.read(raw, at)
         at += 12
-        raw_gyro = v[0:3]
+        raw_gyro = types.Vector3f._make(v[0:3])
         return cls(raw_gyro), at
 
     def _write(self) -> bytes:
-        out = _RAW_GYRO_0.write(*codec.exactly("raw_gyro", self.raw_gyro, 3))
+        out = _RAW_GYRO_0.write(*codec.elements("raw_gyro", self.raw_gyro, 3))
         return codec.finished(out)
 
 
 _RAW_MAG_0 = codec.Block("fff", *["raw_mag"] * 3)
 
 
-@dataclass(slots=True)
 class RawMag(Data):
     """Raw mag (0x80,0x03).
 
@@ -131,10 +143,15 @@ class RawMag(Data):
     - mip-sdk-4: Raw Mag (0x80,0x03)
     """
 
+    __slots__ = ("raw_mag",)
+    __match_args__ = ("raw_mag",)
+
     SET = 0x80
     DESCRIPTOR = 0x03
     NAME = "sensor.raw_mag"
     ROLE = "data"
+    _LAYOUT = (("raw_mag", "fff", types.Vector3f),)
+    _VECTORS = {"raw_mag": (types.Vector3f,)}
 
     raw_mag: types.Vector3f
     """Magnetic field in counts. Elements: x, y, z. Unit: 1. Frame: vehicle. Uncertain: The frame.
@@ -142,22 +159,24 @@ class RawMag(Data):
     rate.
     """
 
+    def __init__(self, raw_mag: types.Vector3f | codec.Numbers) -> None:
+        self.raw_mag = codec.vector(raw_mag, types.Vector3f)
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[RawMag, int]:
         v = _RAW_MAG_0.read(raw, at)
         at += 12
-        raw_mag = v[0:3]
+        raw_mag = types.Vector3f._make(v[0:3])
         return cls(raw_mag), at
 
     def _write(self) -> bytes:
-        out = _RAW_MAG_0.write(*codec.exactly("raw_mag", self.raw_mag, 3))
+        out = _RAW_MAG_0.write(*codec.elements("raw_mag", self.raw_mag, 3))
         return codec.finished(out)
 
 
 _SCALED_ACCEL_0 = codec.Block("fff", *["scaled_accel"] * 3)
 
 
-@dataclass(slots=True)
 class ScaledAccel(Data):
     """Scaled accel (0x80,0x04).
 
@@ -169,30 +188,37 @@ class ScaledAccel(Data):
     - 3dm-cv7-gnss-ins: Scaled Accel (0x80,0x04)
     """
 
+    __slots__ = ("scaled_accel",)
+    __match_args__ = ("scaled_accel",)
+
     SET = 0x80
     DESCRIPTOR = 0x04
     NAME = "sensor.scaled_accel"
     ROLE = "data"
+    _LAYOUT = (("scaled_accel", "fff", types.Vector3f),)
+    _VECTORS = {"scaled_accel": (types.Vector3f,)}
 
     scaled_accel: types.Vector3f
     """Acceleration. Elements: x, y, z. Unit: g. Frame: vehicle."""
+
+    def __init__(self, scaled_accel: types.Vector3f | codec.Numbers) -> None:
+        self.scaled_accel = codec.vector(scaled_accel, types.Vector3f)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ScaledAccel, int]:
         v = _SCALED_ACCEL_0.read(raw, at)
         at += 12
-        scaled_accel = v[0:3]
+        scaled_accel = types.Vector3f._make(v[0:3])
         return cls(scaled_accel), at
 
     def _write(self) -> bytes:
-        out = _SCALED_ACCEL_0.write(*codec.exactly("scaled_accel", self.scaled_accel, 3))
+        out = _SCALED_ACCEL_0.write(*codec.elements("scaled_accel", self.scaled_accel, 3))
         return codec.finished(out)
 
 
 _SCALED_GYRO_0 = codec.Block("fff", *["scaled_gyro"] * 3)
 
 
-@dataclass(slots=True)
 class ScaledGyro(Data):
     """Scaled gyro (0x80,0x05).
 
@@ -204,30 +230,37 @@ class ScaledGyro(Data):
     - 3dm-cv7-gnss-ins: Scaled Gyro (0x80,0x05)
     """
 
+    __slots__ = ("scaled_gyro",)
+    __match_args__ = ("scaled_gyro",)
+
     SET = 0x80
     DESCRIPTOR = 0x05
     NAME = "sensor.scaled_gyro"
     ROLE = "data"
+    _LAYOUT = (("scaled_gyro", "fff", types.Vector3f),)
+    _VECTORS = {"scaled_gyro": (types.Vector3f,)}
 
     scaled_gyro: types.Vector3f
     """Angular rate. Elements: x, y, z. Unit: rad/s. Frame: vehicle."""
+
+    def __init__(self, scaled_gyro: types.Vector3f | codec.Numbers) -> None:
+        self.scaled_gyro = codec.vector(scaled_gyro, types.Vector3f)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ScaledGyro, int]:
         v = _SCALED_GYRO_0.read(raw, at)
         at += 12
-        scaled_gyro = v[0:3]
+        scaled_gyro = types.Vector3f._make(v[0:3])
         return cls(scaled_gyro), at
 
     def _write(self) -> bytes:
-        out = _SCALED_GYRO_0.write(*codec.exactly("scaled_gyro", self.scaled_gyro, 3))
+        out = _SCALED_GYRO_0.write(*codec.elements("scaled_gyro", self.scaled_gyro, 3))
         return codec.finished(out)
 
 
 _SCALED_MAG_0 = codec.Block("fff", *["scaled_mag"] * 3)
 
 
-@dataclass(slots=True)
 class ScaledMag(Data):
     """Scaled mag (0x80,0x06).
 
@@ -238,30 +271,37 @@ class ScaledMag(Data):
     - 3dm-cv7-gnss-ins: Scaled Mag (0x80,0x06)
     """
 
+    __slots__ = ("scaled_mag",)
+    __match_args__ = ("scaled_mag",)
+
     SET = 0x80
     DESCRIPTOR = 0x06
     NAME = "sensor.scaled_mag"
     ROLE = "data"
+    _LAYOUT = (("scaled_mag", "fff", types.Vector3f),)
+    _VECTORS = {"scaled_mag": (types.Vector3f,)}
 
     scaled_mag: types.Vector3f
     """Magnetic field. Elements: x, y, z. Unit: gauss. Frame: vehicle."""
+
+    def __init__(self, scaled_mag: types.Vector3f | codec.Numbers) -> None:
+        self.scaled_mag = codec.vector(scaled_mag, types.Vector3f)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ScaledMag, int]:
         v = _SCALED_MAG_0.read(raw, at)
         at += 12
-        scaled_mag = v[0:3]
+        scaled_mag = types.Vector3f._make(v[0:3])
         return cls(scaled_mag), at
 
     def _write(self) -> bytes:
-        out = _SCALED_MAG_0.write(*codec.exactly("scaled_mag", self.scaled_mag, 3))
+        out = _SCALED_MAG_0.write(*codec.elements("scaled_mag", self.scaled_mag, 3))
         return codec.finished(out)
 
 
 _DELTA_THETA_0 = codec.Block("fff", *["delta_theta"] * 3)
 
 
-@dataclass(slots=True)
 class DeltaTheta(Data):
     """Delta theta (0x80,0x07).
 
@@ -273,30 +313,37 @@ class DeltaTheta(Data):
     - 3dm-cv7-gnss-ins: Delta Theta (0x80,0x07)
     """
 
+    __slots__ = ("delta_theta",)
+    __match_args__ = ("delta_theta",)
+
     SET = 0x80
     DESCRIPTOR = 0x07
     NAME = "sensor.delta_theta"
     ROLE = "data"
+    _LAYOUT = (("delta_theta", "fff", types.Vector3f),)
+    _VECTORS = {"delta_theta": (types.Vector3f,)}
 
     delta_theta: types.Vector3f
     """Integral of the angular rate. Elements: x, y, z. Unit: rad. Frame: vehicle."""
+
+    def __init__(self, delta_theta: types.Vector3f | codec.Numbers) -> None:
+        self.delta_theta = codec.vector(delta_theta, types.Vector3f)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[DeltaTheta, int]:
         v = _DELTA_THETA_0.read(raw, at)
         at += 12
-        delta_theta = v[0:3]
+        delta_theta = types.Vector3f._make(v[0:3])
         return cls(delta_theta), at
 
     def _write(self) -> bytes:
-        out = _DELTA_THETA_0.write(*codec.exactly("delta_theta", self.delta_theta, 3))
+        out = _DELTA_THETA_0.write(*codec.elements("delta_theta", self.delta_theta, 3))
         return codec.finished(out)
 
 
 _DELTA_VELOCITY_0 = codec.Block("fff", *["delta_velocity"] * 3)
 
 
-@dataclass(slots=True)
 class DeltaVelocity(Data):
     """Delta velocity (0x80,0x08).
 
@@ -310,30 +357,37 @@ class DeltaVelocity(Data):
     - 3dm-cv7-gnss-ins: Delta Velocity (0x80,0x08)
     """
 
+    __slots__ = ("delta_velocity",)
+    __match_args__ = ("delta_velocity",)
+
     SET = 0x80
     DESCRIPTOR = 0x08
     NAME = "sensor.delta_velocity"
     ROLE = "data"
+    _LAYOUT = (("delta_velocity", "fff", types.Vector3f),)
+    _VECTORS = {"delta_velocity": (types.Vector3f,)}
 
     delta_velocity: types.Vector3f
     """Integral of the acceleration. Elements: x, y, z. Unit: g*s. Frame: vehicle."""
+
+    def __init__(self, delta_velocity: types.Vector3f | codec.Numbers) -> None:
+        self.delta_velocity = codec.vector(delta_velocity, types.Vector3f)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[DeltaVelocity, int]:
         v = _DELTA_VELOCITY_0.read(raw, at)
         at += 12
-        delta_velocity = v[0:3]
+        delta_velocity = types.Vector3f._make(v[0:3])
         return cls(delta_velocity), at
 
     def _write(self) -> bytes:
-        out = _DELTA_VELOCITY_0.write(*codec.exactly("delta_velocity", self.delta_velocity, 3))
+        out = _DELTA_VELOCITY_0.write(*codec.elements("delta_velocity", self.delta_velocity, 3))
         return codec.finished(out)
 
 
 _COMP_ORIENTATION_MATRIX_0 = codec.Block("fffffffff", *["m"] * 9)
 
 
-@dataclass(slots=True)
 class CompOrientationMatrix(Data):
     """Complementary filter orientation matrix (0x80,0x09).
 
@@ -348,10 +402,15 @@ class CompOrientationMatrix(Data):
     - 3dm-cv7-gnss-ins: Complementary Filter Orientation Matrix (0x80,0x09)
     """
 
+    __slots__ = ("m",)
+    __match_args__ = ("m",)
+
     SET = 0x80
     DESCRIPTOR = 0x09
     NAME = "sensor.comp_orientation_matrix"
     ROLE = "data"
+    _LAYOUT = (("m", "fffffffff", types.Matrix3f),)
+    _VECTORS = {"m": (types.Matrix3f,)}
 
     m: types.Matrix3f
     """Rotation from the NED frame to the vehicle frame. Elements: m11, m12, m13, m21, m22, m23,
@@ -360,22 +419,24 @@ class CompOrientationMatrix(Data):
     - On the 3DM-GX5-15: From the NED frame to the sensor frame.
     """
 
+    def __init__(self, m: types.Matrix3f | codec.Rows) -> None:
+        self.m = codec.vector(m, types.Matrix3f)
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[CompOrientationMatrix, int]:
         v = _COMP_ORIENTATION_MATRIX_0.read(raw, at)
         at += 36
-        m = v[0:9]
+        m = types.Matrix3f._make(v[0:9])
         return cls(m), at
 
     def _write(self) -> bytes:
-        out = _COMP_ORIENTATION_MATRIX_0.write(*codec.exactly("m", self.m, 9))
+        out = _COMP_ORIENTATION_MATRIX_0.write(*codec.elements("m", self.m, 9))
         return codec.finished(out)
 
 
 _COMP_QUATERNION_0 = codec.Block("ffff", *["q"] * 4)
 
 
-@dataclass(slots=True)
 class CompQuaternion(Data):
     """Complementary filter quaternion (0x80,0x0A).
 
@@ -390,10 +451,15 @@ class CompQuaternion(Data):
     - 3dm-cv7-gnss-ins: Complementary Filter Quaternion (0x80,0x0A)
     """
 
+    __slots__ = ("q",)
+    __match_args__ = ("q",)
+
     SET = 0x80
     DESCRIPTOR = 0x0A
     NAME = "sensor.comp_quaternion"
     ROLE = "data"
+    _LAYOUT = (("q", "ffff", types.Quatf),)
+    _VECTORS = {"q": (types.Quatf,)}
 
     q: types.Quatf
     """Rotation between the NED frame and the vehicle frame. Elements: w, x, y, z. Unit: 1.
@@ -401,22 +467,24 @@ class CompQuaternion(Data):
     - On the 3DM-GX5-15: Between NED and the sensor frame.
     """
 
+    def __init__(self, q: types.Quatf | codec.Numbers) -> None:
+        self.q = codec.vector(q, types.Quatf)
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[CompQuaternion, int]:
         v = _COMP_QUATERNION_0.read(raw, at)
         at += 16
-        q = v[0:4]
+        q = types.Quatf._make(v[0:4])
         return cls(q), at
 
     def _write(self) -> bytes:
-        out = _COMP_QUATERNION_0.write(*codec.exactly("q", self.q, 4))
+        out = _COMP_QUATERNION_0.write(*codec.elements("q", self.q, 4))
         return codec.finished(out)
 
 
 _COMP_ORIENTATION_UPDATE_MATRIX_0 = codec.Block("fffffffff", *["m"] * 9)
 
 
-@dataclass(slots=True)
 class CompOrientationUpdateMatrix(Data):
     """Complementary filter orientation update matrix (0x80,0x0B).
 
@@ -429,30 +497,37 @@ class CompOrientationUpdateMatrix(Data):
     - mip-sdk-4: Comp Orientation Update Matrix (0x80,0x0B)
     """
 
+    __slots__ = ("m",)
+    __match_args__ = ("m",)
+
     SET = 0x80
     DESCRIPTOR = 0x0B
     NAME = "sensor.comp_orientation_update_matrix"
     ROLE = "data"
+    _LAYOUT = (("m", "fffffffff", types.Matrix3f),)
+    _VECTORS = {"m": (types.Matrix3f,)}
 
     m: types.Matrix3f
     """Matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1."""
+
+    def __init__(self, m: types.Matrix3f | codec.Rows) -> None:
+        self.m = codec.vector(m, types.Matrix3f)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[CompOrientationUpdateMatrix, int]:
         v = _COMP_ORIENTATION_UPDATE_MATRIX_0.read(raw, at)
         at += 36
-        m = v[0:9]
+        m = types.Matrix3f._make(v[0:9])
         return cls(m), at
 
     def _write(self) -> bytes:
-        out = _COMP_ORIENTATION_UPDATE_MATRIX_0.write(*codec.exactly("m", self.m, 9))
+        out = _COMP_ORIENTATION_UPDATE_MATRIX_0.write(*codec.elements("m", self.m, 9))
         return codec.finished(out)
 
 
 _COMP_EULER_ANGLES_0 = codec.Block("fff", "roll", "pitch", "yaw")
 
 
-@dataclass(slots=True)
 class CompEulerAngles(Data):
     """Complementary filter Euler angles (0x80,0x0C).
 
@@ -466,10 +541,14 @@ class CompEulerAngles(Data):
     - 3dm-cv7-gnss-ins: Complementary Filter Euler Angles (0x80,0x0C)
     """
 
+    __slots__ = ("roll", "pitch", "yaw")
+    __match_args__ = ("roll", "pitch", "yaw")
+
     SET = 0x80
     DESCRIPTOR = 0x0C
     NAME = "sensor.comp_euler_angles"
     ROLE = "data"
+    _LAYOUT = (("roll", "f", None), ("pitch", "f", None), ("yaw", "f", None))
 
     roll: float
     """Roll angle. Unit: rad."""
@@ -477,6 +556,11 @@ class CompEulerAngles(Data):
     """Pitch angle. Unit: rad."""
     yaw: float
     """Yaw angle. Unit: rad."""
+
+    def __init__(self, roll: float, pitch: float, yaw: float) -> None:
+        self.roll = roll
+        self.pitch = pitch
+        self.yaw = yaw
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[CompEulerAngles, int]:
@@ -495,7 +579,6 @@ class CompEulerAngles(Data):
 _ORIENTATION_RAW_TEMPERATURE_0 = codec.Block("HHHH", *["raw_temperature"] * 4)
 
 
-@dataclass(slots=True)
 class OrientationRawTemperature(Data):
     """Orientation raw temperatures (0x80,0x0D).
 
@@ -507,14 +590,21 @@ class OrientationRawTemperature(Data):
     - mip-sdk-4: Orientation Raw Temp (0x80,0x0D)
     """
 
+    __slots__ = ("raw_temperature",)
+    __match_args__ = ("raw_temperature",)
+
     SET = 0x80
     DESCRIPTOR = 0x0D
     NAME = "sensor.orientation_raw_temperature"
     ROLE = "data"
+    _LAYOUT = (("raw_temperature", "HHHH", tuple),)
 
     raw_temperature: tuple[int, int, int, int]
     """Temperatures in counts. Unit: 1. Uncertain: The scale. Uncertain: and which sensor is which.
     """
+
+    def __init__(self, raw_temperature: tuple[int, int, int, int]) -> None:
+        self.raw_temperature = raw_temperature
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[OrientationRawTemperature, int]:
@@ -533,7 +623,6 @@ class OrientationRawTemperature(Data):
 _INTERNAL_TIMESTAMP_0 = codec.Block("I", "counts")
 
 
-@dataclass(slots=True)
 class InternalTimestamp(Data):
     """Internal timestamp (0x80,0x0E).
 
@@ -545,13 +634,20 @@ class InternalTimestamp(Data):
     - mip-sdk-4: Internal Timestamp (0x80,0x0E)
     """
 
+    __slots__ = ("counts",)
+    __match_args__ = ("counts",)
+
     SET = 0x80
     DESCRIPTOR = 0x0E
     NAME = "sensor.internal_timestamp"
     ROLE = "data"
+    _LAYOUT = (("counts", "I", None),)
 
     counts: int
     """Counter. Unit: 1. Uncertain: The period of one count."""
+
+    def __init__(self, counts: int) -> None:
+        self.counts = counts
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[InternalTimestamp, int]:
@@ -568,7 +664,6 @@ class InternalTimestamp(Data):
 _PPS_TIMESTAMP_0 = codec.Block("II", "seconds", "useconds")
 
 
-@dataclass(slots=True)
 class PpsTimestamp(Data):
     """PPS timestamp (0x80,0x0F).
 
@@ -580,15 +675,23 @@ class PpsTimestamp(Data):
     - mip-sdk-4: Pps Timestamp (0x80,0x0F)
     """
 
+    __slots__ = ("seconds", "useconds")
+    __match_args__ = ("seconds", "useconds")
+
     SET = 0x80
     DESCRIPTOR = 0x0F
     NAME = "sensor.pps_timestamp"
     ROLE = "data"
+    _LAYOUT = (("seconds", "I", None), ("useconds", "I", None))
 
     seconds: int
     """Whole seconds. Unit: s. Uncertain: The unit; it follows from the name."""
     useconds: int
     """Fraction of the second. Unit: us. Uncertain: The unit; it follows from the name."""
+
+    def __init__(self, seconds: int, useconds: int) -> None:
+        self.seconds = seconds
+        self.useconds = useconds
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PpsTimestamp, int]:
@@ -606,7 +709,6 @@ class PpsTimestamp(Data):
 _NORTH_VECTOR_0 = codec.Block("fff", *["stabilized_mag"] * 3)
 
 
-@dataclass(slots=True)
 class NorthVector(Data):
     """Complementary filter stabilized north vector (0x80,0x10).
 
@@ -620,30 +722,37 @@ class NorthVector(Data):
     - 3dm-gx5-15: 5.1.9 CF Stabilized North Vector (0x80, 0x10)
     """
 
+    __slots__ = ("stabilized_mag",)
+    __match_args__ = ("stabilized_mag",)
+
     SET = 0x80
     DESCRIPTOR = 0x10
     NAME = "sensor.north_vector"
     ROLE = "data"
+    _LAYOUT = (("stabilized_mag", "fff", types.Vector3f),)
+    _VECTORS = {"stabilized_mag": (types.Vector3f,)}
 
     stabilized_mag: types.Vector3f
     """Geomagnetic field. Elements: x, y, z. Unit: gauss. Frame: sensor."""
+
+    def __init__(self, stabilized_mag: types.Vector3f | codec.Numbers) -> None:
+        self.stabilized_mag = codec.vector(stabilized_mag, types.Vector3f)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[NorthVector, int]:
         v = _NORTH_VECTOR_0.read(raw, at)
         at += 12
-        stabilized_mag = v[0:3]
+        stabilized_mag = types.Vector3f._make(v[0:3])
         return cls(stabilized_mag), at
 
     def _write(self) -> bytes:
-        out = _NORTH_VECTOR_0.write(*codec.exactly("stabilized_mag", self.stabilized_mag, 3))
+        out = _NORTH_VECTOR_0.write(*codec.elements("stabilized_mag", self.stabilized_mag, 3))
         return codec.finished(out)
 
 
 _UP_VECTOR_0 = codec.Block("fff", *["stabilized_accel"] * 3)
 
 
-@dataclass(slots=True)
 class UpVector(Data):
     """Complementary filter stabilized up vector (0x80,0x11).
 
@@ -656,32 +765,39 @@ class UpVector(Data):
     - 3dm-gx5-15: 5.1.10 CF Stabilized Up Vector (0x80, 0x11)
     """
 
+    __slots__ = ("stabilized_accel",)
+    __match_args__ = ("stabilized_accel",)
+
     SET = 0x80
     DESCRIPTOR = 0x11
     NAME = "sensor.up_vector"
     ROLE = "data"
+    _LAYOUT = (("stabilized_accel", "fff", types.Vector3f),)
+    _VECTORS = {"stabilized_accel": (types.Vector3f,)}
 
     stabilized_accel: types.Vector3f
     """The part of the measured acceleration that gravity causes. Elements: x, y, z. Unit: g. Frame:
     sensor.
     """
 
+    def __init__(self, stabilized_accel: types.Vector3f | codec.Numbers) -> None:
+        self.stabilized_accel = codec.vector(stabilized_accel, types.Vector3f)
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[UpVector, int]:
         v = _UP_VECTOR_0.read(raw, at)
         at += 12
-        stabilized_accel = v[0:3]
+        stabilized_accel = types.Vector3f._make(v[0:3])
         return cls(stabilized_accel), at
 
     def _write(self) -> bytes:
-        out = _UP_VECTOR_0.write(*codec.exactly("stabilized_accel", self.stabilized_accel, 3))
+        out = _UP_VECTOR_0.write(*codec.elements("stabilized_accel", self.stabilized_accel, 3))
         return codec.finished(out)
 
 
 _GPS_TIMESTAMP_0 = codec.Block("dHH", "tow", "week_number", "valid_flags")
 
 
-@dataclass(slots=True)
 class GpsTimestamp(Data):
     """GPS timestamp (0x80,0x12).
 
@@ -698,10 +814,18 @@ class GpsTimestamp(Data):
     - 3dm-cv7-gnss-ins: GPS Timestamp (0x80,0x12)
     """
 
+    __slots__ = ("tow", "week_number", "valid_flags")
+    __match_args__ = ("tow", "week_number", "valid_flags")
+
     SET = 0x80
     DESCRIPTOR = 0x12
     NAME = "sensor.gps_timestamp"
     ROLE = "data"
+    _LAYOUT = (
+        ("tow", "d", None),
+        ("week_number", "H", None),
+        ("valid_flags", "H", types.SensorGpsTimestampFlags),
+    )
 
     tow: float
     """GPS time of week. Unit: s. Valid if `types.SensorGpsTimestampFlags.TOW_VALID` of
@@ -723,6 +847,13 @@ class GpsTimestamp(Data):
     - On the 3DM-GX5-15 and 3DM-GX5-35: values of `types.Gx5SensorGpsTimestampFlags`.
     """
 
+    def __init__(
+        self, tow: float, week_number: int, valid_flags: types.SensorGpsTimestampFlags
+    ) -> None:
+        self.tow = tow
+        self.week_number = week_number
+        self.valid_flags = valid_flags
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GpsTimestamp, int]:
         v = _GPS_TIMESTAMP_0.read(raw, at)
@@ -742,7 +873,6 @@ _TEMPERATURE_STATISTICS_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class TemperatureStatistics(Data):
     """Temperature statistics (0x80,0x14).
 
@@ -755,10 +885,18 @@ class TemperatureStatistics(Data):
     - 3dm-cv7-gnss-ins: Temperature Statistics (0x80,0x14)
     """
 
+    __slots__ = ("min_temperature", "max_temperature", "mean_temperature")
+    __match_args__ = ("min_temperature", "max_temperature", "mean_temperature")
+
     SET = 0x80
     DESCRIPTOR = 0x14
     NAME = "sensor.temperature_statistics"
     ROLE = "data"
+    _LAYOUT = (
+        ("min_temperature", "f", None),
+        ("max_temperature", "f", None),
+        ("mean_temperature", "f", None),
+    )
 
     min_temperature: float
     """Lowest temperature. Unit: degC."""
@@ -766,6 +904,13 @@ class TemperatureStatistics(Data):
     """Highest temperature. Unit: degC."""
     mean_temperature: float
     """Mean temperature. Unit: degC."""
+
+    def __init__(
+        self, min_temperature: float, max_temperature: float, mean_temperature: float
+    ) -> None:
+        self.min_temperature = min_temperature
+        self.max_temperature = max_temperature
+        self.mean_temperature = mean_temperature
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[TemperatureStatistics, int]:
@@ -786,7 +931,6 @@ class TemperatureStatistics(Data):
 _RAW_PRESSURE_0 = codec.Block("f", "raw_pressure")
 
 
-@dataclass(slots=True)
 class RawPressure(Data):
     """Raw pressure (0x80,0x16).
 
@@ -797,13 +941,20 @@ class RawPressure(Data):
     - mip-sdk-4: Raw Pressure (0x80,0x16)
     """
 
+    __slots__ = ("raw_pressure",)
+    __match_args__ = ("raw_pressure",)
+
     SET = 0x80
     DESCRIPTOR = 0x16
     NAME = "sensor.raw_pressure"
     ROLE = "data"
+    _LAYOUT = (("raw_pressure", "f", None),)
 
     raw_pressure: float
     """Pressure in counts. Unit: 1."""
+
+    def __init__(self, raw_pressure: float) -> None:
+        self.raw_pressure = raw_pressure
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[RawPressure, int]:
@@ -820,7 +971,6 @@ class RawPressure(Data):
 _SCALED_PRESSURE_0 = codec.Block("f", "scaled_pressure")
 
 
-@dataclass(slots=True)
 class ScaledPressure(Data):
     """Scaled pressure (0x80,0x17).
 
@@ -832,13 +982,20 @@ class ScaledPressure(Data):
     - 3dm-cv7-gnss-ins: Scaled Pressure (0x80,0x17)
     """
 
+    __slots__ = ("scaled_pressure",)
+    __match_args__ = ("scaled_pressure",)
+
     SET = 0x80
     DESCRIPTOR = 0x17
     NAME = "sensor.scaled_pressure"
     ROLE = "data"
+    _LAYOUT = (("scaled_pressure", "f", None),)
 
     scaled_pressure: float
     """Ambient pressure. Unit: mbar."""
+
+    def __init__(self, scaled_pressure: float) -> None:
+        self.scaled_pressure = scaled_pressure
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ScaledPressure, int]:
@@ -855,7 +1012,6 @@ class ScaledPressure(Data):
 _OVERRANGE_STATUS_0 = codec.Block("H", "status")
 
 
-@dataclass(slots=True)
 class OverrangeStatus(Data):
     """Overrange status (0x80,0x18).
 
@@ -866,13 +1022,20 @@ class OverrangeStatus(Data):
     - 3dm-cv7-gnss-ins: Overrange Status (0x80,0x18)
     """
 
+    __slots__ = ("status",)
+    __match_args__ = ("status",)
+
     SET = 0x80
     DESCRIPTOR = 0x18
     NAME = "sensor.overrange_status"
     ROLE = "data"
+    _LAYOUT = (("status", "H", OverrangeFlags),)
 
     status: OverrangeFlags
     """One bit for each axis."""
+
+    def __init__(self, status: OverrangeFlags) -> None:
+        self.status = status
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[OverrangeStatus, int]:
@@ -889,7 +1052,6 @@ class OverrangeStatus(Data):
 _ODOMETER_0 = codec.Block("ffH", "speed", "uncertainty", "valid_flags")
 
 
-@dataclass(slots=True)
 class Odometer(Data):
     """Odometer data (0x80,0x40).
 
@@ -900,10 +1062,18 @@ class Odometer(Data):
     - 3dm-cv7-gnss-ins: Odometer Data (0x80,0x40)
     """
 
+    __slots__ = ("speed", "uncertainty", "valid_flags")
+    __match_args__ = ("speed", "uncertainty", "valid_flags")
+
     SET = 0x80
     DESCRIPTOR = 0x40
     NAME = "sensor.odometer"
     ROLE = "data"
+    _LAYOUT = (
+        ("speed", "f", None),
+        ("uncertainty", "f", None),
+        ("valid_flags", "H", OdometerFlags),
+    )
 
     speed: float
     """Average speed over the interval; negative values come from quadrature encoders only. Unit:
@@ -915,6 +1085,11 @@ class Odometer(Data):
     """
     valid_flags: OdometerFlags
     """Whether the values are valid."""
+
+    def __init__(self, speed: float, uncertainty: float, valid_flags: OdometerFlags) -> None:
+        self.speed = speed
+        self.uncertainty = uncertainty
+        self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Odometer, int]:

@@ -9,11 +9,10 @@ sets.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import IntFlag
 
 from . import codec
-from .field import Data, Field
+from .field import Data, Field, Shared
 
 
 @codec.open_flag(16)
@@ -47,8 +46,7 @@ class ExternalTimeDeltaFlags(IntFlag):
 _EVENT_SOURCE_0 = codec.Block("B", "trigger_id")
 
 
-@dataclass(slots=True)
-class EventSource(Data):
+class EventSource(Shared, Data):
     """Event source (0xFF,0xD0).
 
     The event trigger that caused the packet.
@@ -60,13 +58,20 @@ class EventSource(Data):
     - 3dm-cv7-gnss-ins: Event Source (0xFF,0xD0)
     """
 
+    __slots__ = ("trigger_id",)
+    __match_args__ = ("trigger_id",)
+
     SET = 0xFF
     DESCRIPTOR = 0xD0
     NAME = "shared.event_source"
     ROLE = "data"
+    _LAYOUT = (("trigger_id", "B", None),)
 
     trigger_id: int
     """Id of the trigger; 0 means that the packet was scheduled by `mip_3dm.MessageFormat`."""
+
+    def __init__(self, trigger_id: int) -> None:
+        self.trigger_id = trigger_id
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EventSource, int]:
@@ -83,8 +88,7 @@ class EventSource(Data):
 _TICKS_0 = codec.Block("I", "ticks")
 
 
-@dataclass(slots=True)
-class Ticks(Data):
+class Ticks(Shared, Data):
     """Ticks (0xFF,0xD1).
 
     Base periods since power-up.
@@ -98,13 +102,20 @@ class Ticks(Data):
     - mip-sdk-4: Ticks (0xFF,0xD1)
     """
 
+    __slots__ = ("ticks",)
+    __match_args__ = ("ticks",)
+
     SET = 0xFF
     DESCRIPTOR = 0xD1
     NAME = "shared.ticks"
     ROLE = "data"
+    _LAYOUT = (("ticks", "I", None),)
 
     ticks: int
     """Ticks. Unit: 1."""
+
+    def __init__(self, ticks: int) -> None:
+        self.ticks = ticks
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Ticks, int]:
@@ -121,8 +132,7 @@ class Ticks(Data):
 _DELTA_TICKS_0 = codec.Block("I", "ticks")
 
 
-@dataclass(slots=True)
-class DeltaTicks(Data):
+class DeltaTicks(Shared, Data):
     """Delta ticks (0xFF,0xD2).
 
     Base periods since this field was last sent.
@@ -135,13 +145,20 @@ class DeltaTicks(Data):
     - mip-sdk-4: Delta Ticks (0xFF,0xD2)
     """
 
+    __slots__ = ("ticks",)
+    __match_args__ = ("ticks",)
+
     SET = 0xFF
     DESCRIPTOR = 0xD2
     NAME = "shared.delta_ticks"
     ROLE = "data"
+    _LAYOUT = (("ticks", "I", None),)
 
     ticks: int
     """Ticks. Unit: 1."""
+
+    def __init__(self, ticks: int) -> None:
+        self.ticks = ticks
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[DeltaTicks, int]:
@@ -158,8 +175,7 @@ class DeltaTicks(Data):
 _GPS_TIMESTAMP_0 = codec.Block("dHH", "tow", "week_number", "valid_flags")
 
 
-@dataclass(slots=True)
-class GpsTimestamp(Data):
+class GpsTimestamp(Shared, Data):
     """GPS timestamp (0xFF,0xD3).
 
     External time of the data as GPS time of week and week number.
@@ -177,10 +193,18 @@ class GpsTimestamp(Data):
     - 3dm-cv7-gnss-ins: RECEIVER Source
     """
 
+    __slots__ = ("tow", "week_number", "valid_flags")
+    __match_args__ = ("tow", "week_number", "valid_flags")
+
     SET = 0xFF
     DESCRIPTOR = 0xD3
     NAME = "shared.gps_timestamp"
     ROLE = "data"
+    _LAYOUT = (
+        ("tow", "d", None),
+        ("week_number", "H", None),
+        ("valid_flags", "H", GpsTimestampFlags),
+    )
 
     tow: float
     """GPS time of week. Unit: s. Valid if `GpsTimestampFlags.TOW` of `valid_flags` is set."""
@@ -190,6 +214,11 @@ class GpsTimestamp(Data):
     """
     valid_flags: GpsTimestampFlags
     """Which parts are valid."""
+
+    def __init__(self, tow: float, week_number: int, valid_flags: GpsTimestampFlags) -> None:
+        self.tow = tow
+        self.week_number = week_number
+        self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GpsTimestamp, int]:
@@ -208,8 +237,7 @@ class GpsTimestamp(Data):
 _DELTA_TIME_0 = codec.Block("d", "seconds")
 
 
-@dataclass(slots=True)
-class DeltaTime(Data):
+class DeltaTime(Shared, Data):
     """Delta time (0xFF,0xD4).
 
     External time since this field was last sent in the same set and event instance.
@@ -222,13 +250,20 @@ class DeltaTime(Data):
     - 3dm-cv7-gnss-ins: Delta Time (0xFF,0xD4)
     """
 
+    __slots__ = ("seconds",)
+    __match_args__ = ("seconds",)
+
     SET = 0xFF
     DESCRIPTOR = 0xD4
     NAME = "shared.delta_time"
     ROLE = "data"
+    _LAYOUT = (("seconds", "d", None),)
 
     seconds: float
     """Time since the last output. Unit: s."""
+
+    def __init__(self, seconds: float) -> None:
+        self.seconds = seconds
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[DeltaTime, int]:
@@ -245,8 +280,7 @@ class DeltaTime(Data):
 _REFERENCE_TIMESTAMP_0 = codec.Block("Q", "nanoseconds")
 
 
-@dataclass(slots=True)
-class ReferenceTimestamp(Data):
+class ReferenceTimestamp(Shared, Data):
     """Reference timestamp (0xFF,0xD5).
 
     Time of the data by the internal reference clock.
@@ -259,13 +293,20 @@ class ReferenceTimestamp(Data):
     - 3dm-cv7-gnss-ins: Reference Timestamp (0xFF,0xD5)
     """
 
+    __slots__ = ("nanoseconds",)
+    __match_args__ = ("nanoseconds",)
+
     SET = 0xFF
     DESCRIPTOR = 0xD5
     NAME = "shared.reference_timestamp"
     ROLE = "data"
+    _LAYOUT = (("nanoseconds", "Q", None),)
 
     nanoseconds: int
     """Time since initialization. Unit: ns."""
+
+    def __init__(self, nanoseconds: int) -> None:
+        self.nanoseconds = nanoseconds
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ReferenceTimestamp, int]:
@@ -282,8 +323,7 @@ class ReferenceTimestamp(Data):
 _REFERENCE_TIME_DELTA_0 = codec.Block("Q", "dt_nanos")
 
 
-@dataclass(slots=True)
-class ReferenceTimeDelta(Data):
+class ReferenceTimeDelta(Shared, Data):
     """Reference time delta (0xFF,0xD6).
 
     Reference time since this field was last sent in the same set and event instance.
@@ -295,13 +335,20 @@ class ReferenceTimeDelta(Data):
     - 3dm-cv7-gnss-ins: Reference Time Delta (0xFF,0xD6)
     """
 
+    __slots__ = ("dt_nanos",)
+    __match_args__ = ("dt_nanos",)
+
     SET = 0xFF
     DESCRIPTOR = 0xD6
     NAME = "shared.reference_time_delta"
     ROLE = "data"
+    _LAYOUT = (("dt_nanos", "Q", None),)
 
     dt_nanos: int
     """Time since the last output. Unit: ns."""
+
+    def __init__(self, dt_nanos: int) -> None:
+        self.dt_nanos = dt_nanos
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ReferenceTimeDelta, int]:
@@ -318,8 +365,7 @@ class ReferenceTimeDelta(Data):
 _EXTERNAL_TIMESTAMP_0 = codec.Block("QH", "nanoseconds", "valid_flags")
 
 
-@dataclass(slots=True)
-class ExternalTimestamp(Data):
+class ExternalTimestamp(Shared, Data):
     """External timestamp (0xFF,0xD7).
 
     Time of the data in the external clock domain.
@@ -332,10 +378,14 @@ class ExternalTimestamp(Data):
     - 3dm-cv7-gnss-ins: External Timestamp (0xFF,0xD7)
     """
 
+    __slots__ = ("nanoseconds", "valid_flags")
+    __match_args__ = ("nanoseconds", "valid_flags")
+
     SET = 0xFF
     DESCRIPTOR = 0xD7
     NAME = "shared.external_timestamp"
     ROLE = "data"
+    _LAYOUT = (("nanoseconds", "Q", None), ("valid_flags", "H", ExternalTimestampFlags))
 
     nanoseconds: int
     """External time. Unit: ns. Valid if `ExternalTimestampFlags.NANOSECONDS` of `valid_flags` is
@@ -343,6 +393,10 @@ class ExternalTimestamp(Data):
     """
     valid_flags: ExternalTimestampFlags
     """Whether the time is valid."""
+
+    def __init__(self, nanoseconds: int, valid_flags: ExternalTimestampFlags) -> None:
+        self.nanoseconds = nanoseconds
+        self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ExternalTimestamp, int]:
@@ -360,8 +414,7 @@ class ExternalTimestamp(Data):
 _EXTERNAL_TIME_DELTA_0 = codec.Block("QH", "dt_nanos", "valid_flags")
 
 
-@dataclass(slots=True)
-class ExternalTimeDelta(Data):
+class ExternalTimeDelta(Shared, Data):
     """External time delta (0xFF,0xD8).
 
     External time since this field was last sent in the same set and event instance.
@@ -374,10 +427,14 @@ class ExternalTimeDelta(Data):
     - 3dm-cv7-gnss-ins: External Time Delta (0xFF,0xD8)
     """
 
+    __slots__ = ("dt_nanos", "valid_flags")
+    __match_args__ = ("dt_nanos", "valid_flags")
+
     SET = 0xFF
     DESCRIPTOR = 0xD8
     NAME = "shared.external_time_delta"
     ROLE = "data"
+    _LAYOUT = (("dt_nanos", "Q", None), ("valid_flags", "H", ExternalTimeDeltaFlags))
 
     dt_nanos: int
     """Time since the last output. Unit: ns. Valid if `ExternalTimeDeltaFlags.DT_NANOS` of
@@ -385,6 +442,10 @@ class ExternalTimeDelta(Data):
     """
     valid_flags: ExternalTimeDeltaFlags
     """Whether the difference is valid."""
+
+    def __init__(self, dt_nanos: int, valid_flags: ExternalTimeDeltaFlags) -> None:
+        self.dt_nanos = dt_nanos
+        self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ExternalTimeDelta, int]:

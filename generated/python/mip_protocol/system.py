@@ -7,7 +7,6 @@ Advanced commands of devices that are built from several intelligent parts.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import IntFlag
 from typing import Any
 
@@ -72,7 +71,6 @@ _INTERFACE_CONTROL_RESPONSE_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class InterfaceControlResponse(Response):
     """Interface control response (0x7F,0x82).
 
@@ -82,10 +80,18 @@ class InterfaceControlResponse(Response):
     - 3dm-cv7-gnss-ins: Ports
     """
 
+    __slots__ = ("port", "protocols_incoming", "protocols_outgoing")
+    __match_args__ = ("port", "protocols_incoming", "protocols_outgoing")
+
     SET = 0x7F
     DESCRIPTOR = 0x82
     NAME = "system.interface_control_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("port", "B", CommInterface),
+        ("protocols_incoming", "I", CommProtocols),
+        ("protocols_outgoing", "I", CommProtocols),
+    )
 
     port: CommInterface
     """The port. Uncertain: Whether write and read take `all`."""
@@ -93,6 +99,16 @@ class InterfaceControlResponse(Response):
     """Protocols that it takes in."""
     protocols_outgoing: CommProtocols
     """Protocols that it gives out."""
+
+    def __init__(
+        self,
+        port: CommInterface,
+        protocols_incoming: CommProtocols,
+        protocols_outgoing: CommProtocols,
+    ) -> None:
+        self.port = port
+        self.protocols_incoming = protocols_incoming
+        self.protocols_outgoing = protocols_outgoing
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[InterfaceControlResponse, int]:
@@ -113,7 +129,6 @@ class InterfaceControlResponse(Response):
 _COMM_MODE_RESPONSE_0 = codec.Block("B", "mode")
 
 
-@dataclass(slots=True)
 class CommModeResponse(Response):
     """Communication mode response (0x7F,0x90).
 
@@ -122,13 +137,20 @@ class CommModeResponse(Response):
     - 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10)
     """
 
+    __slots__ = ("mode",)
+    __match_args__ = ("mode",)
+
     SET = 0x7F
     DESCRIPTOR = 0x90
     NAME = "system.comm_mode_response"
     ROLE = "response"
+    _LAYOUT = (("mode", "B", ProtocolMode),)
 
     mode: ProtocolMode
     """Communication mode. Default: `ProtocolMode.STANDARD`."""
+
+    def __init__(self, mode: ProtocolMode) -> None:
+        self.mode = mode
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[CommModeResponse, int]:
@@ -153,7 +175,6 @@ _INTERFACE_CONTROL_GROUPS = (
 )
 
 
-@dataclass(slots=True)
 class InterfaceControl(Command[R]):
     """Interface control (0x7F,0x02).
 
@@ -172,6 +193,9 @@ class InterfaceControl(Command[R]):
     - 3dm-cv7-gnss-ins: Ports
     """
 
+    __slots__ = ("function", "port", "protocols_incoming", "protocols_outgoing")
+    __match_args__ = ("function", "port", "protocols_incoming", "protocols_outgoing")
+
     SET = 0x7F
     DESCRIPTOR = 0x02
     NAME = "system.interface_control"
@@ -181,12 +205,24 @@ class InterfaceControl(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    port: CommInterface | None = None
+    port: CommInterface | None
     """The port. Uncertain: Whether write and read take `all`."""
-    protocols_incoming: CommProtocols | None = None
+    protocols_incoming: CommProtocols | None
     """Protocols that it takes in. Required for `write`."""
-    protocols_outgoing: CommProtocols | None = None
+    protocols_outgoing: CommProtocols | None
     """Protocols that it gives out. Required for `write`."""
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        port: CommInterface | None = None,
+        protocols_incoming: CommProtocols | None = None,
+        protocols_outgoing: CommProtocols | None = None,
+    ) -> None:
+        self.function = function
+        self.port = port
+        self.protocols_incoming = protocols_incoming
+        self.protocols_outgoing = protocols_outgoing
 
     @classmethod
     def write(
@@ -284,7 +320,6 @@ _COMM_MODE_1 = codec.Block("B", "mode")
 _COMM_MODE_GROUPS = ((1, ("mode",), False),)
 
 
-@dataclass(slots=True)
 class CommMode(Command[R]):
     """Communication mode (0x7F,0x10).
 
@@ -299,6 +334,9 @@ class CommMode(Command[R]):
     - 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10)
     """
 
+    __slots__ = ("function", "mode")
+    __match_args__ = ("function", "mode")
+
     SET = 0x7F
     DESCRIPTOR = 0x10
     NAME = "system.comm_mode"
@@ -308,11 +346,15 @@ class CommMode(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    mode: ProtocolMode | None = None
+    mode: ProtocolMode | None
     """Communication mode. Default: `ProtocolMode.STANDARD`. Required for `write`.
 
     - On the 3DM-GX5-35: default `ProtocolMode.STANDARD`.
     """
+
+    def __init__(self, function: FunctionSelector, mode: ProtocolMode | None = None) -> None:
+        self.function = function
+        self.mode = mode
 
     @classmethod
     def write(cls: ClassOf[CommMode[Any]], mode: ProtocolMode) -> CommMode[None]:

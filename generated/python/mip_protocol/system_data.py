@@ -7,7 +7,6 @@ State of the device as a whole.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import IntFlag
 
 from . import codec
@@ -31,7 +30,6 @@ class GpioPinStates(IntFlag):
 _BUILT_IN_TEST_0 = codec.Block("BBBBBBBBBBBBBBBB", *["result"] * 16)
 
 
-@dataclass(slots=True)
 class BuiltInTest(Data):
     """Built-in test (0xA0,0x01).
 
@@ -47,10 +45,14 @@ class BuiltInTest(Data):
     - 3dm-cv7-gnss-ins: Built In Test (0xA0,0x01)
     """
 
+    __slots__ = ("result",)
+    __match_args__ = ("result",)
+
     SET = 0xA0
     DESCRIPTOR = 0x01
     NAME = "system_data.built_in_test"
     ROLE = "data"
+    _LAYOUT = (("result", "BBBBBBBBBBBBBBBB", tuple),)
 
     result: tuple[int, ...]
     """Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the second
@@ -58,6 +60,9 @@ class BuiltInTest(Data):
 
     - On the 3DM-CV7-GNSS/INS: values of `types.Cv7ContinuousBuiltInTest`.
     """
+
+    def __init__(self, result: tuple[int, ...]) -> None:
+        self.result = result
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[BuiltInTest, int]:
@@ -74,7 +79,6 @@ class BuiltInTest(Data):
 _TIME_SYNC_STATUS_0 = codec.Block("BB", "time_sync", "last_pps_received")
 
 
-@dataclass(slots=True)
 class TimeSyncStatus(Data):
     """Time sync status (0xA0,0x02).
 
@@ -85,15 +89,23 @@ class TimeSyncStatus(Data):
     - 3dm-cv7-gnss-ins: Time Sync Status (0xA0,0x02)
     """
 
+    __slots__ = ("time_sync", "last_pps_received")
+    __match_args__ = ("time_sync", "last_pps_received")
+
     SET = 0xA0
     DESCRIPTOR = 0x02
     NAME = "system_data.time_sync_status"
     ROLE = "data"
+    _LAYOUT = (("time_sync", "B", codec.truth), ("last_pps_received", "B", None))
 
     time_sync: bool
     """True while the lock is valid; false if the PPS is disabled or no pulse is found."""
     last_pps_received: int
     """Time since the last pulse, at most 255. Unit: s."""
+
+    def __init__(self, time_sync: bool, last_pps_received: int) -> None:
+        self.time_sync = time_sync
+        self.last_pps_received = last_pps_received
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[TimeSyncStatus, int]:
@@ -111,7 +123,6 @@ class TimeSyncStatus(Data):
 _GPIO_STATE_0 = codec.Block("B", "states")
 
 
-@dataclass(slots=True)
 class GpioState(Data):
     """GPIO state (0xA0,0x03).
 
@@ -127,13 +138,20 @@ class GpioState(Data):
     - 3dm-cv7-gnss-ins: GPIO State (0xA0,0x03)
     """
 
+    __slots__ = ("states",)
+    __match_args__ = ("states",)
+
     SET = 0xA0
     DESCRIPTOR = 0x03
     NAME = "system_data.gpio_state"
     ROLE = "data"
+    _LAYOUT = (("states", "B", GpioPinStates),)
 
     states: GpioPinStates
     """One bit for each pin."""
+
+    def __init__(self, states: GpioPinStates) -> None:
+        self.states = states
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GpioState, int]:
@@ -150,7 +168,6 @@ class GpioState(Data):
 _GPIO_ANALOG_VALUE_0 = codec.Block("Bf", "gpio_id", "value")
 
 
-@dataclass(slots=True)
 class GpioAnalogValue(Data):
     """GPIO analog value (0xA0,0x04).
 
@@ -163,15 +180,23 @@ class GpioAnalogValue(Data):
     - mip-sdk-4: Gpio Analog Value (0xA0,0x04)
     """
 
+    __slots__ = ("gpio_id", "value")
+    __match_args__ = ("gpio_id", "value")
+
     SET = 0xA0
     DESCRIPTOR = 0x04
     NAME = "system_data.gpio_analog_value"
     ROLE = "data"
+    _LAYOUT = (("gpio_id", "B", None), ("value", "f", None))
 
     gpio_id: int
     """GPIO pin, counted from 1. Range: at least 1."""
     value: float
     """Scaled voltage. Unit: V."""
+
+    def __init__(self, gpio_id: int, value: float) -> None:
+        self.gpio_id = gpio_id
+        self.value = value
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GpioAnalogValue, int]:

@@ -7,9 +7,8 @@ if __name__ == "types":
         "this is mip_protocol/types.py, not Python's own types: run Python in another folder"
     )
 
-from dataclasses import dataclass
 from enum import IntFlag
-from typing import TypeAlias
+from typing import Any, NamedTuple, SupportsIndex, overload
 
 from . import codec
 from .field import Structure
@@ -280,17 +279,23 @@ class EventActionGpioMode(codec.OpenEnum):
 _EVENT_TRIGGER_GPIO_0 = codec.Block("BB", "pin", "mode")
 
 
-@dataclass(slots=True)
 class EventTriggerGpio(Structure):
     """A trigger on a GPIO pin.
 
     - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
     """
 
+    __slots__ = ("pin", "mode")
+    __match_args__ = ("pin", "mode")
+
     pin: int
     """GPIO pin, counted from 1. Range: at least 1."""
     mode: EventTriggerGpioMode
     """How the pin activates the trigger."""
+
+    def __init__(self, pin: int, mode: EventTriggerGpioMode) -> None:
+        self.pin = pin
+        self.mode = mode
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EventTriggerGpio, int]:
@@ -308,9 +313,11 @@ class EventTriggerGpio(Structure):
 _EVENT_THRESHOLD_WINDOW_0 = codec.Block("dd", "low_threshold", "high_threshold")
 
 
-@dataclass(slots=True)
 class EventThresholdWindow(Structure):
     """Two thresholds with a window between them."""
+
+    __slots__ = ("low_threshold", "high_threshold")
+    __match_args__ = ("low_threshold", "high_threshold")
 
     low_threshold: float
     """Lower threshold, in the unit of the watched value."""
@@ -318,6 +325,10 @@ class EventThresholdWindow(Structure):
     """Upper threshold, in the unit of the watched value. If it is below the lower one, the trigger
     is active outside of the window.
     """
+
+    def __init__(self, low_threshold: float, high_threshold: float) -> None:
+        self.low_threshold = low_threshold
+        self.high_threshold = high_threshold
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EventThresholdWindow, int]:
@@ -335,9 +346,11 @@ class EventThresholdWindow(Structure):
 _EVENT_THRESHOLD_INTERVAL_0 = codec.Block("dd", "interval_threshold", "interval")
 
 
-@dataclass(slots=True)
 class EventThresholdInterval(Structure):
     """A threshold inside a repeating interval."""
+
+    __slots__ = ("interval_threshold", "interval")
+    __match_args__ = ("interval_threshold", "interval")
 
     interval_threshold: float
     """The trigger is active while the remainder is at most this, in the unit of the watched value.
@@ -346,6 +359,10 @@ class EventThresholdInterval(Structure):
     """Divisor of the remainder, in the unit of the watched value. If it is below the threshold, the
     two swap roles: the trigger is active while the value modulo `interval_threshold` is above this.
     """
+
+    def __init__(self, interval_threshold: float, interval: float) -> None:
+        self.interval_threshold = interval_threshold
+        self.interval = interval
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EventThresholdInterval, int]:
@@ -365,13 +382,15 @@ _EVENT_TRIGGER_THRESHOLD_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class EventTriggerThreshold(Structure):
     """A trigger on one value of a data field. The value is converted to double before it is
     compared.
 
     - 3dm-cv7-gnss-ins: ThresholdParams
     """
+
+    __slots__ = ("descriptor_set", "field_descriptor", "parameter_id", "type", "thresholds")
+    __match_args__ = ("descriptor_set", "field_descriptor", "parameter_id", "type", "thresholds")
 
     descriptor_set: int
     """Data descriptor set of the watched value."""
@@ -383,12 +402,26 @@ class EventTriggerThreshold(Structure):
     """
     type: EventThresholdType
     """Kind of comparison."""
-    thresholds: EventThresholdWindow | EventThresholdInterval | None = None
+    thresholds: EventThresholdWindow | EventThresholdInterval | None
     """What the value is compared with. Selected by `type`.
 
     - If `type` is `EventThresholdType.WINDOW`: `EventThresholdWindow`.
     - If `type` is `EventThresholdType.INTERVAL`: `EventThresholdInterval`.
     """
+
+    def __init__(
+        self,
+        descriptor_set: int,
+        field_descriptor: int,
+        parameter_id: int,
+        type: EventThresholdType,
+        thresholds: EventThresholdWindow | EventThresholdInterval | None = None,
+    ) -> None:
+        self.descriptor_set = descriptor_set
+        self.field_descriptor = field_descriptor
+        self.parameter_id = parameter_id
+        self.type = type
+        self.thresholds = thresholds
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EventTriggerThreshold, int]:
@@ -425,13 +458,15 @@ class EventTriggerThreshold(Structure):
 _EVENT_TRIGGER_COMBINATION_0 = codec.Block("HBBBB", "logic_table", *["input_triggers"] * 4)
 
 
-@dataclass(slots=True)
 class EventTriggerCombination(Structure):
     """A trigger that combines up to four others.
 
     - 3dm-cv7-gnss-ins: CombinationParams
     - 3dm-cv7-gnss-ins: Logical Truth Table
     """
+
+    __slots__ = ("logic_table", "input_triggers")
+    __match_args__ = ("logic_table", "input_triggers")
 
     logic_table: int
     """Bit n is the output when n = a + 2b + 4c + 8d, with a to d the states (0 or 1) of the four
@@ -441,6 +476,10 @@ class EventTriggerCombination(Structure):
     """Trigger instances for the inputs a to d; 0 is always inactive. An input may name the trigger
     itself; it is then the output of the event cycle before.
     """
+
+    def __init__(self, logic_table: int, input_triggers: tuple[int, int, int, int]) -> None:
+        self.logic_table = logic_table
+        self.input_triggers = input_triggers
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EventTriggerCombination, int]:
@@ -460,17 +499,23 @@ class EventTriggerCombination(Structure):
 _EVENT_ACTION_GPIO_0 = codec.Block("BB", "pin", "mode")
 
 
-@dataclass(slots=True)
 class EventActionGpio(Structure):
     """An action on a GPIO pin, which needs the gpio feature and an output behavior.
 
     - 3dm-cv7-gnss-ins: GpioParams
     """
 
+    __slots__ = ("pin", "mode")
+    __match_args__ = ("pin", "mode")
+
     pin: int
     """GPIO pin, counted from 1. Range: at least 1."""
     mode: EventActionGpioMode
     """What happens to the pin."""
+
+    def __init__(self, pin: int, mode: EventActionGpioMode) -> None:
+        self.pin = pin
+        self.mode = mode
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EventActionGpio, int]:
@@ -488,12 +533,14 @@ class EventActionGpio(Structure):
 _EVENT_ACTION_MESSAGE_0 = codec.Block("BHB", "descriptor_set", "decimation", "num_fields")
 
 
-@dataclass(slots=True)
 class EventActionMessage(Structure):
     """An action that sends data packets.
 
     - 3dm-cv7-gnss-ins: MessageParams
     """
+
+    __slots__ = ("descriptor_set", "decimation", "descriptors")
+    __match_args__ = ("descriptor_set", "decimation", "descriptors")
 
     descriptor_set: int
     """Data descriptor set of the packet."""
@@ -506,6 +553,11 @@ class EventActionMessage(Structure):
     # `descriptors`. Range: 0 to 12.
     descriptors: tuple[int, ...]
     """Field descriptors, in order."""
+
+    def __init__(self, descriptor_set: int, decimation: int, descriptors: tuple[int, ...]) -> None:
+        self.descriptor_set = descriptor_set
+        self.decimation = decimation
+        self.descriptors = descriptors
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EventActionMessage, int]:
@@ -865,12 +917,14 @@ _NMEA_MESSAGE_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class NmeaMessage(Structure):
     """An NMEA-0183 sentence with its talker, its data source and how often it is sent.
 
     - 3dm-cv7-gnss-ins: Sources and Talker IDs
     """
+
+    __slots__ = ("message_id", "talker_id", "source_descriptor_set", "decimation")
+    __match_args__ = ("message_id", "talker_id", "source_descriptor_set", "decimation")
 
     message_id: NmeaMessageId
     """The sentence."""
@@ -880,6 +934,18 @@ class NmeaMessage(Structure):
     """Data descriptor set that the contents are taken from."""
     decimation: int
     """Base rate of the source descriptor set divided by the wanted rate; a poll ignores it."""
+
+    def __init__(
+        self,
+        message_id: NmeaMessageId,
+        talker_id: NmeaTalkerId,
+        source_descriptor_set: int,
+        decimation: int,
+    ) -> None:
+        self.message_id = message_id
+        self.talker_id = talker_id
+        self.source_descriptor_set = source_descriptor_set
+        self.decimation = decimation
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[NmeaMessage, int]:
@@ -1128,18 +1194,56 @@ class RtkStatusFlagsLegacy(IntFlag):
         return RtkStatusFlagsLegacy(int(self) & ~0xC0000000 | value << 30)
 
 
-Vector3f: TypeAlias = tuple[float, float, float]
-"""Three floats. Elements: x, y, z."""
+class Vector3f(NamedTuple):
+    """Three floats. Elements: x, y, z."""
 
-Vector3d: TypeAlias = tuple[float, float, float]
-"""Three doubles. Elements: x, y, z."""
+    x: float
+    y: float
+    z: float
 
-Matrix3f: TypeAlias = tuple[float, float, float, float, float, float, float, float, float]
-"""Three by three floats in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
-"""
 
-Quatf: TypeAlias = tuple[float, float, float, float]
-"""A quaternion, scalar part first. Elements: w, x, y, z."""
+class Vector3d(NamedTuple):
+    """Three doubles. Elements: x, y, z."""
+
+    x: float
+    y: float
+    z: float
+
+
+class Matrix3f(NamedTuple):
+    """Three by three floats in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33."""
+
+    m11: float
+    m12: float
+    m13: float
+    m21: float
+    m22: float
+    m23: float
+    m31: float
+    m32: float
+    m33: float
+
+    @property
+    def rows(self) -> tuple[tuple[float, ...], ...]:
+        """Its rows."""
+        return tuple([tuple(self[i : i + 3]) for i in range(0, 9, 3)])
+
+    @overload
+    def __getitem__(self, at: SupportsIndex | tuple[int, int]) -> float: ...
+    @overload
+    def __getitem__(self, at: slice) -> tuple[float, ...]: ...
+    def __getitem__(self, at: Any) -> Any:
+        """`matrix[row, column]`, counted from 0; with one number, the element of the tuple."""
+        return codec.element(self, at, 3)
+
+
+class Quatf(NamedTuple):
+    """A quaternion, scalar part first. Elements: w, x, y, z."""
+
+    w: float
+    x: float
+    y: float
+    z: float
 
 
 class AckCode(codec.OpenEnum):
@@ -1168,14 +1272,20 @@ class AckCode(codec.OpenEnum):
 _DESCRIPTOR_RATE_0 = codec.Block("BH", "descriptor", "decimation")
 
 
-@dataclass(slots=True)
 class DescriptorRate(Structure):
     """A field of a message format and how often it is sent."""
+
+    __slots__ = ("descriptor", "decimation")
+    __match_args__ = ("descriptor", "decimation")
 
     descriptor: int
     """Field descriptor."""
     decimation: int
     """Base rate divided by the wanted rate."""
+
+    def __init__(self, descriptor: int, decimation: int) -> None:
+        self.descriptor = descriptor
+        self.decimation = decimation
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[DescriptorRate, int]:

@@ -5,6 +5,7 @@ use core::fmt;
 /// A named bit, or a number of several bits, inside a bitfield.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub struct Bits {
     /// The name in the specification.
     pub name: &'static str,

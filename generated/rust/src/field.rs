@@ -133,6 +133,7 @@ fn is_other_layout<T>(decoded: &Result<T, DecodeError>) -> bool {
     serde(rename_all = "lowercase")
 )]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum Role {
     /// Sent to the device.
     Command,

@@ -3,7 +3,7 @@
 use std::io::{self, Read};
 
 use crate::packet::Packet;
-use crate::parser::{Found, Parser};
+use crate::parser::{judge, Candidate, Found, Parser};
 
 /// Reads packets from a source.
 ///
@@ -67,6 +67,13 @@ impl<R: Read> PacketReader<R> {
     pub fn next_packet(&mut self) -> io::Result<Option<Packet<'_>>> {
         loop {
             let mut rest = self.chunk.get(self.start..self.end).unwrap_or_default();
+            if self.parser.is_empty() {
+                if let Candidate::Whole(size) = judge(rest) {
+                    let first = self.start;
+                    self.start = first.saturating_add(size);
+                    return Ok(self.chunk.get(first..self.start).map(Packet::trusted));
+                }
+            }
             let found = self.parser.step(&mut rest).map(|found| match found {
                 Found::InBuffer => 0,
                 Found::InInput(packet) => packet.len(),

@@ -148,7 +148,12 @@ fn sets_take_their_own_and_the_shared_fields() {
     // Set 0xFF defines them, but no packet has it.
     let error = PacketBuilder::with(&stamp).unwrap_err();
     assert_eq!((error.kind, error.got), (EncodeErrorKind::Set, 0xFF));
-    assert_eq!(PacketBuilder::new(0xFF).push_raw(1, &[]).map_err(kind), Err(EncodeErrorKind::Set));
+    for none in [0, 0xFF] {
+        assert_eq!(
+            PacketBuilder::new(none).push_raw(1, &[]).map_err(kind),
+            Err(EncodeErrorKind::Set)
+        );
+    }
     assert_eq!(PacketBuilder::new(0x7F).push(&stamp).map_err(kind), Err(EncodeErrorKind::Set));
     let accel = measurements::Accel::default();
     assert!(PacketBuilder::new(0x80).push(&accel).is_ok());

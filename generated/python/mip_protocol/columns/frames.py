@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from .log import Log
 
 #: What a frame has beside the parameters of fields.
-_OWN = ("time", "time_own", "packet", "offset")
+_OWN = ("time", "time_own", "packet", "set", "offset")
 
 
 class Series(NamedTuple):
@@ -67,8 +67,8 @@ def _series(
         found.append(Series("time", values, None, {"clock": clock}))
         found.append(Series("time_own", own, None, {}))
     if position:
-        for name in ("packet", "offset"):
-            numbers = np.zeros(rows, np.int64)
+        for name in ("packet", "set", "offset"):
+            numbers = np.zeros(rows, np.uint8 if name == "set" else np.int64)
             for place, column in zip(places, columns):
                 numbers[place] = getattr(column, name)
             found.append(Series(name, numbers, None, {}))

@@ -38,6 +38,9 @@ macro_rules! registry {
 
         $($(
             #[cfg($when)]
+            impl bounds::Sealed for $type {}
+
+            #[cfg($when)]
             impl Listed for $type {
                 #[inline]
                 fn into_any(self) -> AnyField {

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from ... import model as m
 from .names import SCALARS, constant, home, member, reference
 
@@ -11,6 +13,16 @@ Record = m.Field | m.Struct
 def members(record: Record) -> list[m.Parameter]:
     """The parameters that an object holds: the others follow from these."""
     return [p for p in record.parameters if not p.derived]
+
+
+def held(record: Record) -> tuple[str, ...]:
+    """The names of the members."""
+    return tuple(member(p.name) for p in members(record))
+
+
+def is_shared(f: m.Field) -> bool:
+    """Is it valid in packets of several sets: in all data sets, or in all command sets?"""
+    return f.set in (0, m.SHARED_SET)
 
 
 def annotation(p: m.Parameter, record: Record) -> str:
@@ -73,12 +85,81 @@ def keyword_only(p: m.Parameter, record: Record) -> bool:
     return default(p, record) is not None and any(default(q, record) is None for q in held[held.index(p) + 1 :])
 
 
-def assigned(p: m.Parameter, record: Record) -> str:
-    """What stands behind the type of a member: its default, if it has one."""
-    value = default(p, record)
-    if value is None:
-        return ""
-    return f" = field(default={value}, kw_only=True)" if keyword_only(p, record) else f" = {value}"
+def by_place(record: Record) -> tuple[str, ...]:
+    """The members that a caller may give by place."""
+    return tuple(member(p.name) for p in members(record) if not keyword_only(p, record))
+
+
+def initial(record: Record) -> list[str]:
+    """The parameters of the constructor."""
+    found: list[str] = []
+    by_name: list[str] = []
+    for p in members(record):
+        value = default(p, record)
+        given = f"{member(p.name)}: {accepted(p, record)}" + ("" if value is None else f" = {value}")
+        (by_name if keyword_only(p, record) else found).append(given)
+    return [*found, "*", *by_name] if by_name else found
+
+
+def accepted(p: m.Parameter, record: Record) -> str:
+    """What a caller may give for a member: vectors can be made of any numbers."""
+    said = hint(p, record)
+    kinds = vectors(p)
+    if not kinds:
+        return said
+    numbers = "codec.Rows" if any(columns(v) for v in kinds) else "codec.Numbers"
+    return f"{said} | Sequence[{numbers}]" if p.length is not None else f"{said} | {numbers}"
+
+
+def kept(p: m.Parameter, record: Record) -> str:
+    """What the object holds of what a caller gave."""
+    name, kinds = member(p.name), ", ".join(reference(v, home(record)) for v in vectors(p))
+    if not kinds:
+        return name
+    return f"codec.{'vector' if p.length is None else 'vectors'}({name}, {kinds})"
+
+
+def vectors(p: m.Parameter) -> list[m.Vector]:
+    """The vectors that a member may be, or may be several of."""
+    if p.element is None:
+        return list(dict.fromkeys(v for c in p.cases if c.parameter for v in vectors(c.parameter)))
+    return [p.element] if isinstance(p.element, m.Vector) else []
+
+
+def vector_members(record: Record) -> dict[str, list[str]]:
+    """Members that are vectors -> the classes of which they may be, as Python writes them."""
+    single = [p for p in members(record) if p.length is None and vectors(p)]
+    return {member(p.name): [reference(v, home(record)) for v in vectors(p)] for p in single}
+
+
+def columns(v: m.Vector) -> int:
+    """How many columns a matrix has: its elements are called by row and column, m11, m12 …; 0 for other vectors.
+
+    >>> columns(m.Vector("matrix2f", m.SCALARS["float"], ("m11", "m12", "m21", "m22"), ""))
+    2
+    """
+    count = math.isqrt(len(v.elements))
+    places = [f"m{row}{column}" for row in range(1, count + 1) for column in range(1, count + 1)]
+    return count if count > 1 and places == list(v.elements) else 0
+
+
+def layout(record: Record) -> list[tuple[str, str, str]]:
+    """Member, letters of `struct`, and what makes the value from the numbers, if all of a record are numbers at
+    fixed places; else nothing."""
+    found = []
+    if not isinstance(record, m.Field) or record.optional or record.selector:
+        return []
+    for op in record.operations:
+        match op:
+            case m.ScalarOp():
+                made = reference(op.type, home(record)) if op.type else "codec.truth" if op.scalar.kind == "bool" else ""
+                found.append((member(op.member), SCALARS[op.scalar.name][0], made))
+            case m.ArrayOp(item=m.ScalarOp(type=None, scalar=scalar), count=int(count)) if scalar.kind != "bool":
+                made = reference(op.vector, home(record)) if op.vector else "tuple"
+                found.append((member(op.member), SCALARS[scalar.name][0] * count, made))
+            case _:
+                return []
+    return found
 
 
 def decoded(record: Record) -> list[str]:
@@ -92,8 +173,14 @@ def decoded(record: Record) -> list[str]:
 
 def parameters(call: m.Call, record: m.Field) -> list[str]:
     """The parameters of the constructor for a function: what is asked for, then what may follow."""
-    asked = [f"{member(p.name)}: {annotation(p, record)}" for p in call.asked if not p.derived]
-    return asked + [f"{member(p.name)}: {hint(p, record)} = None" for p in _free(call.optional)]
+    asked = [f"{member(p.name)}: {_needed(p, record)}" for p in call.asked if not p.derived]
+    return asked + [f"{member(p.name)}: {accepted(p, record)} = None" for p in _free(call.optional)]
+
+
+def _needed(p: m.Parameter, record: m.Field) -> str:
+    """What a caller may give for a member that is there."""
+    said = accepted(p, record)
+    return said.replace(hint(p, record), annotation(p, record), 1)
 
 
 def arguments(call: m.Call) -> list[str]:

@@ -23,6 +23,9 @@ module = Escape(_KEYWORDS | frozenset(_LANGUAGE["modules"]), digit_prefix="mip_"
 #: A parameter -> the attribute of the objects that hold it; a function -> its constructor.
 member = Escape(_KEYWORDS | frozenset(_LANGUAGE["members"]), digit_prefix="n")
 
+#: An element of a vector.
+element = Escape(_KEYWORDS | frozenset(_LANGUAGE["elements"]), digit_prefix="n")
+
 #: A number inside a bitfield -> the property that reads it.
 prop = Escape(_KEYWORDS | frozenset(_LANGUAGE["bits"]), digit_prefix="n")
 

@@ -20,7 +20,7 @@ from .names import SCALARS, home, member, reference
 class Value:
     """One value of a block: what it is made from, and what it becomes."""
 
-    kind: Literal["number", "array", "bits", "counter", "constant"]
+    kind: Literal["number", "array", "vector", "bits", "counter", "constant"]
     member: str
     first: int  # its place among the numbers of the block
     count: int  # how many of them it takes
@@ -178,7 +178,10 @@ class _Planner:
             case m.ScalarOp():
                 return _letter(op.scalar), Value("number", union or member(op.member), at, 1, self.convert(op))
             case m.ArrayOp(item=m.ScalarOp() as item, count=int(count)):
-                value = Value("array", union or member(op.member), at, count, self.convert(item))
+                name = union or member(op.member)
+                if op.vector:
+                    return _letter(item.scalar) * count, Value("vector", name, at, count, reference(op.vector, self.home))
+                value = Value("array", name, at, count, self.convert(item))
                 return _letter(item.scalar) * count, value
         raise AssertionError(op)
 
@@ -208,9 +211,9 @@ class _Planner:
             case m.ArrayOp(item=m.StructOp(struct=struct_)):
                 kind = reference(struct_, self.home)
                 return Items("structures", name, op.count, counter, op.capacity, struct_.max_size, convert=kind)
-            case m.ArrayOp(item=m.ArrayOp(item=m.ScalarOp(scalar=scalar), count=int(width))):
-                size, letter = scalar.size * width, _letter(scalar)
-                return Items("vectors", name, op.count, counter, op.capacity, size, letter, width)
+            case m.ArrayOp(item=m.ArrayOp(item=m.ScalarOp(scalar=scalar), count=int(width), vector=m.Vector() as kind)):
+                size, letter, made = scalar.size * width, _letter(scalar), reference(kind, self.home)
+                return Items("vectors", name, op.count, counter, op.capacity, size, letter, width, made)
             case m.ArrayOp(item=m.ScalarOp() as item):
                 letter, convert = _letter(item.scalar), self.convert(item)
                 return Items("numbers", name, op.count, counter, op.capacity, item.size, letter, convert=convert)

@@ -13,16 +13,19 @@ from .names import LANGUAGE, Record, constant, home, member, method, module, typ
 from .records import Records
 
 TITLE = "Rust, no_std"
+#: The oldest Rust that builds the crate.
+OLDEST = "1.65"
 CONFORMANCE = ("parse", "decode", "encode", "client", "live")
 
 
 def files(model: m.Model) -> Iterable[File]:
-    shown = {name: model.taste(f"{name}.rs").rstrip() for name in ("taste", "client")}
-    yield File("Cargo.toml", "Cargo.toml.j2")
+    shown = {name: model.taste(f"{name}.rs").rstrip() for name in ("taste", "client")} | {"oldest": OLDEST}
+    yield File("Cargo.toml", "Cargo.toml.j2", {"oldest": OLDEST})
     yield File("README.md", "README.md.j2", shown)
     if shown["taste"]:
         yield File("examples/taste.rs", "verbatim.j2", {"text": model.taste("taste.rs")})
-    yield File("src/map.md", "map.md.j2")
+    for page in ("map", "sets"):
+        yield File(f"src/{page}.md", f"{page}.md.j2")
     for path in ("types", "protocol", "sets", "devices/known", "registry/fields"):
         yield File(f"src/{path}.rs", f"{path}.rs.j2")
     for s in model.sets:

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import struct
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence, Set
 from enum import IntEnum, IntFlag
-from functools import lru_cache
-from typing import Any, Protocol, TypeVar
+from functools import cache, lru_cache
+from typing import Any, Protocol, TypeAlias, TypeVar
 
 from .errors import DecodeError, EncodeError, Truncated
 
@@ -14,6 +14,11 @@ E = TypeVar("E", bound="OpenEnum")
 T = TypeVar("T", bound=IntFlag)
 S = TypeVar("S", bound="_Structure")
 Groups = tuple[tuple[int, tuple[str, ...], bool], ...]
+
+#: What a vector can be made of: a sequence or an array of numbers, but neither bytes nor text.
+Numbers: TypeAlias = Collection[float]
+#: And a matrix: the same row by row, or its rows.
+Rows: TypeAlias = "Collection[float] | Collection[Collection[float]]"
 
 
 class _Structure(Protocol):
@@ -42,14 +47,48 @@ def open_flag(bits: int) -> Callable[[type[T]], type[T]]:
     """Makes `~` invert all bits of a bitfield, so that `flags & ~Flags.X` clears only X.
 
     Python itself inverts only the named bits or, in older versions, gives a negative number.
+    It also keeps an object for every combination of bits that it ever sees; these are let go.
     """
 
     def opened(kind: type[T]) -> type[T]:
         every = (1 << bits) - 1
+        combine, kept = kind._missing_, kind._value2member_map_
+        named = frozenset(kept)
+
+        def missing(cls: type[T], value: object) -> Any:
+            found = combine(value)
+            number = getattr(found, "_value_", None)
+            if number not in named:
+                kept.pop(number, None)
+            return found
+
+        kind._missing_ = classmethod(missing)  # type: ignore[assignment]
         kind.__invert__ = lambda self: type(self)(int(self) ^ every)  # type: ignore[method-assign]
         return kind
 
     return opened
+
+
+class Known(dict[int, Any]):
+    """Numbers as members of an enumeration or a bitfield: faster than to ask for each, and bounded."""
+
+    SIZE = 1024
+
+    def __init__(self, kind: Callable[[int], Any]) -> None:
+        super().__init__()
+        self._kind = kind
+
+    def __missing__(self, number: int) -> Any:
+        if len(self) >= self.SIZE:
+            self.clear()
+        member = self[number] = self._kind(number)
+        return member
+
+
+@cache
+def known(kind: Callable[[int], Any]) -> Known:
+    """The one of a type."""
+    return Known(kind)
 
 
 def fits(name: str, value: int, bits: int) -> int:
@@ -178,14 +217,16 @@ def write_numbers(name: str, letter: str, values: Sequence[Any]) -> bytes:
     return _array(f"an item of {name}", letter, len(values)).write(*values)
 
 
-def read_vectors(letter: str, width: int, data: bytes, at: int, count: int) -> tuple[Any, ...]:
+def read_vectors(
+    kind: type[Any], letter: str, width: int, data: bytes, at: int, count: int
+) -> tuple[Any, ...]:
     values = _array("", letter, width * count).read(data, at)
-    return tuple(values[i : i + width] for i in range(0, width * count, width))
+    return tuple([kind._make(values[i : i + width]) for i in range(0, width * count, width)])
 
 
-def write_vectors(name: str, letter: str, width: int, values: Sequence[Sequence[Any]]) -> bytes:
+def write_vectors(name: str, letter: str, width: int, values: Sequence[Any]) -> bytes:
     item = f"an item of {name}"
-    return b"".join(write_numbers(name, letter, exactly(item, v, width)) for v in values)
+    return b"".join(write_numbers(name, letter, elements(item, v, width)) for v in values)
 
 
 def read_structures(kind: type[S], data: bytes, at: int, count: int) -> tuple[tuple[S, ...], int]:
@@ -246,12 +287,72 @@ def count(name: str, value: Any, capacity: int) -> int:
 
 
 def sized(name: str, value: Any) -> Sequence[Any]:
-    """`value`, if it is a sequence."""
+    """`value`, if it is a sequence, or its elements, if it is an array."""
     if value is None:
         raise EncodeError("missing", f"{name} is None")
-    if not isinstance(value, Sequence):
+    found = value if isinstance(value, Sequence) else _listed(value)
+    if not isinstance(found, Sequence):
         raise EncodeError("count", f"{name} is {value!r}, needs a sequence")
+    return found
+
+
+def elements(name: str, value: Any, count: int) -> Sequence[Any]:
+    """The elements of a vector, if they are as many as they must be."""
+    if value is None:
+        raise EncodeError("missing", f"{name} is None")
+    found = _numbers(value)
+    if found is None:
+        raise EncodeError("count", f"{name} is {value!r}, needs {count} numbers")
+    return exactly(name, found, count)
+
+
+def vector(value: Any, *kinds: type[Any]) -> Any:
+    """`value` as a vector of the first kind that has as many elements.
+
+    Anything else is returned unchanged; it is refused when it is sent.
+    """
+    if type(value) in kinds or (found := _numbers(value)) is None:
+        return value
+    for kind in kinds:
+        if len(found) == len(kind._fields):
+            return kind._make(found)
     return value
+
+
+def vectors(value: Any, *kinds: type[Any]) -> Any:
+    """Several vectors, as `vector` makes each of them."""
+    found = _listed(value)
+    return tuple([vector(v, *kinds) for v in found]) if isinstance(found, Sequence) else value
+
+
+def element(matrix: tuple[float, ...], at: Any, columns: int) -> Any:
+    """An element of a matrix by row and column, counted from 0; else as of any tuple."""
+    if isinstance(at, tuple):
+        row, column = at
+        at = range(len(matrix) // columns)[row] * columns + range(columns)[column]
+    return tuple.__getitem__(matrix, at)
+
+
+def _numbers(value: Any) -> Sequence[Any] | None:
+    """The numbers that a vector is made of, or those of a matrix, row by row."""
+    found = _listed(value)
+    if not isinstance(found, Sequence):
+        return None
+    if any(hasattr(v, "__len__") for v in found):
+        rows = [_listed(v) for v in found]
+        if not all(isinstance(row, Sequence) for row in rows):
+            return None
+        return [number for row in rows for number in row]
+    return found
+
+
+def _listed(value: Any) -> Any:
+    """The elements of a sequence, or of an array of numbers of another library; bytes and text have none."""
+    if isinstance(value, (str, bytes, bytearray, memoryview, Mapping, Set)):
+        return None
+    if isinstance(value, Sequence) or not hasattr(value, "__len__"):
+        return value
+    return value.tolist() if hasattr(value, "tolist") else None
 
 
 def text(name: str, value: Any) -> bytes:

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, ClassVar, Generic, TypeAlias, TypeVar
+from functools import cache
+from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeAlias, TypeVar
 
-from .described import Described
-from .errors import DecodeError
+from .codec import vector
+from .described import Described, help_of
+from .errors import DecodeError, EncodeError
 from .packet import Packet, PacketBuilder, RawField
 
 if TYPE_CHECKING:
+    import dataclasses
+
     # Checkers know defaults of type variables in every version of Python.
     from typing_extensions import TypeVar as TypeVarWithDefault
 
@@ -16,12 +20,112 @@ if TYPE_CHECKING:
 
 F = TypeVar("F", bound="Field")
 S = TypeVar("S", bound="Structure")
+H = TypeVar("H", bound="Shared")
+
+
+class _OfDataclass:
+    """What `dataclasses` asks a class for, made when it asks."""
+
+    def __set_name__(self, owner: type, name: str) -> None:
+        self._name = name
+
+    def __get__(self, instance: object, owner: Any) -> Any:
+        return getattr(_as_dataclass(owner), self._name)
+
+
+@cache
+def _as_dataclass(kind: Any) -> type:
+    """A data class with the same members."""
+    import dataclasses
+    import inspect
+
+    def described(p: inspect.Parameter) -> Any:
+        given = {} if p.default is p.empty else {"default": p.default}
+        return dataclasses.field(kw_only=p.kind is p.KEYWORD_ONLY, **given)
+
+    parameters = inspect.signature(kind).parameters if kind._MEMBERS else {}
+    members = [(name, parameters[name]) for name in kind._MEMBERS]
+    return dataclasses.make_dataclass(
+        kind.__name__, [(name, str(p.annotation), described(p)) for name, p in members]
+    )
+
+
+# An attribute that holds a vector. Decoders store the numbers; the vector is made when it is asked for.
+class VectorMember:
+    __slots__ = ("_get", "_kinds", "_set", "_slot")
+
+    def __init__(self, slot: Any, kinds: tuple[type[Any], ...]) -> None:
+        self._slot = slot
+        self._get = slot.__get__
+        self._set = slot.__set__
+        self._kinds = kinds
+
+    def __get__(self, instance: object, owner: type | None = None) -> Any:
+        if instance is None:
+            return self
+        value = self._get(instance)
+        if type(value) not in self._kinds:
+            made = vector(value, *self._kinds)
+            if made is not value:
+                self._set(instance, made)
+            return made
+        return value
+
+    def __set__(self, instance: object, value: Any) -> None:
+        self._set(instance, value)
+
+    def __delete__(self, instance: object) -> None:
+        raise AttributeError("a value cannot be deleted")
+
+    @property
+    def __doc__(self) -> str:  # type: ignore[override]
+        """What `help()` shows."""
+        return help_of(self._slot.__objclass__, self._slot.__name__)
 
 
 class Structure(Described):
-    """A group of named values: a field, or a part of one."""
+    """A group of named values: a field, or a part of one.
+
+    It is what a data class is, too: `dataclasses.replace`, `fields` and `asdict` know it.
+    """
 
     __slots__ = ()
+
+    #: The names of its values, in order on the wire.
+    _MEMBERS: ClassVar[tuple[str, ...]] = ()
+
+    #: Those that are vectors, and of what kinds.
+    _VECTORS: ClassVar[dict[str, tuple[type[Any], ...]]] = {}
+
+    if TYPE_CHECKING:
+        __dataclass_fields__: ClassVar[dict[str, dataclasses.Field[Any]]]
+    else:
+        __dataclass_fields__ = _OfDataclass()
+        __dataclass_params__ = _OfDataclass()
+
+    def __init_subclass__(cls, **arguments: Any) -> None:
+        super().__init_subclass__(**arguments)
+        added = cls.__dict__.get("__slots__", ())
+        cls._MEMBERS += tuple([name for name in added if not name.startswith("_")])
+        for name, kinds in cls.__dict__.get("_VECTORS", {}).items():
+            slot = cls.__dict__[name]
+            setattr(cls, f"_{name}", slot)  # for decoders
+            setattr(cls, name, VectorMember(slot, kinds))
+
+    def _values(self) -> tuple[Any, ...]:
+        return tuple([getattr(self, name) for name in self._MEMBERS])
+
+    def __eq__(self, other: object) -> bool:
+        if other.__class__ is not self.__class__:
+            return NotImplemented
+        return self._values() == other._values()
+
+    def __repr__(self) -> str:
+        values = ", ".join([f"{name}={getattr(self, name)!r}" for name in self._MEMBERS])
+        return f"{type(self).__qualname__}({values})"
+
+    def __replace__(self: S, **changes: Any) -> S:
+        return type(self)(**(dict(zip(self._MEMBERS, self._values())) | changes))
 
     @classmethod
     def _read(cls: type[S], raw: bytes, at: int) -> tuple[S, int]:
@@ -46,6 +150,15 @@ class Field(Structure):
     NAME: ClassVar[str]  # in the specification: "base.ping"
     ROLE: ClassVar[str]  # "command", "response" or "data"
 
+    #: Attribute, letters of `struct` and what makes its value from the numbers, for each value, if all
+    #: are numbers at fixed places.
+    _LAYOUT: ClassVar[tuple[tuple[str, str, Any], ...] | None] = None
+
+    @property
+    def packet_set(self) -> int | None:
+        """The descriptor set of the packet that it came in; None if that is not known."""
+        return self.SET
+
     def encode(self) -> bytes:
         """The data of the field, without its length and descriptor. Raises EncodeError."""
         return self._write()
@@ -67,8 +180,11 @@ class Field(Structure):
         return True
 
     def packet(self) -> Packet:
-        """A packet with only this field."""
-        return PacketBuilder(self.SET).add(self.DESCRIPTOR, self.encode()).build()
+        """A packet with only this field. Raises EncodeError."""
+        if self.packet_set is None:
+            remedy = f"PacketBuilder(set).add({type(self).__name__}.DESCRIPTOR, field.encode())"
+            raise EncodeError("set", f"{self.NAME} belongs to packets of several sets: {remedy}")
+        return PacketBuilder(self.packet_set).add(self.DESCRIPTOR, self.encode()).build()
 
     @classmethod
     def find(cls: type[F], packet: Packet) -> F | None:
@@ -78,8 +194,38 @@ class Field(Structure):
         if packet.set == cls.SET or shared or ack:
             for raw in packet:
                 if raw.descriptor == cls.DESCRIPTOR and cls.matches(raw.data):
-                    return cls.decode(raw.data)
+                    return cls._received(raw)
         return None
+
+    @classmethod
+    def _received(cls: type[F], raw: RawField) -> F:
+        """The values of a field of a packet."""
+        return cls.decode(raw.data)
+
+
+class Shared(Field):
+    """Is valid in packets of several sets."""
+
+    __slots__ = ("_packet_set",)
+
+    _packet_set: int
+
+    @property
+    def packet_set(self) -> int | None:
+        """The descriptor set of the packet that it came in; None if it was not in one. No part of its value."""
+        return getattr(self, "_packet_set", None)
+
+    @classmethod
+    def _received(cls: type[H], raw: RawField) -> H:
+        found = cls.decode(raw.data)
+        found._packet_set = raw.set
+        return found
+
+    def __replace__(self: H, **changes: Any) -> H:
+        found = super().__replace__(**changes)
+        if self.packet_set is not None:
+            found._packet_set = self.packet_set
+        return found
 
 
 class Response(Field):
@@ -151,6 +297,7 @@ __all__ = [
     "R",
     "Response",
     "ResponseClasses",
+    "Shared",
     "Structure",
     "chosen",
 ]

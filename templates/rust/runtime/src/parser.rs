@@ -201,6 +201,16 @@ impl Parser {
         }
     }
 
+    /// Forgets the packet that was returned last. Is nothing held back then?
+    #[inline]
+    pub(crate) fn is_empty(&mut self) -> bool {
+        if self.length != self.done {
+            return false;
+        }
+        (self.length, self.done, self.missing) = (0, 0, 0);
+        true
+    }
+
     /// The packet in the buffer that was found last.
     pub(crate) fn packet(&self) -> Packet<'_> {
         Packet::trusted(self.buffer.get(..self.done.into()).unwrap_or_default())
@@ -292,7 +302,7 @@ impl<'i> Feed<'_, 'i> {
     #[inline]
     pub fn next(&mut self) -> Option<Packet<'_>> {
         // The usual case first: nothing is held back, and a packet is next.
-        if self.parser.length == 0 {
+        if self.parser.is_empty() {
             if let Candidate::Whole(size) = judge(self.rest) {
                 let (packet, rest) = self.rest.split_at(size.min(self.rest.len()));
                 self.rest = rest;

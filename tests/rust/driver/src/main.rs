@@ -75,6 +75,7 @@ fn decode(request: &Json) -> Answer {
         PacketError::Sync => "sync",
         PacketError::Length => "length",
         PacketError::Checksum => "checksum",
+        _ => "request",
     })?;
     let fields = packet.fields().map(|field| match field {
         Ok(field) => decode_field(&field),
@@ -120,7 +121,7 @@ fn from_value(value: &Value) -> Json {
 // ----------------------------------------------------------------------------------------- encode
 
 fn encode(request: &Json) -> Answer {
-    let set = request.get("set").and_then(Json::integer).filter(|set| *set > 0_u8);
+    let set = request.get("set").and_then(Json::integer).filter(|set| (1..=254_u8).contains(set));
     let set = set.ok_or("request")?;
     let mut packet = PacketBuilder::new(set);
     for field in request.get("fields").and_then(Json::array).ok_or("request")? {

@@ -191,7 +191,7 @@ class Log:
         timestamp of its own (see `Times`). `invalid="mask"` leaves out values whose flag says that
         they are not valid. Vectors have a column for each element, "scaled_accel.x [g]"; `units` tells
         whether their units are there, in the names or in the metadata of Arrow. `position` adds
-        the number of the packet and its place in the file.
+        the number of the packet, its descriptor set and its place in the file.
 
         Raises KeyError for unknown types, ValueError for other choices, ImportError if the library
         is missing.

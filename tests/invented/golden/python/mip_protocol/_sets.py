@@ -1,5 +1,12 @@
 """The descriptor sets of the specification."""
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from . import copy, measurements, mip_3d, more, shared, tools
+
 #: Descriptor set -> module of this package.
 MODULES: dict[int, str] = {
     0x01: "tools",
@@ -9,3 +16,5 @@ MODULES: dict[int, str] = {
     0x92: "copy",
     0xFF: "shared",
 }
+
+__all__ = ["MODULES", "tools", "mip_3d", "measurements", "more", "copy", "shared"]

@@ -5,7 +5,7 @@ Data of every type; `tools` has what they are set up with.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
 
 from . import codec, types
 from .errors import Truncated
@@ -14,7 +14,6 @@ from .field import Data, Field
 _ACCEL_0 = codec.Block("fffH", *["scaled_accel"] * 3, "valid_flags")
 
 
-@dataclass(slots=True)
 class Accel(Data):
     """Acceleration (0x80,0x01).
 
@@ -26,10 +25,15 @@ class Accel(Data):
     - leaflet: Acceleration
     """
 
+    __slots__ = ("scaled_accel", "valid_flags")
+    __match_args__ = ("scaled_accel", "valid_flags")
+
     SET = 0x80
     DESCRIPTOR = 0x01
     NAME = "measurements.accel"
     ROLE = "data"
+    _LAYOUT = (("scaled_accel", "fff", types.Vector3f), ("valid_flags", "H", types.StateFlags))
+    _VECTORS = {"scaled_accel": (types.Vector3f,)}
 
     scaled_accel: types.Vector3f
     """Specific force. Elements: x, y, z. Unit: g. Frame: sensor. Each element is valid by its bit:
@@ -47,16 +51,24 @@ class Accel(Data):
     - On the Model C: only `types.StateFlags.READY` and `types.StateFlags.LEVEL`.
     """
 
+    def __init__(
+        self, scaled_accel: types.Vector3f | codec.Numbers, valid_flags: types.StateFlags
+    ) -> None:
+        self.scaled_accel = codec.vector(scaled_accel, types.Vector3f)
+        self.valid_flags = valid_flags
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Accel, int]:
         v = _ACCEL_0.read(raw, at)
         at += 14
-        scaled_accel = v[0:3]
+        scaled_accel = types.Vector3f._make(v[0:3])
         valid_flags = types.StateFlags(v[3])
         return cls(scaled_accel, valid_flags), at
 
     def _write(self) -> bytes:
-        out = _ACCEL_0.write(*codec.exactly("scaled_accel", self.scaled_accel, 3), self.valid_flags)
+        out = _ACCEL_0.write(
+            *codec.elements("scaled_accel", self.scaled_accel, 3), self.valid_flags
+        )
         return codec.finished(out)
 
 
@@ -77,7 +89,6 @@ _NUMBERS_0 = codec.Block(
 )
 
 
-@dataclass(slots=True)
 class Numbers(Data):
     """Numbers (0x80,0x02).
 
@@ -88,10 +99,53 @@ class Numbers(Data):
     - guide: Numbers
     """
 
+    __slots__ = (
+        "u8",
+        "u16",
+        "u32",
+        "u64",
+        "s8",
+        "s16",
+        "s32",
+        "s64",
+        "float_",
+        "double",
+        "bool_",
+        "char",
+    )
+    __match_args__ = (
+        "u8",
+        "u16",
+        "u32",
+        "u64",
+        "s8",
+        "s16",
+        "s32",
+        "s64",
+        "float_",
+        "double",
+        "bool_",
+        "char",
+    )
+
     SET = 0x80
     DESCRIPTOR = 0x02
     NAME = "measurements.numbers"
     ROLE = "data"
+    _LAYOUT = (
+        ("u8", "B", None),
+        ("u16", "H", None),
+        ("u32", "I", None),
+        ("u64", "Q", None),
+        ("s8", "b", None),
+        ("s16", "h", None),
+        ("s32", "i", None),
+        ("s64", "q", None),
+        ("float_", "f", None),
+        ("double", "d", None),
+        ("bool_", "B", codec.truth),
+        ("char", "B", None),
+    )
 
     u8: int
     """Unsigned."""
@@ -117,6 +171,34 @@ class Numbers(Data):
     """True or false."""
     char: int
     """One character."""
+
+    def __init__(
+        self,
+        u8: int,
+        u16: int,
+        u32: int,
+        u64: int,
+        s8: int,
+        s16: int,
+        s32: int,
+        s64: int,
+        float_: float,
+        double: float,
+        bool_: bool,
+        char: int,
+    ) -> None:
+        self.u8 = u8
+        self.u16 = u16
+        self.u32 = u32
+        self.u64 = u64
+        self.s8 = s8
+        self.s16 = s16
+        self.s32 = s32
+        self.s64 = s64
+        self.float_ = float_
+        self.double = double
+        self.bool_ = bool_
+        self.char = char
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Numbers, int]:
@@ -157,7 +239,6 @@ class Numbers(Data):
 _STRINGS_0 = codec.Block("B", "length")
 
 
-@dataclass(slots=True)
 class Strings(Data):
     """Strings (0x80,0x03).
 
@@ -167,6 +248,9 @@ class Strings(Data):
 
     - guide: Strings
     """
+
+    __slots__ = ("model", "name", "rest")
+    __match_args__ = ("model", "name", "rest")
 
     SET = 0x80
     DESCRIPTOR = 0x03
@@ -180,6 +264,11 @@ class Strings(Data):
     """The name."""
     rest: str
     """All that follows."""
+
+    def __init__(self, model: str, name: str, rest: str) -> None:
+        self.model = model
+        self.name = name
+        self.rest = rest
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Strings, int]:
@@ -210,7 +299,6 @@ class Strings(Data):
 _HEALTH_0 = codec.Block("BBBBBBBBBBBBBBBBI", *["result"] * 16, "code")
 
 
-@dataclass(slots=True)
 class Health(Data):
     """Health (0x80,0x04).
 
@@ -221,6 +309,9 @@ class Health(Data):
     - guide: Health
     """
 
+    __slots__ = ("result", "code")
+    __match_args__ = ("result", "code")
+
     SET = 0x80
     DESCRIPTOR = 0x04
     NAME = "measurements.health"
@@ -230,6 +321,10 @@ class Health(Data):
     """The bits."""
     code: types.WideCode
     """An enumeration over four bytes."""
+
+    def __init__(self, result: types.Health, code: types.WideCode) -> None:
+        self.result = result
+        self.code = code
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Health, int]:
@@ -248,7 +343,6 @@ _ARRAYS_0 = codec.Block("BBBHH", *["modes"] * 3, *["flags"] * 2)
 _ARRAYS_1 = codec.Block("bbbb", *["offsets"] * 4)
 
 
-@dataclass(slots=True)
 class Arrays(Data):
     """Arrays (0x80,0x05).
 
@@ -258,6 +352,9 @@ class Arrays(Data):
 
     - guide: Arrays
     """
+
+    __slots__ = ("modes", "flags", "vectors", "points", "track", "offsets")
+    __match_args__ = ("modes", "flags", "vectors", "points", "track", "offsets")
 
     SET = 0x80
     DESCRIPTOR = 0x05
@@ -274,8 +371,24 @@ class Arrays(Data):
     """Structures. Unit: m."""
     track: types.Segment
     """A nested structure."""
-    offsets: tuple[int, int, int, int] = (0, 0, 0, 0)
+    offsets: tuple[int, int, int, int]
     """Reserved."""
+
+    def __init__(
+        self,
+        modes: tuple[types.Mode, ...],
+        flags: tuple[types.StateFlags, ...],
+        vectors: tuple[types.Vector3f, types.Vector3f] | Sequence[codec.Numbers],
+        points: tuple[types.Point, ...],
+        track: types.Segment,
+        offsets: tuple[int, int, int, int] = (0, 0, 0, 0),
+    ) -> None:
+        self.modes = modes
+        self.flags = flags
+        self.vectors = codec.vectors(vectors, types.Vector3f)
+        self.points = points
+        self.track = track
+        self.offsets = offsets
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Arrays, int]:
@@ -283,7 +396,7 @@ class Arrays(Data):
         at += 7
         modes = tuple(map(types.Mode, v[0:3]))
         flags = tuple(map(types.StateFlags, v[3:5]))
-        vectors = codec.read_vectors("f", 3, raw, at, 2)
+        vectors = codec.read_vectors(types.Vector3f, "f", 3, raw, at, 2)
         at += 2 * 12
         points, at = codec.read_structures(types.Point, raw, at, 2)
         track, at = types.Segment._read(raw, at)
@@ -311,7 +424,6 @@ _GROWING_2 = codec.Block("f", "third")
 _GROWING_GROUPS = ((2, ("second",), False), (3, ("third",), False))
 
 
-@dataclass(slots=True)
 class Growing(Data):
     """Growing (0x80,0x06).
 
@@ -322,6 +434,9 @@ class Growing(Data):
     - guide: Growing
     """
 
+    __slots__ = ("first", "second", "third")
+    __match_args__ = ("first", "second", "third")
+
     SET = 0x80
     DESCRIPTOR = 0x06
     NAME = "measurements.growing"
@@ -329,10 +444,15 @@ class Growing(Data):
 
     first: int
     """Always there."""
-    second: int | None = None
+    second: int | None
     """From version 2 on. Optional."""
-    third: float | None = None
+    third: float | None
     """From version 3 on. Unit: deg. Optional."""
+
+    def __init__(self, first: int, second: int | None = None, third: float | None = None) -> None:
+        self.first = first
+        self.second = second
+        self.third = third
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Growing, int]:
@@ -376,7 +496,6 @@ class Growing(Data):
 _RADIO_0 = codec.Block("Biffdd", "connected", "strength", "noise", "gap", *["gaps"] * 2)
 
 
-@dataclass(slots=True)
 class Radio(Data):
     """Radio (0x80,0x07).
 
@@ -388,10 +507,20 @@ class Radio(Data):
     - sheet: Radio
     """
 
+    __slots__ = ("connected", "strength", "noise", "gap", "gaps")
+    __match_args__ = ("connected", "strength", "noise", "gap", "gaps")
+
     SET = 0x80
     DESCRIPTOR = 0x07
     NAME = "measurements.radio"
     ROLE = "data"
+    _LAYOUT = (
+        ("connected", "B", codec.truth),
+        ("strength", "i", None),
+        ("noise", "f", None),
+        ("gap", "f", None),
+        ("gaps", "dd", tuple),
+    )
 
     connected: bool
     """Whether there is a connection."""
@@ -402,10 +531,24 @@ class Radio(Data):
 
     - On the Model C: valid if `connected` is true; deprecated.
     """
-    gap: float = 0.0
+    gap: float
     """Reserved. Reserved."""
-    gaps: tuple[float, float] = (0.0, 0.0)
+    gaps: tuple[float, float]
     """Reserved."""
+
+    def __init__(
+        self,
+        connected: bool,
+        strength: int,
+        noise: float,
+        gap: float = 0.0,
+        gaps: tuple[float, float] = (0.0, 0.0),
+    ) -> None:
+        self.connected = connected
+        self.strength = strength
+        self.noise = noise
+        self.gap = gap
+        self.gaps = gaps
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Radio, int]:
@@ -433,7 +576,6 @@ _CLOUD_0 = codec.Block("B", "num_points")
 _CLOUD_1 = codec.Block("Q", "stamp")
 
 
-@dataclass(slots=True)
 class Cloud(Data):
     """Cloud (0x80,0x08).
 
@@ -443,6 +585,9 @@ class Cloud(Data):
 
     - guide: Cloud
     """
+
+    __slots__ = ("points", "stamp")
+    __match_args__ = ("points", "stamp")
 
     SET = 0x80
     DESCRIPTOR = 0x08
@@ -454,6 +599,10 @@ class Cloud(Data):
     """The points."""
     stamp: int
     """Behind an array that fills the field. Unit: s."""
+
+    def __init__(self, points: tuple[types.Point, ...], stamp: int) -> None:
+        self.points = points
+        self.stamp = stamp
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Cloud, int]:
@@ -481,7 +630,6 @@ _GUST_1 = codec.Block("ffffB", "height", *["speed"] * 3, "gap")
 _GUST_2 = codec.Block("H", "valid_flags")
 
 
-@dataclass(slots=True)
 class Gust(Data):
     """Gust (0x80,0x09).
 
@@ -495,10 +643,14 @@ class Gust(Data):
     - guide: Gust
     """
 
+    __slots__ = ("station", "place", "height", "speed", "valid_flags")
+    __match_args__ = ("station", "place", "height", "speed", "valid_flags")
+
     SET = 0x80
     DESCRIPTOR = 0x09
     NAME = "measurements.gust"
     ROLE = "data"
+    _VECTORS = {"speed": (types.Vector3f,)}
 
     station: int
     """Which one."""
@@ -514,6 +666,20 @@ class Gust(Data):
     valid_flags: types.StateFlags
     """What is valid."""
 
+    def __init__(
+        self,
+        station: int,
+        place: types.Point,
+        height: float,
+        speed: types.Vector3f | codec.Numbers,
+        valid_flags: types.StateFlags,
+    ) -> None:
+        self.station = station
+        self.place = place
+        self.height = height
+        self.speed = codec.vector(speed, types.Vector3f)
+        self.valid_flags = valid_flags
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Gust, int]:
         v = _GUST_0.read(raw, at)
@@ -523,7 +689,7 @@ class Gust(Data):
         v = _GUST_1.read(raw, at)
         at += 17
         height = v[0]
-        speed = v[1:4]
+        speed = types.Vector3f._make(v[1:4])
         codec.constant(v[4], 7)
         v = _GUST_2.read(raw, at)
         at += 2
@@ -533,7 +699,7 @@ class Gust(Data):
     def _write(self) -> bytes:
         out = _GUST_0.write(self.station)
         out += codec.structure("place", self.place, types.Point)
-        out += _GUST_1.write(self.height, *codec.exactly("speed", self.speed, 3), 7)
+        out += _GUST_1.write(self.height, *codec.elements("speed", self.speed, 3), 7)
         out += _GUST_2.write(self.valid_flags)
         return codec.finished(out)
 
@@ -541,7 +707,6 @@ class Gust(Data):
 _BREEZE_0 = codec.Block("fffff", "height", *["turn"] * 4)
 
 
-@dataclass(slots=True)
 class Breeze(Data):
     """Breeze (0x80,0x0A).
 
@@ -552,10 +717,14 @@ class Breeze(Data):
     - guide: Breeze
     """
 
+    __slots__ = ("place", "height", "turn")
+    __match_args__ = ("place", "height", "turn")
+
     SET = 0x80
     DESCRIPTOR = 0x0A
     NAME = "measurements.breeze"
     ROLE = "data"
+    _VECTORS = {"turn": (types.Quatf,)}
 
     place: types.Point
     """Where it was measured."""
@@ -566,18 +735,25 @@ class Breeze(Data):
     0, 0, 0.
     """
 
+    def __init__(
+        self, place: types.Point, height: float, turn: types.Quatf | codec.Numbers
+    ) -> None:
+        self.place = place
+        self.height = height
+        self.turn = codec.vector(turn, types.Quatf)
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Breeze, int]:
         place, at = types.Point._read(raw, at)
         v = _BREEZE_0.read(raw, at)
         at += 20
         height = v[0]
-        turn = v[1:5]
+        turn = types.Quatf._make(v[1:5])
         return cls(place, height, turn), at
 
     def _write(self) -> bytes:
         out = codec.structure("place", self.place, types.Point)
-        out += _BREEZE_0.write(self.height, *codec.exactly("turn", self.turn, 4))
+        out += _BREEZE_0.write(self.height, *codec.elements("turn", self.turn, 4))
         return codec.finished(out)
 
 

@@ -5,15 +5,12 @@ Names that are keywords or begin with a digit.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from . import codec
 from .field import Command, Field
 
 _DEFAULT_0 = codec.Block("BBBBB", "class_", "type", "register", "self_", "present")
 
 
-@dataclass(slots=True)
 class Default(Command[None]):
     """Default (0x0C,0x10).
 
@@ -24,11 +21,21 @@ class Default(Command[None]):
     - guide: Default
     """
 
+    __slots__ = ("class_", "type", "register", "self_", "present")
+    __match_args__ = ("class_", "type", "register", "self_", "present")
+
     SET = 0x0C
     DESCRIPTOR = 0x10
     NAME = "3d.default"
     ROLE = "command"
     SILENCED_BY = ((0x01, 0x02, "mode", 1),)
+    _LAYOUT = (
+        ("class_", "B", None),
+        ("type", "B", None),
+        ("register", "B", None),
+        ("self_", "B", None),
+        ("present", "B", None),
+    )
 
     class_: int
     """A keyword."""
@@ -40,6 +47,13 @@ class Default(Command[None]):
     """A keyword."""
     present: int
     """Used by generated code elsewhere."""
+
+    def __init__(self, class_: int, type: int, register: int, self_: int, present: int) -> None:
+        self.class_ = class_
+        self.type = type
+        self.register = register
+        self.self_ = self_
+        self.present = present
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Default, int]:

@@ -5,15 +5,12 @@ A second sensor with the fields of the first.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from . import codec, measurements, types
 from .field import Data, Field
 
 _OWN_0 = codec.Block("B", "mode")
 
 
-@dataclass(slots=True)
 class Own(Data):
     """Own (0x81,0x07).
 
@@ -24,13 +21,20 @@ class Own(Data):
     - guide: Own
     """
 
+    __slots__ = ("mode",)
+    __match_args__ = ("mode",)
+
     SET = 0x81
     DESCRIPTOR = 0x07
     NAME = "more.own"
     ROLE = "data"
+    _LAYOUT = (("mode", "B", types.Mode),)
 
     mode: types.Mode
     """Of the second sensor."""
+
+    def __init__(self, mode: types.Mode) -> None:
+        self.mode = mode
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Own, int]:

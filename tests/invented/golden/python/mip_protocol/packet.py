@@ -3,23 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import accumulate
 from typing import NamedTuple
 
-from .errors import EncodeError, PacketError
+from .checks import checksum
+from .errors import DecodeError, EncodeError, PacketError
 
 SYNC = b"\x75\x65"
 MAX_PAYLOAD = 255
 OVERHEAD = 6
 
 
-def checksum(data: bytes) -> bytes:
-    """The two checksum bytes of a header and its payload.
-
-    >>> checksum(bytes.fromhex("756501020201")).hex()
-    'e0c6'
-    """
-    return bytes((sum(data) & 0xFF, sum(accumulate(data)) & 0xFF))
+__all__ = [
+    "MAX_PAYLOAD",
+    "OVERHEAD",
+    "SYNC",
+    "Packet",
+    "PacketBuilder",
+    "RawField",
+    "Undecoded",
+    "checksum",
+]
 
 
 class RawField(NamedTuple):
@@ -28,6 +31,30 @@ class RawField(NamedTuple):
     set: int
     descriptor: int
     data: bytes
+
+    @property
+    def error(self) -> DecodeError | None:
+        """Why it was not decoded; None if nothing was wrong, or its descriptor is unknown."""
+        return None
+
+
+class Undecoded(RawField):
+    """A field that cannot be decoded. It is equal to a `RawField` of the same bytes."""
+
+    _error: DecodeError | None = None
+
+    @classmethod
+    def because(cls, raw: RawField, error: DecodeError) -> Undecoded:
+        found = cls(*raw)
+        found._error = error
+        return found
+
+    @property
+    def error(self) -> DecodeError | None:
+        return self._error
+
+    def __repr__(self) -> str:
+        return f"{super().__repr__()[:-1]}, error={self._error!s})"
 
 
 class Packet:
@@ -83,6 +110,24 @@ class Packet:
     def __repr__(self) -> str:
         return f"Packet({self._data.hex()})"
 
+    @property
+    def fields(self) -> tuple[RawField, ...]:
+        """The fields in order, up to a malformed one."""
+        return self._walk()[0]
+
+    @property
+    def malformed(self) -> PacketError | None:
+        """What is wrong with the field behind `fields`; None if these are all."""
+        return self._walk()[1]
+
+    def _walk(self) -> tuple[tuple[RawField, ...], PacketError | None]:
+        found: list[RawField] = []
+        try:
+            found.extend(self)
+        except PacketError as error:
+            return tuple(found), error
+        return tuple(found), None
+
     def __iter__(self) -> Iterator[RawField]:
         """The fields in order; raises PacketError of kind `field_length` at a malformed one."""
         data, at, end = self._data, 4, len(self._data) - 2
@@ -103,8 +148,8 @@ class PacketBuilder:
     """
 
     def __init__(self, set: int) -> None:
-        if not 1 <= set <= 255:
-            raise EncodeError("range", f"{set} is not a descriptor set; use 1 to 255")
+        if not 1 <= set <= 254:
+            raise EncodeError("range", f"{set} is not a descriptor set; use 1 to 254")
         self._set = set
         self._payload = bytearray()
 

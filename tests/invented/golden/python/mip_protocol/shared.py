@@ -5,16 +5,13 @@ Valid in every data set.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from . import codec, types
-from .field import Data, Field
+from .field import Data, Field, Shared
 
 _TIMESTAMP_0 = codec.Block("dH", "tow", "valid_flags")
 
 
-@dataclass(slots=True)
-class Timestamp(Data):
+class Timestamp(Shared, Data):
     """Timestamp (0xFF,0xD3).
 
     When the packet was sent.
@@ -24,15 +21,23 @@ class Timestamp(Data):
     - guide: Timestamp
     """
 
+    __slots__ = ("tow", "valid_flags")
+    __match_args__ = ("tow", "valid_flags")
+
     SET = 0xFF
     DESCRIPTOR = 0xD3
     NAME = "shared.timestamp"
     ROLE = "data"
+    _LAYOUT = (("tow", "d", None), ("valid_flags", "H", types.StateFlags))
 
     tow: float
     """Time of week. Unit: s. Valid if `types.StateFlags.READY` of `valid_flags` is set."""
     valid_flags: types.StateFlags
     """What is valid."""
+
+    def __init__(self, tow: float, valid_flags: types.StateFlags) -> None:
+        self.tow = tow
+        self.valid_flags = valid_flags
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Timestamp, int]:

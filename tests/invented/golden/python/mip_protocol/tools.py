@@ -5,7 +5,6 @@ Commands of every shape.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import IntFlag
 from typing import Any
 
@@ -36,14 +35,20 @@ class Fill(codec.OpenEnum):
 _STRIPES_0 = codec.Block("df", "width", "angle")
 
 
-@dataclass(slots=True)
 class Stripes(Structure):
     """Two numbers."""
+
+    __slots__ = ("width", "angle")
+    __match_args__ = ("width", "angle")
 
     width: float
     """Of a stripe. Unit: m."""
     angle: float
     """Of all stripes. Unit: deg. Range: -180 to 180."""
+
+    def __init__(self, width: float, angle: float) -> None:
+        self.width = width
+        self.angle = angle
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Stripes, int]:
@@ -62,21 +67,30 @@ _CIRCLE_0 = codec.Block("B", "fill")
 _CIRCLE_1 = codec.Block("I", "filling")
 
 
-@dataclass(slots=True)
 class Circle(Structure):
     """Ends in a union of its own."""
+
+    __slots__ = ("center", "fill", "filling")
+    __match_args__ = ("center", "fill", "filling")
 
     center: types.Point
     """The middle."""
     fill: Fill
     """Which member follows."""
-    filling: int | Stripes | None = None
+    filling: int | Stripes | None
     """How it is filled. Selected by `fill`.
 
     - If `fill` is `Fill.EMPTY`: `None`.
     - If `fill` is `Fill.SOLID`: `int`. A colour.
     - If `fill` is `Fill.STRIPED`: `Stripes`.
     """
+
+    def __init__(
+        self, center: types.Point, fill: Fill, filling: int | Stripes | None = None
+    ) -> None:
+        self.center = center
+        self.fill = fill
+        self.filling = filling
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Circle, int]:
@@ -112,15 +126,21 @@ class Circle(Structure):
 _PATH_0 = codec.Block("BB", "closed", "num_points")
 
 
-@dataclass(slots=True)
 class Path(Structure):
     """A counted array at its end."""
+
+    __slots__ = ("closed", "points")
+    __match_args__ = ("closed", "points")
 
     closed: bool
     """Does it return to its start?"""
     # On the wire: num_points. Number of points. The number of elements of `points`.
     points: tuple[types.Point, ...]
     """The points."""
+
+    def __init__(self, closed: bool, points: tuple[types.Point, ...]) -> None:
+        self.closed = closed
+        self.points = points
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Path, int]:
@@ -165,14 +185,20 @@ class SerialUse(codec.OpenEnum):
 _READING_0 = codec.Block("Bf", "kind", "value")
 
 
-@dataclass(slots=True)
 class Reading(Structure):
     """One of a list; what it is depends on what was asked for."""
+
+    __slots__ = ("kind", "value")
+    __match_args__ = ("kind", "value")
 
     kind: int
     """Of the reading."""
     value: float
     """Of the reading."""
+
+    def __init__(self, kind: int, value: float) -> None:
+        self.kind = kind
+        self.value = value
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Reading, int]:
@@ -214,7 +240,6 @@ class ModelBFaults(IntFlag):
 _SETTINGS_RESPONSE_0 = codec.Block("BBIHB", "port", "mode", "baud", "limit", "reserved")
 
 
-@dataclass(slots=True)
 class SettingsResponse(Response):
     """Settings response (0x01,0x82).
 
@@ -224,10 +249,20 @@ class SettingsResponse(Response):
     - leaflet: Settings
     """
 
+    __slots__ = ("port", "mode", "baud", "limit", "reserved")
+    __match_args__ = ("port", "mode", "baud", "limit", "reserved")
+
     SET = 0x01
     DESCRIPTOR = 0x82
     NAME = "tools.settings_response"
     ROLE = "response"
+    _LAYOUT = (
+        ("port", "B", None),
+        ("mode", "B", types.Mode),
+        ("baud", "I", None),
+        ("limit", "H", None),
+        ("reserved", "B", None),
+    )
 
     port: int
     """Number of the port, 0 for all. Range: 0 to 8."""
@@ -241,8 +276,17 @@ class SettingsResponse(Response):
     - If `mode` is `types.Mode.FAST`: unit s; range 1 to 10; default 5.
     - If `mode` is `types.Mode.SLOW`: unit m.
     """
-    reserved: int = 1
+    reserved: int
     """Reserved."""
+
+    def __init__(
+        self, port: int, mode: types.Mode, baud: int, limit: int, reserved: int = 1
+    ) -> None:
+        self.port = port
+        self.mode = mode
+        self.baud = baud
+        self.limit = limit
+        self.reserved = reserved
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SettingsResponse, int]:
@@ -263,7 +307,6 @@ class SettingsResponse(Response):
 _SET_TIME_FAST_RESPONSE_0 = codec.Block("I", "value")
 
 
-@dataclass(slots=True)
 class SetTimeFastResponse(Response):
     """Set time response (0x01,0x83).
 
@@ -272,13 +315,20 @@ class SetTimeFastResponse(Response):
     - guide: Set time
     """
 
+    __slots__ = ("value",)
+    __match_args__ = ("value",)
+
     SET = 0x01
     DESCRIPTOR = 0x83
     NAME = "tools.set_time_fast_response"
     ROLE = "response"
+    _LAYOUT = (("value", "I", None),)
 
     value: int
     """The fast half. Unit: s."""
+
+    def __init__(self, value: int) -> None:
+        self.value = value
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SetTimeFastResponse, int]:
@@ -295,7 +345,6 @@ class SetTimeFastResponse(Response):
 _SET_TIME_SLOW_RESPONSE_0 = codec.Block("I", "value")
 
 
-@dataclass(slots=True)
 class SetTimeSlowResponse(Response):
     """Set time response (0x01,0x84).
 
@@ -304,13 +353,20 @@ class SetTimeSlowResponse(Response):
     - guide: Set time
     """
 
+    __slots__ = ("value",)
+    __match_args__ = ("value",)
+
     SET = 0x01
     DESCRIPTOR = 0x84
     NAME = "tools.set_time_slow_response"
     ROLE = "response"
+    _LAYOUT = (("value", "I", None),)
 
     value: int
     """The slow half. Unit: s."""
+
+    def __init__(self, value: int) -> None:
+        self.value = value
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SetTimeSlowResponse, int]:
@@ -328,7 +384,6 @@ _CHOICE_RESPONSE_0 = codec.Block("BB", "instance", "shape")
 _CHOICE_RESPONSE_1 = codec.Block("ffff", *["parameters"] * 4)
 
 
-@dataclass(slots=True)
 class ChoiceResponse(Response):
     """Choice response (0x01,0x88).
 
@@ -337,16 +392,20 @@ class ChoiceResponse(Response):
     - guide: Choice
     """
 
+    __slots__ = ("instance", "shape", "parameters")
+    __match_args__ = ("instance", "shape", "parameters")
+
     SET = 0x01
     DESCRIPTOR = 0x88
     NAME = "tools.choice_response"
     ROLE = "response"
+    _VECTORS = {"parameters": (types.Quatf,)}
 
     instance: int
     """Which one."""
     shape: Shape
     """Which member follows."""
-    parameters: Circle | Path | types.Quatf | str | None = None
+    parameters: Circle | Path | types.Quatf | str | None
     """The member. Selected by `shape`.
 
     - If `shape` is `Shape.NONE`: `None`.
@@ -355,6 +414,16 @@ class ChoiceResponse(Response):
     - If `shape` is `Shape.TURN`: `types.Quatf`. A rotation. Elements: w, x, y, z. Unit: 1.
     - If `shape` is `Shape.LABEL`: `str`. A name.
     """
+
+    def __init__(
+        self,
+        instance: int,
+        shape: Shape,
+        parameters: Circle | Path | types.Quatf | str | None | codec.Numbers = None,
+    ) -> None:
+        self.instance = instance
+        self.shape = shape
+        self.parameters = codec.vector(parameters, types.Quatf)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ChoiceResponse, int]:
@@ -370,7 +439,7 @@ class ChoiceResponse(Response):
         elif shape == 3:
             v = _CHOICE_RESPONSE_1.read(raw, at)
             at += 16
-            parameters = v[0:4]
+            parameters = types.Quatf._make(v[0:4])
         elif shape == 4:
             parameters = codec.take(raw, at, 8).decode("latin-1")
             at += 8
@@ -389,7 +458,7 @@ class ChoiceResponse(Response):
         elif self.shape == 3:
             if self.parameters is None or isinstance(self.parameters, Structure):
                 raise codec.mismatch("parameters", self.shape)
-            out += _CHOICE_RESPONSE_1.write(*codec.exactly("parameters", self.parameters, 4))
+            out += _CHOICE_RESPONSE_1.write(*codec.elements("parameters", self.parameters, 4))
         elif self.shape == 4:
             if self.parameters is None or isinstance(self.parameters, Structure):
                 raise codec.mismatch("parameters", self.shape)
@@ -403,7 +472,6 @@ class ChoiceResponse(Response):
 _LIST_RESPONSE_0 = codec.Block("B", "count")
 
 
-@dataclass(slots=True)
 class ListResponse(Response):
     """List response (0x01,0x89).
 
@@ -411,6 +479,9 @@ class ListResponse(Response):
 
     - guide: List
     """
+
+    __slots__ = ("items",)
+    __match_args__ = ("items",)
 
     SET = 0x01
     DESCRIPTOR = 0x89
@@ -420,6 +491,9 @@ class ListResponse(Response):
     # On the wire: count. Number of items. The number of elements of `items`.
     items: tuple[int, ...]
     """The items."""
+
+    def __init__(self, items: tuple[int, ...]) -> None:
+        self.items = items
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ListResponse, int]:
@@ -437,7 +511,6 @@ class ListResponse(Response):
         return codec.finished(out)
 
 
-@dataclass(slots=True)
 class InventoryResponse(Response):
     """Inventory response (0x01,0x8A).
 
@@ -446,6 +519,9 @@ class InventoryResponse(Response):
     - guide: Inventory
     """
 
+    __slots__ = ("descriptors",)
+    __match_args__ = ("descriptors",)
+
     SET = 0x01
     DESCRIPTOR = 0x8A
     NAME = "tools.inventory_response"
@@ -453,6 +529,9 @@ class InventoryResponse(Response):
 
     descriptors: tuple[int, ...]
     """As many as there are."""
+
+    def __init__(self, descriptors: tuple[int, ...]) -> None:
+        self.descriptors = descriptors
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[InventoryResponse, int]:
@@ -471,7 +550,6 @@ class InventoryResponse(Response):
 _PIN_RESPONSE_0 = codec.Block("BB", "drive", "use")
 
 
-@dataclass(slots=True)
 class PinResponse(Response):
     """Pin response (0x01,0x8B).
 
@@ -480,10 +558,14 @@ class PinResponse(Response):
     - guide: Pin
     """
 
+    __slots__ = ("drive", "use")
+    __match_args__ = ("drive", "use")
+
     SET = 0x01
     DESCRIPTOR = 0x8B
     NAME = "tools.pin_response"
     ROLE = "response"
+    _LAYOUT = (("drive", "B", Drive), ("use", "B", None))
 
     drive: Drive
     """What drives it."""
@@ -493,6 +575,10 @@ class PinResponse(Response):
     - If `drive` is `Drive.PULSE`: values of `PulseUse`.
     - If `drive` is `Drive.SERIAL`: values of `SerialUse`.
     """
+
+    def __init__(self, drive: Drive, use: int) -> None:
+        self.drive = drive
+        self.use = use
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PinResponse, int]:
@@ -510,7 +596,6 @@ class PinResponse(Response):
 _HELLO_RESPONSE_0 = codec.Block("I", "seen")
 
 
-@dataclass(slots=True)
 class HelloResponse(Response):
     """Hello response (0x01,0x8C).
 
@@ -520,13 +605,20 @@ class HelloResponse(Response):
     - sheet: Hello
     """
 
+    __slots__ = ("seen",)
+    __match_args__ = ("seen",)
+
     SET = 0x01
     DESCRIPTOR = 0x8C
     NAME = "tools.hello_response"
     ROLE = "response"
+    _LAYOUT = (("seen", "I", None),)
 
     seen: int
     """When the device was seen. Unit: s."""
+
+    def __init__(self, seen: int) -> None:
+        self.seen = seen
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[HelloResponse, int]:
@@ -543,7 +635,6 @@ class HelloResponse(Response):
 _READINGS_RESPONSE_0 = codec.Block("BB", "drive", "count")
 
 
-@dataclass(slots=True)
 class ReadingsResponse(Response):
     """Readings response (0x01,0x8D).
 
@@ -551,6 +642,9 @@ class ReadingsResponse(Response):
 
     - guide: Readings
     """
+
+    __slots__ = ("drive", "readings", "last")
+    __match_args__ = ("drive", "readings", "last")
 
     SET = 0x01
     DESCRIPTOR = 0x8D
@@ -572,6 +666,11 @@ class ReadingsResponse(Response):
     - If `drive` is `Drive.PULSE`: `value` has unit s; range 0 to 1.
     - If `drive` is `Drive.SERIAL`: `value`: Nothing.
     """
+
+    def __init__(self, drive: Drive, readings: tuple[Reading, ...], last: Reading) -> None:
+        self.drive = drive
+        self.readings = readings
+        self.last = last
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ReadingsResponse, int]:
@@ -598,7 +697,6 @@ _STATUS_SHORT_1 = codec.Block("B", "selector")
 _STATUS_SHORT_2 = codec.Block("I", "flags")
 
 
-@dataclass(slots=True)
 class StatusShort(Response):
     """Status response (0x01,0x90).
 
@@ -606,6 +704,9 @@ class StatusShort(Response):
 
     - guide: Status
     """
+
+    __slots__ = ("flags",)
+    __match_args__ = ("flags",)
 
     SET = 0x01
     DESCRIPTOR = 0x90
@@ -620,6 +721,9 @@ class StatusShort(Response):
     - On the Model A and Model C: values of `ModelAFaults`.
     - On the Model B: values of `ModelBFaults`.
     """
+
+    def __init__(self, flags: int) -> None:
+        self.flags = flags
 
     @classmethod
     def matches(cls, data: bytes) -> bool:
@@ -650,7 +754,6 @@ _STATUS_LONG_1 = codec.Block("B", "selector")
 _STATUS_LONG_2 = codec.Block("IQ", "flags", "uptime")
 
 
-@dataclass(slots=True)
 class StatusLong(Response):
     """Status response (0x01,0x90).
 
@@ -659,6 +762,9 @@ class StatusLong(Response):
 
     - guide: Status
     """
+
+    __slots__ = ("flags", "uptime")
+    __match_args__ = ("flags", "uptime")
 
     SET = 0x01
     DESCRIPTOR = 0x90
@@ -676,6 +782,10 @@ class StatusLong(Response):
     """
     uptime: int
     """Since start. Unit: s."""
+
+    def __init__(self, flags: int, uptime: int) -> None:
+        self.flags = flags
+        self.uptime = uptime
 
     @classmethod
     def matches(cls, data: bytes) -> bool:
@@ -711,7 +821,6 @@ _STATUS_OLD_1 = codec.Block("B", "selector")
 _STATUS_OLD_2 = codec.Block("I", "uptime")
 
 
-@dataclass(slots=True)
 class StatusOld(Response):
     """Status response (0x01,0x90).
 
@@ -723,6 +832,9 @@ class StatusOld(Response):
     - guide: Status
     """
 
+    __slots__ = ("uptime",)
+    __match_args__ = ("uptime",)
+
     SET = 0x01
     DESCRIPTOR = 0x90
     NAME = "tools.status_old"
@@ -732,6 +844,9 @@ class StatusOld(Response):
     # On the wire: selector. The long layout. Always 2.
     uptime: int
     """Since start. Unit: s."""
+
+    def __init__(self, uptime: int) -> None:
+        self.uptime = uptime
 
     @classmethod
     def matches(cls, data: bytes) -> bool:
@@ -762,7 +877,6 @@ _STATUS_FULL_1 = codec.Block("B", "selector")
 _STATUS_FULL_2 = codec.Block("QB", "uptime", "mode")
 
 
-@dataclass(slots=True)
 class StatusFull(Response):
     """Status response (0x01,0x90).
 
@@ -771,6 +885,9 @@ class StatusFull(Response):
 
     - guide: Status
     """
+
+    __slots__ = ("place", "uptime", "mode")
+    __match_args__ = ("place", "uptime", "mode")
 
     SET = 0x01
     DESCRIPTOR = 0x90
@@ -785,6 +902,11 @@ class StatusFull(Response):
     """Since start. Unit: s."""
     mode: types.Mode
     """What it does."""
+
+    def __init__(self, place: types.Point, uptime: int, mode: types.Mode) -> None:
+        self.place = place
+        self.uptime = uptime
+        self.mode = mode
 
     @classmethod
     def matches(cls, data: bytes) -> bool:
@@ -816,7 +938,6 @@ class StatusFull(Response):
 _BIAS_VECTOR_0 = codec.Block("fff", *["bias"] * 3)
 
 
-@dataclass(slots=True)
 class BiasVector(Response):
     """Bias response (0x01,0x9B).
 
@@ -826,27 +947,34 @@ class BiasVector(Response):
     - leaflet: Bias
     """
 
+    __slots__ = ("bias",)
+    __match_args__ = ("bias",)
+
     SET = 0x01
     DESCRIPTOR = 0x9B
     NAME = "tools.bias_vector"
     ROLE = "response"
+    _LAYOUT = (("bias", "fff", types.Vector3f),)
+    _VECTORS = {"bias": (types.Vector3f,)}
 
     bias: types.Vector3f
     """Taken off the measurement. Elements: x, y, z. Unit: g. Frame: sensor."""
+
+    def __init__(self, bias: types.Vector3f | codec.Numbers) -> None:
+        self.bias = codec.vector(bias, types.Vector3f)
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[BiasVector, int]:
         v = _BIAS_VECTOR_0.read(raw, at)
         at += 12
-        bias = v[0:3]
+        bias = types.Vector3f._make(v[0:3])
         return cls(bias), at
 
     def _write(self) -> bytes:
-        out = _BIAS_VECTOR_0.write(*codec.exactly("bias", self.bias, 3))
+        out = _BIAS_VECTOR_0.write(*codec.elements("bias", self.bias, 3))
         return codec.finished(out)
 
 
-@dataclass(slots=True)
 class Ping(Command[None]):
     """Ping (0x01,0x01).
 
@@ -857,6 +985,8 @@ class Ping(Command[None]):
     - guide: Ping
     - leaflet: Ping
     """
+
+    __slots__ = ()
 
     SET = 0x01
     DESCRIPTOR = 0x01
@@ -886,7 +1016,6 @@ _SETTINGS_GROUPS = (
 )
 
 
-@dataclass(slots=True)
 class Settings(Command[R]):
     """Settings (0x01,0x02).
 
@@ -900,6 +1029,9 @@ class Settings(Command[R]):
     - leaflet: Settings
     """
 
+    __slots__ = ("function", "port", "mode", "baud", "limit", "reserved")
+    __match_args__ = ("function", "port", "mode", "baud", "limit", "reserved")
+
     SET = 0x01
     DESCRIPTOR = 0x02
     NAME = "tools.settings"
@@ -909,23 +1041,39 @@ class Settings(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    port: int | None = None
+    port: int | None
     """Number of the port, 0 for all. Range: 0 to 8."""
-    mode: types.Mode | None = None
+    mode: types.Mode | None
     """What to do. Default: `types.Mode.FAST`. Required for `write`, `read` and `apply`.
 
     - On the Model C: only `types.Mode.DEFAULT` and `types.Mode.FAST`; not deprecated.
     """
-    baud: int | None = None
+    baud: int | None
     """Speed. Unit: Bd. Default: 115200. Required for `write` and `apply`."""
-    limit: int | None = None
+    limit: int | None
     """Required by no function, not even by write. Optional.
 
     - If `mode` is `types.Mode.FAST`: unit s; range 1 to 10; default 5.
     - If `mode` is `types.Mode.SLOW`: unit m.
     """
-    reserved: int | None = None
+    reserved: int | None
     """Reserved: send 1. Optional."""
+
+    def __init__(
+        self,
+        function: FunctionSelector,
+        port: int | None = None,
+        mode: types.Mode | None = None,
+        baud: int | None = None,
+        limit: int | None = None,
+        reserved: int | None = None,
+    ) -> None:
+        self.function = function
+        self.port = port
+        self.mode = mode
+        self.baud = baud
+        self.limit = limit
+        self.reserved = reserved
 
     @classmethod
     def write(
@@ -1053,7 +1201,6 @@ _SET_TIME_2 = codec.Block("I", "value")
 _SET_TIME_GROUPS = ((1, ("part",), False), (2, ("value",), False))
 
 
-@dataclass(slots=True)
 class SetTime(Command[R]):
     """Set time (0x01,0x03).
 
@@ -1067,6 +1214,9 @@ class SetTime(Command[R]):
     - guide: Set time
     """
 
+    __slots__ = ("function", "part", "value")
+    __match_args__ = ("function", "part", "value")
+
     SET = 0x01
     DESCRIPTOR = 0x03
     NAME = "tools.set_time"
@@ -1076,10 +1226,17 @@ class SetTime(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    part: types.Mode | None = None
+    part: types.Mode | None
     """Which half of the time."""
-    value: int | None = None
+    value: int | None
     """The new value. Unit: s. Required for `write` and `apply`."""
+
+    def __init__(
+        self, function: FunctionSelector, part: types.Mode | None = None, value: int | None = None
+    ) -> None:
+        self.function = function
+        self.part = part
+        self.value = value
 
     @classmethod
     def write(cls: ClassOf[SetTime[Any]], part: types.Mode, value: int) -> SetTime[None]:
@@ -1153,7 +1310,6 @@ _STATUS_0 = codec.Block("H", "model")
 _STATUS_1 = codec.Block("B", "selector")
 
 
-@dataclass(slots=True)
 class Status(Command[StatusShort | StatusLong | StatusOld | StatusFull]):
     """Status (0x01,0x04).
 
@@ -1164,6 +1320,9 @@ class Status(Command[StatusShort | StatusLong | StatusOld | StatusFull]):
 
     - guide: Status
     """
+
+    __slots__ = ("selector",)
+    __match_args__ = ("selector",)
 
     SET = 0x01
     DESCRIPTOR = 0x04
@@ -1178,6 +1337,9 @@ class Status(Command[StatusShort | StatusLong | StatusOld | StatusFull]):
 
     - On the Model C: always 2.
     """
+
+    def __init__(self, selector: int) -> None:
+        self.selector = selector
 
     @classmethod
     def matches(cls, data: bytes) -> bool:
@@ -1212,7 +1374,6 @@ _BIAS_1 = codec.Block("fff", *["bias"] * 3)
 _BIAS_GROUPS = ((1, ("bias",), False),)
 
 
-@dataclass(slots=True)
 class Bias(Command[R]):
     """Bias (0x01,0x05).
 
@@ -1225,21 +1386,31 @@ class Bias(Command[R]):
     - leaflet: Bias
     """
 
+    __slots__ = ("function", "bias")
+    __match_args__ = ("function", "bias")
+
     SET = 0x01
     DESCRIPTOR = 0x05
     NAME = "tools.bias"
     ROLE = "command"
     RESPONSES = (BiasVector,)
     REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+    _VECTORS = {"bias": (types.Vector3f,)}
 
     function: FunctionSelector
     """What to do with the setting."""
-    bias: types.Vector3f | None = None
+    bias: types.Vector3f | None
     """Taken off the measurement. Elements: x, y, z. Unit: g. Frame: sensor. Required for `write`.
     """
 
+    def __init__(
+        self, function: FunctionSelector, bias: types.Vector3f | None | codec.Numbers = None
+    ) -> None:
+        self.function = function
+        self.bias = codec.vector(bias, types.Vector3f)
+
     @classmethod
-    def write(cls: ClassOf[Bias[Any]], bias: types.Vector3f) -> Bias[None]:
+    def write(cls: ClassOf[Bias[Any]], bias: types.Vector3f | codec.Numbers) -> Bias[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, bias=bias)
 
@@ -1282,7 +1453,7 @@ class Bias(Command[R]):
                 raise Truncated(1, 0)
             v = _BIAS_1.read(raw, at)
             at += 12
-            bias = v[0:3]
+            bias = types.Vector3f._make(v[0:3])
             done, end = 1, at
         except Truncated:
             if done < required:
@@ -1295,14 +1466,13 @@ class Bias(Command[R]):
         required = self.REQUIRED.get(self.function, 0)
         there = codec.present(self, required, _BIAS_GROUPS)
         if there >= 1:
-            out += _BIAS_1.write(*codec.exactly("bias", self.bias, 3))
+            out += _BIAS_1.write(*codec.elements("bias", self.bias, 3))
         return codec.finished(out)
 
 
 _CAPTURE_BIAS_0 = codec.Block("H", "time")
 
 
-@dataclass(slots=True)
 class CaptureBias(Command[BiasVector]):
     """Capture bias (0x01,0x06).
 
@@ -1314,14 +1484,21 @@ class CaptureBias(Command[BiasVector]):
     - guide: Capture bias
     """
 
+    __slots__ = ("time",)
+    __match_args__ = ("time",)
+
     SET = 0x01
     DESCRIPTOR = 0x06
     NAME = "tools.capture_bias"
     ROLE = "command"
     RESPONSES = (BiasVector,)
+    _LAYOUT = (("time", "H", None),)
 
     time: int
     """How long. Unit: s. Range: 1 to 30."""
+
+    def __init__(self, time: int) -> None:
+        self.time = time
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[CaptureBias, int]:
@@ -1338,7 +1515,6 @@ class CaptureBias(Command[BiasVector]):
 _FORMATS_0 = codec.Block("BBB", "suppress_ack", "num_segments", "checkpoint")
 
 
-@dataclass(slots=True)
 class Formats(Command[None]):
     """Formats (0x01,0x07).
 
@@ -1348,6 +1524,9 @@ class Formats(Command[None]):
 
     - guide: Formats
     """
+
+    __slots__ = ("suppress_ack", "checkpoint", "segments")
+    __match_args__ = ("suppress_ack", "checkpoint", "segments")
 
     SET = 0x01
     DESCRIPTOR = 0x07
@@ -1361,6 +1540,13 @@ class Formats(Command[None]):
     """Between a counter and its array."""
     segments: tuple[types.Segment, ...]
     """The segments."""
+
+    def __init__(
+        self, suppress_ack: bool, checkpoint: int, segments: tuple[types.Segment, ...]
+    ) -> None:
+        self.suppress_ack = suppress_ack
+        self.checkpoint = checkpoint
+        self.segments = segments
 
     @property
     def answered(self) -> bool:
@@ -1394,7 +1580,6 @@ _CHOICE_3 = codec.Block("ffff", *["parameters"] * 4)
 _CHOICE_GROUPS = ((1, ("instance",), False), (2, ("shape",), False), (3, ("parameters",), True))
 
 
-@dataclass(slots=True)
 class Choice(Command[R]):
     """Choice (0x01,0x08).
 
@@ -1405,20 +1590,24 @@ class Choice(Command[R]):
     - guide: Choice
     """
 
+    __slots__ = ("function", "instance", "shape", "parameters")
+    __match_args__ = ("function", "instance", "shape", "parameters")
+
     SET = 0x01
     DESCRIPTOR = 0x08
     NAME = "tools.choice"
     ROLE = "command"
     RESPONSES = (ChoiceResponse,)
     REQUIRED = {1: 3, 2: 1}
+    _VECTORS = {"parameters": (types.Quatf,)}
 
     function: FunctionSelector
     """What to do with the setting."""
-    instance: int | None = None
+    instance: int | None
     """Which one."""
-    shape: Shape | None = None
+    shape: Shape | None
     """Which member follows. Required for `write`."""
-    parameters: Circle | Path | types.Quatf | str | None = None
+    parameters: Circle | Path | types.Quatf | str | None
     """The member. Selected by `shape`. Required for `write`.
 
     - If `shape` is `Shape.NONE`: `None`.
@@ -1428,12 +1617,24 @@ class Choice(Command[R]):
     - If `shape` is `Shape.LABEL`: `str`. A name.
     """
 
+    def __init__(
+        self,
+        function: FunctionSelector,
+        instance: int | None = None,
+        shape: Shape | None = None,
+        parameters: Circle | Path | types.Quatf | str | None | codec.Numbers = None,
+    ) -> None:
+        self.function = function
+        self.instance = instance
+        self.shape = shape
+        self.parameters = codec.vector(parameters, types.Quatf)
+
     @classmethod
     def write(
         cls: ClassOf[Choice[Any]],
         instance: int,
         shape: Shape,
-        parameters: Circle | Path | types.Quatf | str | None,
+        parameters: Circle | Path | types.Quatf | str | None | codec.Numbers,
     ) -> Choice[None]:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, instance=instance, shape=shape, parameters=parameters)
@@ -1481,7 +1682,7 @@ class Choice(Command[R]):
             elif shape == 3:
                 v = _CHOICE_3.read(raw, at)
                 at += 16
-                parameters = v[0:4]
+                parameters = types.Quatf._make(v[0:4])
             elif shape == 4:
                 parameters = codec.take(raw, at, 8).decode("latin-1")
                 at += 8
@@ -1512,7 +1713,7 @@ class Choice(Command[R]):
             elif self.shape == 3:
                 if self.parameters is None or isinstance(self.parameters, Structure):
                     raise codec.mismatch("parameters", self.shape)
-                out += _CHOICE_3.write(*codec.exactly("parameters", self.parameters, 4))
+                out += _CHOICE_3.write(*codec.elements("parameters", self.parameters, 4))
             elif self.shape == 4:
                 if self.parameters is None or isinstance(self.parameters, Structure):
                     raise codec.mismatch("parameters", self.shape)
@@ -1528,7 +1729,6 @@ _LIST_1 = codec.Block("B", "count")
 _LIST_GROUPS = ((2, ("items",), False),)
 
 
-@dataclass(slots=True)
 class List(Command[R]):
     """List (0x01,0x09).
 
@@ -1540,6 +1740,9 @@ class List(Command[R]):
     - guide: List
     """
 
+    __slots__ = ("function", "items")
+    __match_args__ = ("function", "items")
+
     SET = 0x01
     DESCRIPTOR = 0x09
     NAME = "tools.list"
@@ -1550,8 +1753,12 @@ class List(Command[R]):
     function: FunctionSelector
     """What to do with the setting."""
     # On the wire: count. Number of items. The number of elements of `items`. Required for `write`.
-    items: tuple[int, ...] | None = None
+    items: tuple[int, ...] | None
     """The items. Required for `write`."""
+
+    def __init__(self, function: FunctionSelector, items: tuple[int, ...] | None = None) -> None:
+        self.function = function
+        self.items = items
 
     @classmethod
     def write(cls: ClassOf[List[Any]], items: tuple[int, ...]) -> List[None]:
@@ -1608,7 +1815,6 @@ class List(Command[R]):
         return codec.finished(out)
 
 
-@dataclass(slots=True)
 class Inventory(Command[InventoryResponse]):
     """Inventory (0x01,0x0A).
 
@@ -1618,6 +1824,8 @@ class Inventory(Command[InventoryResponse]):
 
     - guide: Inventory
     """
+
+    __slots__ = ()
 
     SET = 0x01
     DESCRIPTOR = 0x0A
@@ -1639,7 +1847,6 @@ _PIN_2 = codec.Block("B", "use")
 _PIN_GROUPS = ((1, ("drive",), False), (2, ("use",), False))
 
 
-@dataclass(slots=True)
 class Pin(Command[R]):
     """Pin (0x01,0x0B).
 
@@ -1650,6 +1857,9 @@ class Pin(Command[R]):
     - guide: Pin
     """
 
+    __slots__ = ("function", "drive", "use")
+    __match_args__ = ("function", "drive", "use")
+
     SET = 0x01
     DESCRIPTOR = 0x0B
     NAME = "tools.pin"
@@ -1659,14 +1869,21 @@ class Pin(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    drive: Drive | None = None
+    drive: Drive | None
     """What drives it."""
-    use: int | None = None
+    use: int | None
     """How it is used. Required for `write`.
 
     - If `drive` is `Drive.PULSE`: values of `PulseUse`.
     - If `drive` is `Drive.SERIAL`: values of `SerialUse`.
     """
+
+    def __init__(
+        self, function: FunctionSelector, drive: Drive | None = None, use: int | None = None
+    ) -> None:
+        self.function = function
+        self.drive = drive
+        self.use = use
 
     @classmethod
     def write(cls: ClassOf[Pin[Any]], drive: Drive, use: int) -> Pin[None]:
@@ -1728,7 +1945,6 @@ _HELLO_1 = codec.Block("dd", *["later"] * 2)
 _HELLO_GROUPS = ((2, ("later",), False),)
 
 
-@dataclass(slots=True)
 class Hello(Command[HelloResponse]):
     """Hello (0x01,0x0C).
 
@@ -1740,16 +1956,23 @@ class Hello(Command[HelloResponse]):
     - sheet: Hello
     """
 
+    __slots__ = ("reserved", "later")
+    __match_args__ = ("reserved", "later")
+
     SET = 0x01
     DESCRIPTOR = 0x0C
     NAME = "tools.hello"
     ROLE = "command"
     RESPONSES = (HelloResponse,)
 
-    reserved: float = 1.0
+    reserved: float
     """Reserved: send 1.0."""
-    later: tuple[float, float] | None = None
+    later: tuple[float, float] | None
     """Reserved: send 0.0. Optional."""
+
+    def __init__(self, reserved: float = 1.0, later: tuple[float, float] | None = None) -> None:
+        self.reserved = reserved
+        self.later = later
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Hello, int]:
@@ -1784,7 +2007,6 @@ class Hello(Command[HelloResponse]):
 _READINGS_0 = codec.Block("B", "drive")
 
 
-@dataclass(slots=True)
 class Readings(Command[ReadingsResponse]):
     """Readings (0x01,0x0D).
 
@@ -1795,14 +2017,21 @@ class Readings(Command[ReadingsResponse]):
     - guide: Readings
     """
 
+    __slots__ = ("drive",)
+    __match_args__ = ("drive",)
+
     SET = 0x01
     DESCRIPTOR = 0x0D
     NAME = "tools.readings"
     ROLE = "command"
     RESPONSES = (ReadingsResponse,)
+    _LAYOUT = (("drive", "B", Drive),)
 
     drive: Drive
     """What is asked for."""
+
+    def __init__(self, drive: Drive) -> None:
+        self.drive = drive
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Readings, int]:

@@ -7,18 +7,28 @@ if __name__ == "types":
         "this is mip_protocol/types.py, not Python's own types: run Python in another folder"
     )
 
-from dataclasses import dataclass
 from enum import IntFlag
-from typing import TypeAlias
+from typing import NamedTuple
 
 from . import codec
 from .field import Structure
 
-Vector3f: TypeAlias = tuple[float, float, float]
-"""Three floats. Elements: x, y, z."""
 
-Quatf: TypeAlias = tuple[float, float, float, float]
-"""A quaternion, scalar part first. Elements: w, x, y, z."""
+class Vector3f(NamedTuple):
+    """Three floats. Elements: x, y, z."""
+
+    x: float
+    y: float
+    z: float
+
+
+class Quatf(NamedTuple):
+    """A quaternion, scalar part first. Elements: w, x, y, z."""
+
+    w: float
+    x: float
+    y: float
+    z: float
 
 
 class AckCode(codec.OpenEnum):
@@ -113,14 +123,20 @@ class Health(IntFlag):
 _POINT_0 = codec.Block("hh", "x", "y")
 
 
-@dataclass(slots=True)
 class Point(Structure):
     """A place in a plane."""
+
+    __slots__ = ("x", "y")
+    __match_args__ = ("x", "y")
 
     x: int
     """Eastward. Unit: m."""
     y: int
     """Northward. Unit: m."""
+
+    def __init__(self, x: int, y: int) -> None:
+        self.x = x
+        self.y = y
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Point, int]:
@@ -138,9 +154,11 @@ class Point(Structure):
 _SEGMENT_0 = codec.Block("BB", *["weights"] * 2)
 
 
-@dataclass(slots=True)
 class Segment(Structure):
     """Two places, nested."""
+
+    __slots__ = ("from_", "to", "weights")
+    __match_args__ = ("from_", "to", "weights")
 
     from_: Point
     """Begins here."""
@@ -148,6 +166,11 @@ class Segment(Structure):
     """Ends here."""
     weights: tuple[int, int]
     """Of its ends."""
+
+    def __init__(self, from_: Point, to: Point, weights: tuple[int, int]) -> None:
+        self.from_ = from_
+        self.to = to
+        self.weights = weights
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Segment, int]:

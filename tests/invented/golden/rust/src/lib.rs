@@ -1,5 +1,8 @@
 #![doc = include_str!("../README.md")]
 #![doc = include_str!("map.md")]
+#![cfg_attr(feature = "default", doc = include_str!("sets.md"))]
+// Texts name fields of other sets, which may be off.
+#![cfg_attr(not(feature = "default"), allow(rustdoc::broken_intra_doc_links))]
 #![no_std]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 #![forbid(unsafe_code)]
@@ -42,6 +45,7 @@ mod text;
 
 pub mod devices;
 #[cfg(feature = "dynamic")]
+#[cfg_attr(not(feature = "default"), allow(dead_code, unused_imports))] // few sets use all of it
 pub mod dynamic;
 pub mod protocol;
 pub mod registry;

@@ -35,6 +35,7 @@ pub fn checksum(bytes: &[u8]) -> [u8; 2] {
 /// Why bytes are not a packet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum PacketError {
     /// The bytes do not start with the two sync bytes.
     Sync,

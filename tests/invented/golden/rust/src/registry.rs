@@ -57,9 +57,10 @@ impl FieldInfo {
     }
 }
 
-/// What every type of a field in the registry can do.
+/// What every type of a field in the registry can do. Only the types of this crate implement it.
 pub trait Listed:
     Field
+    + bounds::Sealed
     + Clone
     + fmt::Debug
     + PartialEq
@@ -77,6 +78,8 @@ pub trait Listed:
 }
 
 /// Does something with a field of any type: see [`visit`].
+///
+/// Methods that are added later will have a default.
 ///
 /// ```
 /// use mip_protocol::registry::{visit, Listed, Visitor};
@@ -173,6 +176,9 @@ fn from_value<T: Listed>(
 
 /// What types can do besides, as the features of the crate say.
 mod bounds {
+    /// Keeps others from implementing [`Listed`](super::Listed), which may grow.
+    pub trait Sealed {}
+
     macro_rules! bound {
         ($name:ident: $feature:literal, $($bound:tt)+) => {
             #[cfg(feature = $feature)]

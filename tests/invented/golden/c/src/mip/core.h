@@ -164,14 +164,15 @@ struct mip_builder {
 
 /**
  * Begins a packet. MIP_ERROR_LENGTH if the buffer does not even hold an empty one, or if the
- * descriptor set is 0; then nothing can be added.
+ * descriptor set is 0 or 0xFF, which no packet has; then nothing can be added.
  */
 static inline mip_error mip_builder_start(struct mip_builder *builder, uint8_t *buffer,
                                           size_t capacity, uint8_t descriptor_set) {
     builder->buffer = buffer;
     builder->capacity = 0;
     builder->length = 0;
-    if (capacity < MIP_HEADER_SIZE + MIP_CHECKSUM_SIZE || descriptor_set == 0) {
+    if (capacity < MIP_HEADER_SIZE + MIP_CHECKSUM_SIZE || descriptor_set == 0 ||
+        descriptor_set == 0xFF) {
         return MIP_ERROR_LENGTH;
     }
     buffer[0] = MIP_SYNC_1;

@@ -60,7 +60,7 @@ def run(options: argparse.Namespace) -> int:
             if explain
             else ports.pieces(name, options)
             if live
-            else inputs.pieces(name)
+            else inputs.pieces(name, progress=not sys.stdout.isatty())
         )
         for piece in source:
             if piece.packet is None:

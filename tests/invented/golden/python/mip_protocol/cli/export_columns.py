@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Any
 
 from ..errors import Failure
 from ..field import Field
-from . import clocks, outputs
+from . import clocks, inputs, outputs
 from .selection import Selection
-from .table import clock_of, heading, present
+from .table import heading, survey
 
 if TYPE_CHECKING:
     from ..columns import Column, Log
@@ -49,8 +49,8 @@ class Job:
             raise Failure("--names is for csv and jsonl; tables of numbers name their types")
         self._name, self._form, self._options, self._aligned = name, form, options, aligned
         self._selection = selection
-        self.types = present(name, selection)
-        self._clock = None if options.time == "none" else clock_of(name)
+        self.types, clock = survey(name, selection)
+        self._clock = None if options.time == "none" else clock
         if options.time in ("utc", "unix") and not clocks.dated(self._clock):
             raise Failure("the log has no dates; use --time clock, --time start or --time none")
         self._first: int | None = None
@@ -67,7 +67,7 @@ class Job:
                 return
             out = stack.enter_context(outputs.whole(path))
             writer: Any = None
-            tables = Tables(self._options, self._clock, types, self._aligned)
+            tables = Tables(self._options, self._clock, types, self._aligned, self._selection)
             for table in tables.of(log):
                 if writer is None:
                     writer = stack.enter_context(_writer(self._form, out, table.schema))
@@ -81,7 +81,7 @@ class Job:
 
         arrays: dict[str, Any] = {}
         for column in log.columns(list(types)):
-            rows = kept(column, self._options.invalid)
+            rows = kept(column, self._selection, self._options.invalid)
             name = column.type.NAME
             if self._clock is not None:
                 found = column.time(self._clock)
@@ -130,11 +130,14 @@ def in_seconds(
     return first, np.where(unknown, np.nan, numbers / 1e9)
 
 
-def kept(column: Column[Any], invalid: str) -> Any:
-    """The rows that are written: with `drop` those in which nothing is said to be invalid."""
+def kept(column: Column[Any], selection: Selection, invalid: str) -> Any:
+    """The rows that are written: of sets that are wanted; with `drop`, nothing in them is invalid."""
     import numpy as np
 
+    wanted = [n for n in column.sets if selection.has(n, column.type.DESCRIPTOR)]
     rows = np.ones(len(column), bool)
+    if len(wanted) < len(column.sets):
+        rows = np.isin(column.set, wanted)
     if invalid == "drop":
         for name in column.names:
             if column.parameters[name].valid:
@@ -154,7 +157,7 @@ def _ragged(name: str, ragged: Any, rows: Any) -> dict[str, Any]:
             [np.arange(b, b + n) for b, n in zip(begins, lengths)] or [np.zeros(0, np.int64)]
         )
     else:
-        index = slice(None)
+        index = np.arange(ragged.offsets[-1])
     found = {f"{name}/offsets": np.concatenate(([0], np.cumsum(lengths)))}
     if isinstance(ragged.values, np.ndarray):
         return found | {f"{name}/values": ragged.values[index]}
@@ -175,29 +178,33 @@ class Tables:
         clock: str | None,
         types: Sequence[type[Field]],
         aligned: type[Field] | None,
+        selection: Selection,
     ) -> None:
         self._options, self._clock, self._types, self._aligned = options, clock, types, aligned
+        self._selection = selection
         self._first: int | None = None
         self._last: dict[type[Field], Any] = {}
 
     def of(self, log: Log) -> Iterator[Any]:
         """One for each part."""
+        progress = inputs.Progress(log.size)
         for part in log.parts(PART):
+            progress.at(part.begin)
             tables = {kind: self._table(part, kind) for kind in self._types}
             rows = self._aligned_rows if self._aligned else self._joined_rows
             yield self._put_together(tables, rows(tables))
+        progress.clear()
 
     def _table(self, part: Log, kind: type[Field]) -> Any:
         """The fields of one type, in the order of the log."""
-        import pyarrow as pa
+        pa = import_module("pyarrow")
 
         invalid = "mask" if self._options.invalid == "mask" else "keep"
         table = part.frame(
             kind, library="pyarrow", time=self._clock, invalid=invalid, position=True
         )
-        if self._options.invalid == "drop":
-            table = table.filter(pa.array(kept(part[kind], "drop")))
-        return table
+        rows = kept(part[kind], self._selection, self._options.invalid)
+        return table if rows.all() else table.filter(pa.array(rows))
 
     def _joined_rows(self, tables: dict[type[Field], Any]) -> dict[type[Field], Any]:
         """For each row, that of each type, or -1: a row for each packet, more if it has several of a type."""
@@ -222,7 +229,8 @@ class Tables:
     def _aligned_rows(self, tables: dict[type[Field], Any]) -> dict[type[Field], Any]:
         """For each row of one type the last one of the others, also from the part before."""
         import numpy as np
-        import pyarrow as pa
+
+        pa = import_module("pyarrow")
 
         assert self._aligned is not None
         base = tables[self._aligned]["offset"].to_numpy()
@@ -239,8 +247,7 @@ class Tables:
         return found
 
     def _put_together(self, tables: dict[type[Field], Any], rows: dict[type[Field], Any]) -> Any:
-        import pyarrow as pa
-        import pyarrow.compute as pc
+        pa, pc = import_module("pyarrow"), import_module("pyarrow.compute")
 
         indices = {kind: pa.array(index, mask=index < 0) for kind, index in rows.items()}
         fields, columns = [], []
@@ -262,7 +269,7 @@ class Tables:
         return pa.Table.from_arrays(columns, schema=pa.schema(fields))
 
     def _time(self, column: Any, field: Any) -> tuple[Any, Any]:
-        import pyarrow as pa
+        pa = import_module("pyarrow")
 
         times = (
             column.to_numpy(zero_copy_only=False)
@@ -279,9 +286,5 @@ class Tables:
 
 def _writer(form: str, out: Any, schema: Any) -> Any:
     if form == "parquet":
-        from pyarrow.parquet import ParquetWriter
-
-        return ParquetWriter(out, schema, compression="zstd")
-    import pyarrow as pa
-
-    return pa.ipc.new_file(out, schema)
+        return import_module("pyarrow.parquet").ParquetWriter(out, schema, compression="zstd")
+    return import_module("pyarrow").ipc.new_file(out, schema)

@@ -12,7 +12,7 @@ from ..errors import Failure
 from ..field import Field
 from . import clocks, outputs, values
 from .selection import Selection
-from .table import Column, Sample, cell, clock_of, columns, heading, present, samples
+from .table import Column, Sample, cell, columns, heading, samples, survey
 
 
 def require(form: str) -> None:
@@ -32,8 +32,8 @@ class Job:
     ) -> None:
         self._name, self._form, self._options, self._aligned = name, form, options, aligned
         self._selection = selection
-        self.types = present(name, selection)
-        self._clock = None if options.time == "none" else clock_of(name)
+        self.types, clock = survey(name, selection)
+        self._clock = None if options.time == "none" else clock
         self._time = time_of(options.time, self._clock)
 
     def write(self, path: str, types: Sequence[type[Field]]) -> None:

@@ -51,24 +51,27 @@ def _plain(text: bytes) -> bytes:
     return bytes.fromhex(_SEPARATORS.sub(b"", text).decode("ascii"))
 
 
-def chunks(name: str) -> Iterator[bytes]:
-    """The bytes of a file, or of standard input for `-`, as they come. Text of hex digits is converted."""
+def chunks(name: str, progress: bool = True) -> Iterator[bytes]:
+    """The bytes of a file, or of standard input for `-`, as they come. Text of hex digits is converted.
+
+    `progress` of long files is shown on a terminal. Raises Failure if it cannot be read.
+    """
     try:
         if name == "-":
             yield from _converted(_read(sys.stdin.buffer), name)
         else:
             with open(name, "rb") as file:
-                yield from _converted(_progress(file), name)
+                yield from _converted(_shown(file) if progress else _read(file), name)
     except OSError as error:
         if isinstance(error, BrokenPipeError):
             raise
         raise Failure(f"{name} cannot be read: {error.strerror or error}") from None
 
 
-def pieces(name: str) -> Iterator[Piece]:
+def pieces(name: str, progress: bool = True) -> Iterator[Piece]:
     """The packets of a file or of standard input, and what is between them."""
     scanner = Scanner()
-    for chunk in chunks(name):
+    for chunk in chunks(name, progress):
         yield from scanner.feed(chunk)
     yield from scanner.flush()
 
@@ -116,25 +119,38 @@ def _converted(source: Iterator[bytes], name: str) -> Iterator[bytes]:
 # --------------------------------------------------------------------------- progress
 
 
-def _progress(file: IO[bytes]) -> Iterator[bytes]:
-    """The file, with progress on standard error if that is a terminal and the file is long."""
-    size = os.fstat(file.fileno()).st_size
-    if size < 1 << 22 or not sys.stderr.isatty() or sys.stdout.isatty():
-        yield from _read(file)
-        return
-    done, shown = 0, time.monotonic()
+class Progress:
+    """How much of something long is done, on standard error if that is a terminal."""
+
+    def __init__(self, size: int) -> None:
+        self._size = size
+        self._shown = time.monotonic()
+        self._on = size >= 1 << 22 and sys.stderr.isatty()
+
+    def at(self, done: int) -> None:
+        """Shows it, but not too often."""
+        now = time.monotonic()
+        if self._on and now - self._shown > 0.2:
+            self._shown = now
+            sys.stderr.write(f"\r\x1b[K{done / self._size:.0%} of {readable(self._size)}")
+            sys.stderr.flush()
+
+    def clear(self) -> None:
+        """Removes it from the terminal."""
+        if self._on:
+            sys.stderr.write("\r\x1b[K")
+            sys.stderr.flush()
+
+
+def _shown(file: IO[bytes]) -> Iterator[bytes]:
+    progress, done = Progress(os.fstat(file.fileno()).st_size), 0
     try:
         for chunk in _read(file):
             yield chunk
             done += len(chunk)
-            now = time.monotonic()
-            if now - shown > 0.2:
-                shown = now
-                sys.stderr.write(f"\r{done / size:4.0%} of {readable(size)}")
-                sys.stderr.flush()
+            progress.at(done)
     finally:
-        sys.stderr.write("\r\x1b[K")
-        sys.stderr.flush()
+        progress.clear()
 
 
 def readable(size: float) -> str:
@@ -159,6 +175,7 @@ def existing(name: str) -> Path:
 
 __all__ = [
     "CHUNK",
+    "Progress",
     "chunks",
     "existing",
     "exists",

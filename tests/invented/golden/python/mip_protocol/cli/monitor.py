@@ -93,7 +93,7 @@ def _pieces(options: argparse.Namespace, live: bool) -> Iterator[Piece | None]:
     if live:
         yield from ports.pieces(options.input, options, options.duration, idle=True)
     else:
-        yield from inputs.pieces(options.input)
+        yield from inputs.pieces(options.input, progress=False)
 
 
 def _lines(

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import os
 from collections.abc import Sequence
+from importlib import import_module
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..errors import Failure, UnknownName
@@ -13,7 +14,6 @@ from ..parameter import Parameter
 from ..reflection import info
 from . import clocks, inputs, outputs
 from .selection import field
-from .table import clock_of
 
 if TYPE_CHECKING:
     from ..columns import Log
@@ -21,8 +21,8 @@ if TYPE_CHECKING:
 EPILOG = """\
 examples:
   mip plot log.bin sensor.scaled_accel -o accel.png
-  mip plot log.bin sensor.scaled_accel filter_data.llh_position.ellipsoid_height   in a window
-  mip plot log.bin gnss_1.llh_position.msl_height filter_data.llh_position.ellipsoid_height --together
+  mip plot log.bin sensor.scaled_accel.z filter_data.llh_position      in a window
+  mip plot log.bin gnss_1.llh_position.latitude filter_data.llh_position.latitude --together
 
 The ending of the file chooses the format: png, svg, pdf. Values that their flags say are not valid
 are left out. Enumerations and flags are shown as numbers.
@@ -82,7 +82,7 @@ def run(options: argparse.Namespace) -> int:
     from .. import read_log
 
     with inputs.seekable(options.file) as name, read_log(inputs.existing(name)) as log:
-        clock = clock_of(name)
+        clock = clocks.best(lambda: (p.packet for p in inputs.pieces(name) if p.packet is not None))
         figure = draw(pyplot, log, curves, clock, options)
         if form is None:
             pyplot.show()
@@ -135,13 +135,16 @@ def _curves(name: str) -> list[Curve]:
             raise Failure(f"{kind.NAME} has no numbers to draw; name one of its parameters")
         return [Curve(kind, p, p.attribute, "") for p in plain]
     known = {p.name: p for p in numbers}
+    own = kind.NAME.partition(".")[2]
+    if path[0] not in known and own in known:  # sensor.scaled_accel.x
+        path = [own, *path]
     if path[0] not in known or len(path) > 2:
         raise Failure(f"{kind.NAME} has no number '{'.'.join(path)}'; it has {', '.join(known)}")
     p = known[path[0]]
     element = path[1] if len(path) > 1 else ""
     if element and element not in p.elements:
         has = f"it has {', '.join(p.elements)}" if p.elements else "it is one number"
-        raise Failure(f"{kind.NAME}.{p.name} has no element '{element}'; {has}")
+        raise Failure(f"{'.'.join((kind.NAME, *path[:-1]))} has no element '{element}'; {has}")
     return [Curve(kind, p, p.attribute, element)]
 
 
@@ -166,10 +169,12 @@ def draw(
     """A figure with a diagram for each parameter, one above another, or with a single one."""
     import numpy as np
 
-    columns = dict(zip(kinds := list(dict.fromkeys(c.kind for c in curves)), log.columns(kinds)))
-    for kind, column in columns.items():
+    kinds: list[type[Field] | str] = list(dict.fromkeys(c.kind for c in curves))
+    columns = dict(zip(kinds, log.columns(kinds)))
+    for column in columns.values():
         if not len(column):
-            raise Failure(f"{options.file} has no {kind.NAME}; `mip info` lists what it has")
+            name = column.type.NAME
+            raise Failure(f"{options.file} has no {name}; `mip info` lists what it has")
     count = 1 if options.together else len(curves)
     width, height = options.size
     figure, axes = pyplot.subplots(
@@ -185,27 +190,39 @@ def draw(
     for i, curve in enumerate(curves):
         axis = axes[0 if options.together else i][0]
         column = columns[curve.kind]
-        values = np.ma.filled(np.ma.asarray(column[curve.path], float), np.nan)
+        values: Any = np.ma.filled(np.ma.asarray(column[curve.path], float), np.nan)
         if options.invalid == "mask":
             valid = column.valid(curve.path)
             values = np.where(valid[:, None] if valid.ndim < values.ndim else valid, values, np.nan)
         times = _times(column, clock)
         for element, series in _series(curve, values):
-            name = f"{curve.kind.NAME}.{curve.parameter.name}" if several else curve.parameter.name
+            name = _title(curve) if several else curve.parameter.name
             label = f"{name}.{element}" if several and element else element or name
             axis.plot(times, series, label=label, linewidth=0.9, drawstyle=_style(curve))
         one = len(units) == 1 or not options.together
         unit = curve.parameter.unit if one else ", ".join(u for u in units if u not in ("", "1"))
         axis.set_ylabel("" if unit in ("", "1") else unit)
         if not options.together:
-            axis.set_title(f"{curve.kind.NAME}.{curve.parameter.name}", loc="left", fontsize=10)
+            axis.set_title(_title(curve), loc="left", fontsize=10)
+        if values.dtype.kind == "f" and _style(curve) != "default":  # whole numbers
+            axis.yaxis.get_major_locator().set_params(integer=True)
         if several or curve.parameter.elements:
             axis.legend(loc="upper right", fontsize=8)
     for (axis,) in axes:
         axis.grid(True, linewidth=0.3)
         axis.margins(x=0.01)
+    if clocks.dated(clock):
+        dates: Any = import_module("matplotlib.dates")
+        places = dates.AutoDateLocator()
+        axes[-1][0].xaxis.set_major_locator(places)
+        axes[-1][0].xaxis.set_major_formatter(dates.ConciseDateFormatter(places))
     axes[-1][0].set_xlabel(_time_label(clock))
     return figure
+
+
+def _title(curve: Curve) -> str:
+    name, own = curve.kind.NAME, curve.parameter.name
+    return name if name.partition(".")[2] == own else f"{name}.{own}"
 
 
 def _style(curve: Curve) -> str:

@@ -10,7 +10,7 @@ from ..field import Field, Structure, chosen
 from ..parameter import Parameter
 from ..reflection import PARAMETERS
 from . import inputs, values
-from .clocks import Timeline, best
+from .clocks import CLOCKS, Timeline, moments
 from .decoding import decoded, raw_fields
 from .selection import Selection
 
@@ -115,13 +115,17 @@ def cell(column: Column, field: Any, named: bool) -> Any:
 # --------------------------------------------------------------------------- what is in a log
 
 
-def present(name: str, selection: Selection) -> list[type[Field]]:
-    """The types of the fields that a log has and a selection wants, in the order of their numbers."""
+def survey(name: str, selection: Selection) -> tuple[list[type[Field]], str | None]:
+    """The types of the fields that a log has and a selection wants, by number; and its best clock."""
     found: dict[type[Field], tuple[int, int]] = {}
     single: set[tuple[int, int]] = set()  # has one layout, and is known
+    clocks: set[str] = set()
     for piece in inputs.pieces(name):
         if piece.packet is None:
             continue
+        if next(iter(CLOCKS), None) not in clocks:
+            said = moments(piece.packet)
+            clocks.update(clock for clock, time in said.items() if time is not None)
         for raw in raw_fields(piece.packet):
             key = (raw.set, raw.descriptor)
             if key in single or not selection.has(*key):
@@ -132,12 +136,8 @@ def present(name: str, selection: Selection) -> list[type[Field]]:
                 found.setdefault(kind, key)
                 if len(types) == 1:
                     single.add(key)
-    return sorted(found, key=lambda kind: found[kind])
-
-
-def clock_of(name: str) -> str | None:
-    """The best clock of a log."""
-    return best(lambda: (p.packet for p in inputs.pieces(name) if p.packet is not None))
+    best = next((clock for clock in CLOCKS if clock in clocks), None)
+    return sorted(found, key=lambda kind: found[kind]), best
 
 
 def samples(
@@ -177,4 +177,4 @@ def heading(kind: type[Field], name: str, single: bool) -> str:
     return f"{set}.{name}" if one else f"{kind.NAME}.{name}"
 
 
-__all__ = ["Column", "Sample", "cell", "clock_of", "columns", "heading", "present", "samples"]
+__all__ = ["Column", "Sample", "cell", "columns", "heading", "samples", "survey"]

@@ -1,0 +1,223 @@
+"""Rust: how fast beside a plain safe loop that uses no library, and beside this project's C; how large in firmware.
+
+All are measured in one run, in turns, and the best of many rounds counts. The plain loops are in speed.rs; their
+checksum is the fast one of the crate, so what is left is the price of the crate. `make bench README=1` writes the
+result into the README of the crate.
+"""
+
+from __future__ import annotations
+
+import os
+import platform
+import re
+import subprocess
+from pathlib import Path
+
+import streams
+from bench_c import BUILD, HERE, ROOT, SOURCES, Row, library, measure, run, table, version
+from mipgen.resolve import load_model
+
+CRATE = ROOT / "generated/rust"
+README = ROOT / "templates/rust/bench.md"
+SIZE = 1_000_000
+EMBEDDED = "thumbv7em-none-eabi"
+
+#: What is measured: title, our function, the plain loop, the function of speed.c for C.
+ROWS = (
+    ("parse a slice: `packets`", "slice", "bare", None),
+    ("parse, in chunks of 4 KiB: `Parser::feed`", "parse", "bare", "ours_parse"),
+    ("parse, in chunks of 64 bytes", "small", "bare", None),
+    ("parse, byte by byte", "bytewise", None, "ours_bytewise"),
+    ("parse: `PacketReader`", "reader", "bare", None),
+    ("parse, decode every field: `get`", "get", "bare_get", "ours_direct"),
+    ("parse, decode every field: `Visitor`", "visitor", "bare_get", "ours_registry"),
+    ("parse, decode every field: `AnyField`", "any", "bare_get", "ours_registry"),
+)
+
+FIRMWARE = """#![no_std]
+#![no_main]
+use core::panic::PanicInfo;
+{uses}
+
+#[panic_handler]
+fn panic(_: &PanicInfo<'_>) -> ! {{
+    loop {{}}
+}}
+
+/// Where bytes come from and go to.
+#[inline(never)]
+fn port() -> &'static mut [u8] {{
+    let place = core::hint::black_box(0x2000_0000 as *mut u8);
+    unsafe {{ core::slice::from_raw_parts_mut(place, 64) }}
+}}
+
+#[no_mangle]
+pub extern "C" fn _start() -> ! {{
+    {start}
+    loop {{
+        let bytes = port();
+        {work}
+        core::hint::black_box(bytes);
+    }}
+}}
+"""
+
+PARSE = "let mut packets = parser.feed(bytes); while let Some(packet) = packets.next() {{ {each} }}"
+FIELDS = "".join(
+    f"if let Some(Ok(v)) = field.get::<sensor::{name}>() {{ core::hint::black_box(v); }}"
+    for name in ("ScaledAccel", "ScaledGyro", "GpsTimestamp")
+)
+SEND = """if let Ok((ticket, packet)) = client.send(&base::COMMAND::new(), 0) {
+            core::hint::black_box(packet.bytes());
+            let mut packets = parser.feed(port());
+            while let Some(packet) = packets.next() {
+                for event in client.receive(&packet) {
+                    if let Some(Answer::Acknowledged(response)) = event.answer(&ticket) {
+                        core::hint::black_box(response);
+                    }
+                }
+            }
+            while let Some(packet) = client.poll(&mut parser, 1_000) {
+                core::hint::black_box(client.receive(&packet).count());
+            }
+        }
+        """
+CLIENT = SEND.replace("COMMAND", "Ping") + SEND.replace("COMMAND", "GetDeviceInfo")
+FIRMWARES = {
+    "empty": ("", "", ""),
+    "parser": (
+        "use mip_protocol::Parser;",
+        "let mut parser = Parser::new();",
+        PARSE.format(each="core::hint::black_box(packet.set());"),
+    ),
+    "parser, three fields": (
+        "use mip_protocol::{sensor, Parser};",
+        "let mut parser = Parser::new();",
+        PARSE.format(each=f"for field in packet.fields().flatten() {{ {FIELDS} }}"),
+    ),
+    "parser, client, two commands": (
+        "use mip_protocol::{base, Answer, Client, Parser};",
+        "let mut parser = Parser::new();\n    let mut client: Client<2> = Client::new();",
+        CLIENT,
+    ),
+}  # fmt: skip
+
+
+def project(name: str, manifest: str, files: dict[str, str]) -> Path:
+    folder = BUILD / name
+    (folder / "src").mkdir(parents=True, exist_ok=True)
+    head = f'[package]\nname = "{name}"\nversion = "0.0.0"\nedition = "2021"\n\n[workspace]\n\n[dependencies]\n'
+    (folder / "Cargo.toml").write_text(f"{head}{manifest}")
+    for file, text in files.items():
+        (folder / "src" / file).write_text(text)
+    return folder
+
+
+def cargo(folder: Path, *arguments: str) -> None:
+    command = ["cargo", arguments[0], "--quiet", *arguments[1:]]
+    environment = {**os.environ, "CARGO_TARGET_DIR": str(BUILD / "target")}
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, env=environment)
+    if done.returncode:
+        raise SystemExit(f"{' '.join(command)}: {done.stderr[-3000:]}")
+
+
+# --------------------------------------------------------------------------- speed
+
+
+def speed() -> list[Row]:
+    log = streams.log(load_model(ROOT / "spec"), SIZE)
+    contents = {"tiled": log, "shuffled": streams.shuffled(log)}
+    for name, content in contents.items():
+        (BUILD / f"{name}.bin").write_bytes(content)
+    flags = ["-std=gnu99", "-O2", f"-I{SOURCES}", f"-I{HERE}"]
+    run("cc", *flags, HERE / "speed.c", HERE / "plain.c", *library(), "-o", BUILD / "speed")
+    dependency = f'mip-protocol = {{ path = "{CRATE}", features = ["std"] }}\n'
+    cargo(project("speed-rust", dependency, {"main.rs": (HERE / "speed.rs").read_text()}), "build", "--release")
+    program = BUILD / "target/release/speed-rust"
+    times: dict[str, dict[str, float]] = {}
+    for name in contents:
+        path = BUILD / f"{name}.bin"
+        times[name] = {}
+        for functions in (
+            ["slice", "parse", "small", "bytewise", "reader", "bare"],
+            ["get", "visitor", "any", "bare_get"],
+        ):
+            times[name] |= measure(program, path, functions)
+        for functions in (["ours_parse", "ours_bytewise"], ["ours_direct", "ours_registry"]):
+            times[name] |= measure(BUILD / "speed", path, functions)
+    rows = []
+    for title, ours, bare, c in ROWS:
+        ratios, rates = [], []
+        for name in contents:
+            own = times[name][ours]
+            ratios += [f"{times[name][other] / own:.2f}" if other else "" for other in (bare, c)]
+            rates.append(f"{SIZE / own:.2f}")
+        rows.append([title, *ratios, *rates])
+    return rows
+
+
+# --------------------------------------------------------------------------- size
+
+
+def sizes() -> list[Row]:
+    """Bytes of code and constants above an empty program."""
+    installed = run("rustup", "target", "list", "--installed")
+    if EMBEDDED not in installed.split():
+        return []
+    found = {}
+    for name, (uses, start, work) in FIRMWARES.items():
+        manifest = f'mip-protocol = {{ path = "{CRATE}" }}\n\n[profile.release]\nopt-level = "z"\nlto = true\n'
+        manifest += 'codegen-units = 1\npanic = "abort"\n'
+        source = FIRMWARE.format(uses=uses, start=start, work=work)
+        folder = project("firmware", manifest, {"main.rs": source})
+        cargo(folder, "rustc", "--release", "--target", EMBEDDED, "--", "-Clink-arg=--gc-sections")
+        found[name] = loaded(BUILD / f"target/{EMBEDDED}/release/firmware")
+    return [[name, f"{size - found['empty']} B"] for name, size in found.items() if name != "empty"]
+
+
+def loaded(program: Path) -> int:
+    """Sizes of .text, .rodata and .data of an ELF file of 32 bits, little-endian."""
+    data = program.read_bytes()
+    offset, size, count, names = (
+        int.from_bytes(data[a:b], "little") for a, b in ((32, 36), (46, 48), (48, 50), (50, 52))
+    )
+    heads = [data[offset + i * size : offset + (i + 1) * size] for i in range(count)]
+    sections = [[int.from_bytes(h[i : i + 4], "little") for i in range(0, 40, 4)] for h in heads]
+    texts = data[sections[names][4] :]
+    total = 0
+    for name, _, _, _, _, bytes_, *_ in sections:
+        title = texts[name : texts.index(b"\0", name)].decode()
+        total += bytes_ if re.match(r"\.(text|rodata|data)\b", title) else 0
+    return total
+
+
+# --------------------------------------------------------------------------- report
+
+
+def report(columns: int = 7) -> str:
+    """As Markdown. The last two columns depend on the machine: the README goes without them."""
+    BUILD.mkdir(parents=True, exist_ok=True)
+    heads = ["Speed", "Plain loop", "C", "Plain loop, shuffled", "C, shuffled", "GB/s", "GB/s, shuffled"]
+    machine = platform.machine().replace("_", "-")
+    compiler = run("rustc", "--version").split()[1]
+    out = f"Rust {compiler}, default release profile, on {machine}; C by {version('cc')}, `-O2`. The ratios say\n"
+    out += "how many times as fast the crate is as a plain safe loop without any library that has all bytes in\n"
+    out += "memory, and as C from the same specification. The log has packets of 44 bytes on average; shuffled,\n"
+    out += "no branch predictor knows what comes.\n\n"
+    out += table(heads[:columns], [row[:columns] for row in speed()])
+    small = sizes()
+    if not small:
+        return out + f"\nSizes need the target {EMBEDDED}, which is missing (rustup target add {EMBEDDED}).\n"
+    out += f'\nFor {EMBEDDED}, `opt-level = "z"` and `lto = true`; above an empty program:\n\n'
+    return out + table(["Size", "Code and constants"], small)
+
+
+def write_readme() -> None:
+    if EMBEDDED not in run("rustup", "target", "list", "--installed").split():
+        raise SystemExit(f"bench: the README needs the target {EMBEDDED} (rustup target add {EMBEDDED})")
+    README.write_text(report(columns=5), "utf-8")
+    print(f"{README.relative_to(ROOT)} is written; now: make generate golden")
+
+
+if __name__ == "__main__":
+    print(report())

@@ -1,0 +1,226 @@
+//! speed FILE FUNCTION ROUNDS: as speed.c. Runs one of the functions below over the bytes of a file, and prints the
+//! fewest nanoseconds of processor time that a round took and what it found.
+
+use std::hint::black_box;
+
+use mip_protocol::registry::{visit, Listed, Visitor};
+use mip_protocol::{filter_data as filter, packets, sensor};
+use mip_protocol::{AnyField, Field, Packet, PacketReader, Parser, RawField};
+
+const CHUNK: usize = 4096;
+
+// ---------------------------------------------------------------------------------------- ours
+
+fn chunks(data: &[u8], size: usize, mut found: impl FnMut(&Packet<'_>) -> usize) -> usize {
+    let (mut parser, mut count) = (Parser::new(), 0);
+    for chunk in data.chunks(size) {
+        let mut packets = parser.feed(chunk);
+        while let Some(packet) = packets.next() {
+            count += found(&packet);
+        }
+    }
+    count
+}
+
+fn each(packet: &Packet<'_>, decode: impl Fn(&RawField<'_>) -> bool) -> usize {
+    packet.fields().flatten().filter(|field| decode(field)).count()
+}
+
+fn whole(packet: &Packet<'_>) -> usize {
+    black_box(packet);
+    1
+}
+
+fn parse(data: &[u8]) -> usize {
+    chunks(data, CHUNK, whole)
+}
+
+fn slice(data: &[u8]) -> usize {
+    packets(data).map(|packet| whole(&packet)).sum()
+}
+
+fn small(data: &[u8]) -> usize {
+    chunks(data, 64, whole)
+}
+
+fn bytewise(data: &[u8]) -> usize {
+    chunks(data, 1, whole)
+}
+
+fn reader(data: &[u8]) -> usize {
+    let (mut reader, mut count) = (PacketReader::new(data), 0);
+    while let Ok(Some(packet)) = reader.next_packet() {
+        count += whole(&packet);
+    }
+    count
+}
+
+fn got<T: Field>(field: &RawField<'_>) -> Option<bool> {
+    field.get::<T>().map(|value| black_box(&value).is_ok())
+}
+
+fn get(data: &[u8]) -> usize {
+    let known = |field: &RawField<'_>| match field.set {
+        sensor::SET => match field.descriptor {
+            sensor::ScaledAccel::DESCRIPTOR => got::<sensor::ScaledAccel>(field),
+            sensor::ScaledGyro::DESCRIPTOR => got::<sensor::ScaledGyro>(field),
+            sensor::DeltaTheta::DESCRIPTOR => got::<sensor::DeltaTheta>(field),
+            sensor::DeltaVelocity::DESCRIPTOR => got::<sensor::DeltaVelocity>(field),
+            sensor::GpsTimestamp::DESCRIPTOR => got::<sensor::GpsTimestamp>(field),
+            _ => None,
+        },
+        filter::SET => match field.descriptor {
+            filter::Timestamp::DESCRIPTOR => got::<filter::Timestamp>(field),
+            filter::AttitudeQuaternion::DESCRIPTOR => got::<filter::AttitudeQuaternion>(field),
+            filter::LlhPosition::DESCRIPTOR => got::<filter::LlhPosition>(field),
+            filter::NedVelocity::DESCRIPTOR => got::<filter::NedVelocity>(field),
+            filter::LinearAccel::DESCRIPTOR => got::<filter::LinearAccel>(field),
+            filter::CompAngularRate::DESCRIPTOR => got::<filter::CompAngularRate>(field),
+            filter::Status::DESCRIPTOR => got::<filter::Status>(field),
+            _ => None,
+        },
+        _ => None,
+    };
+    chunks(data, CHUNK, |packet| each(packet, |field| known(field) == Some(true)))
+}
+
+fn any(data: &[u8]) -> usize {
+    let known = |field: &RawField<'_>| {
+        let value = AnyField::decode(field);
+        matches!(black_box(&value), Some(Ok(_)))
+    };
+    chunks(data, CHUNK, |packet| each(packet, known))
+}
+
+struct Decode;
+
+impl Visitor for Decode {
+    type Output = bool;
+
+    fn visit<T: Listed>(self, field: &RawField<'_>) -> bool {
+        black_box(&T::decode(field.data)).is_ok()
+    }
+
+    fn unknown(self, _: &RawField<'_>) -> bool {
+        false
+    }
+}
+
+fn visitor(data: &[u8]) -> usize {
+    chunks(data, CHUNK, |packet| each(packet, |field| visit(field, Decode)))
+}
+
+// ------------------------------------------------------------------- safe loops without the crate
+
+/// The next packet at the front: what is behind it, and its bytes.
+fn next(mut data: &[u8]) -> Option<(&[u8], &[u8])> {
+    loop {
+        let length = usize::from(*data.get(3)?);
+        if data[0] == 0x75 && data[1] == 0x65 && data.len() >= length + 6 {
+            let (packet, rest) = data.split_at(length + 6);
+            let (mut a, mut b, mut left) = (0_u16, 0_u16, (length + 4) as u16);
+            for byte in &packet[..length + 4] {
+                a = a.wrapping_add(u16::from(*byte));
+                b = b.wrapping_add(u16::from(*byte).wrapping_mul(left));
+                left = left.wrapping_sub(1);
+            }
+            if packet[length + 4..] == [a as u8, b as u8] {
+                return Some((rest, packet));
+            }
+        }
+        data = &data[1..];
+    }
+}
+
+fn bare(mut data: &[u8]) -> usize {
+    let mut count = 0;
+    while let Some((rest, packet)) = next(data) {
+        black_box(packet);
+        (data, count) = (rest, count + 1);
+    }
+    count
+}
+
+fn floats<const N: usize>(data: &[u8]) -> [f32; N] {
+    std::array::from_fn(|i| f32::from_be_bytes(data[4 * i..4 * i + 4].try_into().unwrap()))
+}
+
+fn doubles<const N: usize>(data: &[u8]) -> [f64; N] {
+    std::array::from_fn(|i| f64::from_be_bytes(data[8 * i..8 * i + 8].try_into().unwrap()))
+}
+
+fn words<const N: usize>(data: &[u8]) -> [u16; N] {
+    std::array::from_fn(|i| u16::from_be_bytes(data[2 * i..2 * i + 2].try_into().unwrap()))
+}
+
+fn bare_get(mut data: &[u8]) -> usize {
+    let mut count = 0;
+    while let Some((rest, packet)) = next(data) {
+        data = rest;
+        let mut payload = &packet[4..packet.len() - 2];
+        while let [length, descriptor, ..] = *payload {
+            let Some(value) = payload.get(2..usize::from(length)) else { break };
+            payload = &payload[usize::from(length)..];
+            match (packet[2], descriptor) {
+                (0x80, 0x04 | 0x05 | 0x07 | 0x08) if value.len() >= 12 => {
+                    black_box(floats::<3>(value));
+                }
+                (0x80, 0x12) | (0x82, 0x11) if value.len() >= 12 => {
+                    black_box((doubles::<1>(value), words::<2>(&value[8..])));
+                }
+                (0x82, 0x03) if value.len() >= 18 => {
+                    black_box((floats::<4>(value), words::<1>(&value[16..])));
+                }
+                (0x82, 0x01) if value.len() >= 26 => {
+                    black_box((doubles::<3>(value), words::<1>(&value[24..])));
+                }
+                (0x82, 0x02 | 0x0D | 0x0E) if value.len() >= 14 => {
+                    black_box((floats::<3>(value), words::<1>(&value[12..])));
+                }
+                (0x82, 0x10) if value.len() >= 6 => {
+                    black_box(words::<3>(value));
+                }
+                _ => continue,
+            }
+            count += 1;
+        }
+    }
+    count
+}
+
+// ---------------------------------------------------------------------------------------- measure
+
+type Row = (&'static str, fn(&[u8]) -> usize);
+
+const ROWS: &[Row] = &[
+    ("parse", parse),
+    ("slice", slice),
+    ("small", small),
+    ("bytewise", bytewise),
+    ("reader", reader),
+    ("get", get),
+    ("any", any),
+    ("visitor", visitor),
+    ("bare", bare),
+    ("bare_get", bare_get),
+];
+
+extern "C" {
+    /// Microseconds of processor time, on POSIX.
+    fn clock() -> std::ffi::c_long;
+}
+
+fn main() {
+    let arguments: Vec<String> = std::env::args().collect();
+    let data = std::fs::read(&arguments[1]).expect("a readable file");
+    let (_, run) = ROWS.iter().find(|(name, _)| *name == arguments[2]).expect("a function");
+    let (mut best, mut found) = (f64::INFINITY, 0);
+    for _ in 0..arguments[3].parse().expect("a number of rounds") {
+        // SAFETY: it takes nothing and always returns.
+        let begin = unsafe { clock() };
+        found = run(black_box(&data));
+        let end = unsafe { clock() };
+        best = best.min((end - begin) as f64 * 1000.0);
+    }
+    println!("{best:.0} {found}");
+}

@@ -1,0 +1,490 @@
+"""The core of the Python package: the fast ways give the same as the plain ones; objects behave as data classes do."""
+
+from __future__ import annotations
+
+import array
+import copy
+import mmap
+import random
+import struct
+import subprocess
+import sys
+from collections.abc import Iterator
+from itertools import accumulate
+from pathlib import Path
+from typing import Any
+
+import pytest
+from mipgen import model as m
+from support import SPECS, model
+from test_python import REAL, Package, mip, real, reply, user
+
+PACKAGES = {"invented": mip, "real": real}
+both = pytest.mark.parametrize("spec", sorted(SPECS))
+
+
+# --------------------------------------------------------------------------- checksums
+
+
+def plain_checksum(data: bytes) -> bytes:
+    return bytes((sum(data) & 255, sum(accumulate(data)) & 255))
+
+
+def test_checksums_of_all_sizes() -> None:
+    chance, checks = random.Random(1), mip.checks
+    for size in range(256):
+        header = b"ue" + bytes((chance.randrange(1, 256), size))
+        check = checks.make_check(header)
+        for payload in (chance.randbytes(size), bytes(size), b"\xff" * size):
+            right = plain_checksum(header + payload)
+            assert checks.checksum(header + payload) == right
+            for wrong in (b"\0\0", bytes((1, 0)), bytes((0, 1)), bytes((0, 128)), bytes((255, 0))):
+                packet = header + payload + bytes(a ^ b for a, b in zip(right, wrong))
+                assert checks.is_correct(packet) == check(b"u" + packet, 1) == (wrong == b"\0\0")
+
+
+# --------------------------------------------------------------------------- parser
+
+
+class PlainParser:
+    """The rules of a parser, as short as they can be said."""
+
+    def __init__(self) -> None:
+        self.stream, self.at, self.skipped = b"", 0, 0
+
+    def scan(self, data: bytes, final: bool = False) -> list[bytes]:
+        self.stream += data
+        found: list[bytes] = []
+        while (packet := self.next(final)) is not None:
+            self.at += len(packet) or 1
+            if packet:
+                found.append(packet)
+            else:
+                self.skipped += 1
+        return found
+
+    def next(self, final: bool) -> bytes | None:
+        """A packet; nothing where none begins; None if there is too little to tell."""
+        left = self.stream[self.at : self.at + 261]
+        if not left:
+            return None
+        if not b"ue".startswith(left[:2]) or left[2:3] == b"\0":
+            return b""
+        size = left[3] + 6 if len(left) > 3 else 6
+        if len(left) < size:
+            return b"" if final else None
+        return left[:size] if plain_checksum(left[: size - 2]) == left[size - 2 : size] else b""
+
+
+def packet(set: int, payload: bytes) -> bytes:
+    head = b"ue" + bytes((set, len(payload))) + payload
+    return head + plain_checksum(head)
+
+
+def streams() -> Iterator[bytes]:
+    chance = random.Random(2)
+    kinds = [packet(0x80, chance.randbytes(n)) for n in (0, 3, 30, 255)] + [packet(0x31, b"\x02\x01" * 9)]
+    noise = [b"ue", b"u", b"ue\x80\xff", b"$GPGGA,1,2*33\r\n", b"ue\0\0ue", b"ue\x01\x00", b"\xffue\x80\x04"]
+    for _ in range(60):
+        out = bytearray()
+        for _ in range(chance.randrange(1, 60)):
+            piece = bytearray(chance.choice(kinds if chance.random() < 0.7 else noise))
+            if chance.random() < 0.1:
+                piece[chance.randrange(len(piece))] ^= 1 << chance.randrange(8)
+            out += piece * chance.choice((1, 1, 1, 2, 300 if len(piece) < 9 else 3))
+        yield bytes(out)
+    yield b"ue\x01\xff" * 5000
+    yield b"ue\x01\xff" * 3000 + kinds[2] + b"ue\x01\xff" * 100
+    yield b"ue\x64" * 700 + kinds[1] + b"uue" * 700
+    yield packet(0x80, b"ue\x80\x00" * 60) * 20 + b"ue\x80\x00" * 3000 + kinds[3] * 10
+
+
+def cut(stream: bytes, chance: random.Random) -> Iterator[bytes]:
+    most = chance.choice((1, 7, 300, 5000, 1 << 30)) if len(stream) < 3000 else chance.choice((300, 5000, 1 << 30))
+    at = 0
+    while at < len(stream):
+        size = chance.randint(1, most)
+        yield stream[at : at + size]
+        at += size
+
+
+def test_parser_is_as_the_rules_say() -> None:
+    chance = random.Random(3)
+    for stream in streams():
+        whole = mip.parser.Parser()
+        whole.feed(stream)
+        parser, plain = mip.parser.Parser(), PlainParser()
+        for piece in cut(stream, chance):
+            assert [bytes(p) for p in parser.feed(piece)] == plain.scan(piece)
+            assert (parser.skipped, parser.pending) == (plain.skipped, len(plain.stream) - plain.at)
+        assert parser.bad_checksums == whole.bad_checksums
+        assert [bytes(p) for p in parser.flush()] == plain.scan(b"", final=True)
+        assert (parser.skipped, parser.pending) == (plain.skipped, 0)
+
+
+def test_feed_all_loses_nothing() -> None:
+    chance = random.Random(4)
+    for stream in streams():
+        parser, plain = mip.parser.Parser(), PlainParser()
+        found = [item for piece in cut(stream, chance) for item in parser.feed_all(piece)]
+        assert b"".join(map(bytes, found)) + stream[len(stream) - parser.pending :] == stream
+        found += parser.flush_all()
+        assert b"".join(map(bytes, found)) == stream
+        packets = [bytes(p) for p in found if not isinstance(p, bytes)]
+        assert packets == plain.scan(stream) + plain.scan(b"", final=True)
+        assert parser.skipped == plain.skipped == sum(len(p) for p in found if isinstance(p, bytes))
+
+
+def test_bad_checksums_are_counted() -> None:
+    parser, ping = mip.parser.Parser(), bytes(mip.tools.Ping().packet())
+    parser.feed(ping[:-1] + b"\0" + ping + b"$GP\r\n")
+    assert (parser.bad_checksums, parser.skipped) == (1, len(ping) + 5)
+    many = mip.parser.Parser()
+    many.feed(b"ue\x01\xff" * 1000)
+    assert many.bad_checksums == (4000 - 261) // 4 + 1 and many.pending < 261
+
+
+def test_feed_takes_any_buffer(tmp_path: Path) -> None:
+    stream = b"noise" + bytes(mip.tools.Ping().packet()) * 300_000
+    (tmp_path / "log").write_bytes(stream)
+    with open(tmp_path / "log", "rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as mapped:
+        for buffer in (stream, bytearray(stream), memoryview(stream), mapped, array.array("B", stream)):
+            parser = mip.parser.Parser()
+            assert len(parser.feed(buffer)) == 300_000 and parser.skipped == 5
+    short = bytes(mip.tools.Ping().packet())
+    parser = mip.parser.Parser()
+    assert parser.feed(memoryview(bytes(b for pair in zip(short, short) for b in pair))[::2]) == [
+        mip.packet.Packet(short)
+    ]
+    assert parser.feed(array.array("H")) == [] and parser.feed(bytearray()) == []
+    for wrong in (5, "ue", None, [117]):
+        with pytest.raises(TypeError):
+            parser.feed(wrong)
+    buffer = bytearray(short)
+    (packet,) = parser.feed(buffer)
+    buffer[2] = 9
+    assert bytes(packet) == short
+
+
+# --------------------------------------------------------------------------- decoders
+
+
+def told(fields: Any) -> list[Any]:
+    """All that there is to say of decoded fields, to the bit."""
+    found = []
+    for f in fields:
+        raw = isinstance(f, tuple)
+        bits = f.data if raw else f.encode()
+        found.append((type(f), repr(f), bits, str(f.error) if raw else f.packet_set))
+        if not raw:
+            values = [getattr(f, name) for name in f._MEMBERS]
+            found.append([(type(v), [type(x) for x in v] if isinstance(v, tuple) else None) for v in values])
+    return found
+
+
+def some_packets(package: Package, of: m.Model, chance: random.Random) -> Iterator[list[bytes]]:
+    """Packets of the same layout and others that are like it."""
+    types = [(s.number, t) for s in of.sets for t in all_types(package, s.number)]
+    for round in range(2 * len(types)):
+        set, kind = types[round % len(types)]
+        if set == 0xFF:
+            set = 0x80
+        same = [t for number, t in types if number in (set, 0xFF if set >= 0x80 else set)]
+        parts = [kind] if round < len(types) else [kind, *chance.sample(same, min(len(same), chance.randrange(1, 4)))]
+        heads = [(t.DESCRIPTOR if chance.random() < 0.97 else 0x7E, chance.choice(sizes(t))) for t in parts]
+        out = []
+        for _ in range(14):
+            payload = b""
+            for descriptor, size in heads:
+                data = chance.randbytes(size) if chance.random() < 0.8 else special(size, chance)
+                payload += bytes((size + 2, descriptor)) + data
+            if chance.random() < 0.1 and payload:
+                at = chance.randrange(len(payload))
+                payload = payload[:at] + chance.randbytes(1) + payload[at + 1 :]
+            if len(payload) < 256:
+                out.append(packet(set, payload))
+        yield out
+
+
+def all_types(package: Package, set: int) -> list[Any]:
+    return [t for number, t in package.registry.all_types() if number == set]
+
+
+def sizes(kind: Any) -> list[int]:
+    """Sizes of data that may fit, and some that do not."""
+    fixed = kind._LAYOUT
+    if fixed is None:
+        return [0, 1, 2, 5, 9, 20, 40]
+    size = struct.calcsize(">" + "".join(letters for _, letters, _ in fixed))
+    return [size] * 6 + [size + 3, max(size - 1, 0)]
+
+
+def special(size: int, chance: random.Random) -> bytes:
+    words = [
+        struct.pack(">I", w) for w in (0, 1, 0x7F800001, 0x7FC00000, 0x7F800000, 0xFF800000, 0xFFFFFFFF, 0x3F800000)
+    ]
+    return b"".join(chance.choice(words) for _ in range(size // 4 + 1))[:size]
+
+
+@both
+def test_fast_decoders_give_what_the_general_way_gives(spec: str) -> None:
+    package, chance = PACKAGES[spec], random.Random(5)
+    layouts, fast, slow = package.registry.LAYOUTS, 0, 0
+    for packets in some_packets(package, model(spec), chance):
+        for data in packets:
+            p = package.packet.Packet(data)
+            decode = layouts.checked.get(data[:6])
+            at_once = decode and decode(data, 0)
+            fast += bool(at_once)
+            slow += bool(decode and not at_once)
+            raws = [layouts.field(raw) for raw in p.fields]
+            assert told(package.registry.decode_packet(p)) == told(raws)
+            for raw, f in zip(p.fields, raws):
+                try:
+                    assert told([package.registry.decode(raw) or raw]) == told([f])
+                except package.errors.DecodeError as error:
+                    assert str(error) == str(f.error)
+    assert fast > 200 and slow > 5
+    assert sum(len(made) for made in layouts._made.values()) <= 512 >= len(layouts.checked)
+
+
+@both
+def test_decoder_gives_what_parser_and_registry_give(spec: str) -> None:
+    package, chance = PACKAGES[spec], random.Random(6)
+    for packets in some_packets(package, model(spec), chance):
+        stream = bytearray(b"\r\n" + b"".join(chance.sample(packets, len(packets))))
+        for _ in range(chance.randrange(3)):
+            stream[chance.randrange(len(stream))] ^= 1 << chance.randrange(8)
+        parser, decoder = package.parser.Parser(), package.decoder.Decoder()
+        slowly = package.registry.LAYOUTS.decode_slowly
+        wanted = [told(slowly(p)) for p in [*parser.feed(stream), *parser.flush()]]
+        found = [f for piece in cut(bytes(stream), chance) for f in decoder.feed(piece)] + decoder.flush()
+        assert [told(f) for f in found] == wanted
+        assert (decoder.skipped, decoder.bad_checksums) == (parser.skipped, parser.bad_checksums)
+
+
+def test_layouts_that_begin_alike_have_decoders_of_their_own() -> None:
+    sensor, shared = real.sensor, real.shared
+    layouts = [
+        [sensor.ScaledAccel, sensor.ScaledGyro, sensor.ScaledMag],
+        [sensor.ScaledAccel, sensor.ScaledMag, sensor.ScaledGyro],
+        [sensor.ScaledAccel, sensor.ScaledGyro, sensor.DeltaTheta],
+        [sensor.ScaledAccel, shared.GpsTimestamp, sensor.ScaledGyro],
+        [sensor.ScaledAccel, sensor.ScaledGyro, shared.GpsTimestamp],
+    ]
+    sent = []
+    for kinds in layouts * 12:
+        payload = b""
+        for t in kinds:
+            size = struct.calcsize(">" + "".join(letters for _, letters, _ in t._LAYOUT))
+            payload += bytes((size + 2, t.DESCRIPTOR)) + bytes(size)
+        sent.append((packet(0x80, payload), kinds))
+    for data, kinds in sent:
+        assert [type(f) for f in real.registry.decode_packet(real.packet.Packet(data))] == kinds
+    for data, kinds in sent[:5]:
+        found = real.registry.LAYOUTS.checked[data[:6]](data, 0)
+        assert [type(f) for f in found] == kinds
+
+
+def test_a_raw_field_says_why() -> None:
+    known = mip.measurements.Accel.DESCRIPTOR
+    data = packet(0x80, bytes((3, known, 1, 3, 0x7E, 2)))
+    short, unknown = mip.registry.decode_packet(mip.packet.Packet(data))
+    assert isinstance(short, mip.packet.Undecoded) and short.error.kind == "truncated"
+    assert short == mip.packet.RawField(0x80, known, b"\x01") and "error=truncated" in repr(short)
+    assert type(unknown) is mip.packet.RawField and unknown.error is None
+    broken = mip.packet.Packet(packet(1, bytes.fromhex("0201 05")))
+    assert [f.descriptor for f in broken.fields] == [1] and broken.malformed.kind == "field_length"
+    assert mip.packet.Packet(data).malformed is None
+    with_error = copy.copy(short)
+    assert with_error == short and with_error.error is short.error
+
+
+def test_shared_fields_know_the_set_they_came_from() -> None:
+    time = real.shared.ReferenceTimestamp(5)
+    assert time.packet_set is None and real.sensor.ScaledAccel((0, 0, 0)).packet_set == 0x80
+    with pytest.raises(real.errors.EncodeError, match=r"set: shared.* PacketBuilder\(set\)"):
+        time.packet()
+    for set in (0x80, 0x82, 0xA0):
+        p = real.packet.PacketBuilder(set).add(time.DESCRIPTOR, time.encode()).build()
+        for _ in range(12):
+            (found,) = real.registry.decode_packet(p)
+            assert found == time and found.packet_set == set
+        assert real.registry.decode(p.fields[0]).packet_set == set
+        assert real.shared.ReferenceTimestamp.find(p).packet_set == set
+        assert found.packet() == p and copy.copy(found).packet_set == set
+    ack = real.registry.decode(real.packet.Packet(reply("f1 01 00", set=0x0C)).fields[0])
+    assert ack.packet_set == 0x0C and "packet_set" not in repr(ack)
+    with pytest.raises(real.errors.EncodeError, match="1 to 254"):
+        real.packet.PacketBuilder(0xFF)
+
+
+# --------------------------------------------------------------------------- memory
+
+
+def test_values_of_bitfields_are_not_kept() -> None:
+    kind = real.types.GpioPinMode
+    before = len(kind._value2member_map_)
+    for value in range(256):
+        assert int(kind(value)) == value == int(kind(value) | kind(0)) and kind(value) == kind(value)
+        assert kind(value) & kind(value) in kind(0xFF)
+    assert len(kind._value2member_map_) <= before + 8  # Python 3.10 keeps single bits
+    named = next(iter(kind))
+    assert kind(int(named)) is named
+    known = real.codec.Known(kind)
+    assert all(known[n % 256] == n % 256 for n in range(5000)) and len(known) <= known.SIZE
+
+
+def test_what_is_made_for_frequent_packets_is_bounded() -> None:
+    often = real.checks.Often(lambda key: key, 10)
+    for n in range(1000):
+        for _ in range(12):
+            often.count(b"%d" % n)
+        often.count(b"rare%d" % n)
+        assert len(often.made) <= 10 and len(often._counts) <= 40
+    assert b"999" in often.made and b"rare999" not in often.made
+
+
+# --------------------------------------------------------------------------- vectors
+
+
+def test_vectors_are_named_tuples() -> None:
+    types = real.types
+    accel = real.sensor.ScaledAccel.decode(struct.pack(">3f", 1, 2, -3))
+    vector = accel.scaled_accel
+    x, y, z = vector
+    assert (vector.x, vector.y, vector.z) == (x, y, z) == vector == types.Vector3f(1, 2, -3)
+    assert type(vector) is types.Vector3f and repr(vector) == "Vector3f(x=1.0, y=2.0, z=-3.0)"
+    quaternion = types.Quatf(1, 0, 0, 0.5)
+    assert (quaternion.w, quaternion.z) == (1, 0.5)
+
+
+def test_matrices_are_indexed_by_row_and_column() -> None:
+    matrix = real.types.Matrix3f(*range(9))
+    assert [matrix[r, c] for r in range(3) for c in range(3)] == list(range(9)) == list(matrix)
+    assert matrix[-1, -2] == 7 == matrix.m32 == matrix[7] and matrix[1:3] == (1, 2)
+    assert matrix.rows == ((0, 1, 2), (3, 4, 5), (6, 7, 8))
+    for wrong in ((3, 0), (0, 3), (-4, 0)):
+        with pytest.raises(IndexError):
+            matrix[wrong]
+
+
+class Array:
+    """What a NumPy array has of an array."""
+
+    def __init__(self, values: list[Any]) -> None:
+        self.values = values
+
+    def __len__(self) -> int:
+        return len(self.values)
+
+    def __iter__(self) -> Iterator[Any]:
+        return iter(self.values)
+
+    def tolist(self) -> list[Any]:
+        return self.values
+
+
+def test_vectors_are_made_of_any_sequence_of_numbers() -> None:
+    accel = real.sensor.ScaledAccel
+    for numbers in ([1, 2, 3], (1, 2, 3), range(1, 4), array.array("d", (1, 2, 3)), Array([1.0, 2.0, 3.0])):
+        made = accel(numbers)
+        assert made.scaled_accel.y == 2 and type(made.scaled_accel) is real.types.Vector3f
+        assert made.encode() == struct.pack(">3f", 1, 2, 3)
+        made.scaled_accel = numbers
+        assert made.scaled_accel.z == 3 and made == accel((1, 2, 3))
+    rows = [[1, 2, 3], [4, 5, 6], [7, 8, 9]]
+    matrix = real.sensor.CompOrientationMatrix
+    for value in (rows, Array(rows), sum(rows, []), [Array(row) for row in rows]):
+        assert matrix(value).encode() == struct.pack(">9f", *range(1, 10))
+    for wrong in (
+        b"abc",
+        "abc",
+        bytearray(3),
+        memoryview(b"abc"),
+        {1, 2, 3},
+        {1: 2},
+        (1, 2),
+        5,
+        [[1, 2, 3]] * 2,
+        [b"abc"],
+    ):
+        with pytest.raises(real.errors.EncodeError, match="scaled_accel"):
+            accel(wrong).encode()
+    with pytest.raises(real.errors.EncodeError, match="missing: scaled_accel is None"):
+        accel(None).encode()
+    arrays = mip.measurements.Arrays
+    zero = mip.types.Point(0, 0)
+    made = arrays((0, 0, 0), (0, 0), [[0, 0, 0], Array([1, 2, 3])], (zero, zero), mip.types.Segment(zero, zero, (0, 0)))
+    assert made.vectors[1].y == 2 and arrays.decode(made.encode()).vectors[1] == (1, 2, 3)
+    assert type(arrays.decode(made.encode()).vectors[0]) is mip.types.Vector3f
+
+
+# --------------------------------------------------------------------------- objects
+
+
+def test_fields_are_what_data_classes_are() -> None:
+    code = """
+import copy, dataclasses, pickle
+import mip_protocol
+from mip_protocol import sensor, base, system
+a = sensor.ScaledAccel((1, 2, 3))
+assert a == sensor.ScaledAccel(scaled_accel=[1, 2, 3]) != sensor.ScaledGyro((1, 2, 3)) and a != (1, 2, 3)
+assert repr(a) == "ScaledAccel(scaled_accel=Vector3f(x=1, y=2, z=3))" == repr(copy.deepcopy(a))
+for protocol in range(pickle.HIGHEST_PROTOCOL + 1):
+    try: again = pickle.loads(pickle.dumps(a, protocol))
+    except TypeError: assert protocol < 2
+    else: assert again == a and type(again.scaled_accel) is type(a.scaled_accel)
+flags = mip_protocol.types.GpioPinMode(0x83)
+assert pickle.loads(pickle.dumps(flags)) == flags == copy.deepcopy(flags)
+b = dataclasses.replace(a, scaled_accel=(4, 5, 6))
+assert (b.scaled_accel.x, a.scaled_accel.x) == (4, 1)
+assert [f.name for f in dataclasses.fields(system.InterfaceControl)] == list(system.InterfaceControl.__match_args__)
+assert dataclasses.asdict(system.CommModeResponse(1)) == {"mode": 1} and dataclasses.is_dataclass(a)
+match b:
+    case sensor.ScaledAccel((x, y, z)): assert (x, y, z) == (4, 5, 6)
+try: hash(a)
+except TypeError: pass
+else: raise AssertionError
+for wrong in ("a.other = 1", "sensor.ScaledAccel()", "sensor.ScaledAccel((1, 2, 3), 4)", "sensor.ScaledAccel(x=1)"):
+    try: exec(wrong)
+    except (AttributeError, TypeError): pass
+    else: raise AssertionError(wrong)
+@dataclasses.dataclass
+class Mine(sensor.ScaledAccel):
+    note: str = ""
+mine = Mine((1, 2, 3), "x")
+assert mine.note == "x" and mine.encode() == a.encode()
+print("done")
+"""
+    assert user(REAL, code) == "done\n"
+
+
+def test_the_package_is_enough_to_reach_its_modules() -> None:
+    code = """
+import sys, mip_protocol
+assert not [k for k in sys.modules if k in ("dataclasses", "inspect", "mip_protocol.sensor", "mip_protocol.client")]
+assert {"sensor", "registry", "devices", "Client", "Decoder"} <= set(dir(mip_protocol))
+assert mip_protocol.sensor.ScaledAccel.SET == 0x80 and mip_protocol.Client and mip_protocol.registry.types(0x80, 4)
+assert "dataclasses" not in sys.modules or "mip_protocol.client" in sys.modules
+try: mip_protocol.nothing
+except AttributeError as error: print(error)
+"""
+    assert user(REAL, code) == "module 'mip_protocol' has no attribute 'nothing'\n"
+
+
+def test_type_checkers_see_the_modules_and_the_elements(tmp_path: Path) -> None:
+    (tmp_path / "user.py").write_text(
+        "import dataclasses\nimport mip_protocol\n"
+        "accel = mip_protocol.sensor.ScaledAccel([1, 2, 3])\n"
+        "x: float = dataclasses.replace(accel, scaled_accel=(4, 5, 6)).scaled_accel.x\n"
+        "for fields in mip_protocol.Decoder().feed(memoryview(b'')):\n"
+        "    found: list[mip_protocol.Field | mip_protocol.RawField] = list(fields)\n"
+        "mip_protocol.nothing\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-m", "mypy", "--strict", "--cache-dir", tmp_path / "cache", tmp_path / "user.py"],
+        cwd=REAL, capture_output=True, text=True,
+    )  # fmt: skip
+    assert done.stdout.splitlines()[0].endswith('user.py:7: error: Module has no attribute "nothing"  [attr-defined]')
+    assert "Found 1 error" in done.stdout

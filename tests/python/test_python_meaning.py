@@ -1,0 +1,550 @@
+"""What classes and objects know at run time: meaning, validity, text, names."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import math
+import pickle
+import pydoc
+import random
+import struct
+import subprocess
+import sys
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+from mipgen import describe, meaning
+from mipgen import model as m
+from mipgen.targets.python import docs, names
+from packages import REAL, Package, mip, real
+from support import SPECS, all_fields, model
+
+PACKAGES = {"real": real, "invented": mip}
+BOTH = pytest.mark.parametrize("spec", sorted(SPECS))
+
+Record = m.Field | m.Struct
+
+
+def records(of: m.Model) -> list[Record]:
+    return [*all_fields(of), *(t for t in of.all_types if isinstance(t, m.Struct))]
+
+
+def kind(package: Package, thing: m.Field | m.Type) -> Any:
+    return getattr(getattr(package, names.home(thing)), names.class_name(thing))
+
+
+def said(facts: list[describe.Fact]) -> tuple[str, ...]:
+    return tuple(docs.say(fact.sentence, "") for fact in facts)
+
+
+def prose(text: str, of: m.Model) -> str:
+    return docs.say(describe.prose(text, of), "")
+
+
+def objects(package: Package, f: m.Field, chance: random.Random, count: int = 6) -> Iterator[Any]:
+    """Objects with random values, of data of every length that the field can have."""
+    for _ in range(count):
+        data = bytearray(chance.randbytes(chance.randint(f.min_size, min(f.max_size, 253))))
+        if chance.random() < 0.1:
+            data[:] = bytes([7]) * len(data)  # a constant
+        elif chance.random() < 0.5:
+            data[:8] = bytes(x % 4 for x in data[:8])  # enumerations and counters
+        for at, size, value in f.signature:
+            data[at : at + size] = value.to_bytes(size, "big")
+        try:
+            yield kind(package, f).decode(bytes(data))
+        except package.errors.DecodeError:
+            pass
+
+
+# --------------------------------------------------------------------------- meaning
+
+
+@BOTH
+def test_fields_and_structures_know_what_they_mean(spec: str) -> None:
+    package, of = PACKAGES[spec], model(spec)
+    for r in records(of):
+        info = kind(package, r).INFO
+        assert info.type is kind(package, r) and info.description == prose(r.description, of)
+        assert info.sources == tuple(describe.sources(r))
+        assert [p.name for p in info.parameters] == [p.name for p in r.parameters]
+        assert [p.name for p in info.members] == [p.name for p in r.parameters if not p.derived]
+        if isinstance(r, m.Struct):
+            continue
+        assert (info.name, info.title, info.also, info.advanced) == (r.full_name, r.title, r.also, r.advanced)
+        assert (info.set, info.descriptor, info.role) == (r.set, r.descriptor, r.role)
+        assert info.facts == said(describe.field(r, of)) and info.max_rate == r.max_rate
+        assert bool(info.deprecated) == bool(r.deprecated)
+        assert info.devices == tuple(d.id for d in of.devices_of(r))
+        assert info.perhaps == tuple(d.id for d in of.devices_of(r, certain=False))
+        assert info.functions == tuple(names.member(x.name) for x in r.functions)
+
+
+@BOTH
+def test_parameters_know_what_they_mean(spec: str) -> None:
+    package, of = PACKAGES[spec], model(spec)
+    for r in records(of):
+        for p in r.parameters:
+            row = kind(package, r).INFO[p.name]
+            assert row is kind(package, r).INFO[names.member(p.name)] or p.name in [q.attribute for q in r.parameters]
+            check(p, r, row, of)
+            assert row.facts[: len(describe.parameter(p, r, of))] == said(describe.parameter(p, r, of))
+            for c in p.cases:
+                if c.parameter is not None:
+                    check(c.parameter, r, row.cases[c.tag.value], of)
+                    assert row.cases[c.tag.value].facts[0] == docs.say(describe.case(c, p, r).sentence, "")
+                else:
+                    assert docs.say(describe.case(c, p, r).sentence, "") in row.facts
+
+
+def check(p: m.Parameter, r: Record, row: Any, of: m.Model) -> None:
+    assert row.description == prose(p.description, of)
+    assert (row.units, row.frame, row.valid) == (p.units, p.frame or "", p.valid)
+    assert (row.minimum, row.maximum, row.above, row.below) == (p.minimum, p.maximum, p.above, p.below)
+    assert row.magnitude == p.magnitude
+    default = p.reserved if p.default is None else meaning.in_numbers(p.default, p.element)
+    assert row.default == default and type(row.default) is type(default)
+    assert (row.optional, row.reserved, row.deprecated) == (p.optional, p.reserved is not None, p.deprecated)
+    assert row.required == tuple(names.member(f.name) for f in p.required_for)
+    bounds = describe.limits(p.minimum, p.maximum, p.above, p.below)
+    assert row.range.replace(".0", "") == bounds.replace(".0", "")
+
+
+@BOTH
+def test_what_differs_by_device_or_beside_other_values(spec: str) -> None:
+    package, of = PACKAGES[spec], model(spec)
+    seen = 0
+    for r in records(of):
+        for p in r.parameters:
+            row = kind(package, r).INFO[p.name]
+            for v in p.variants:
+                if v.member:
+                    continue
+                held = row.on(v.key) if v.by_device else beside(package, r, p, v)
+                seen += 1
+                if v.type is not None:
+                    assert held.type is kind(package, v.type)
+                if v.unknown:
+                    assert held.type is None
+                assert held.units == (v.units or p.units) and held.frame == (v.frame or p.frame or "")
+                assert held.minimum == (p.minimum if v.minimum is None else v.minimum)
+                assert held.maximum == (p.maximum if v.maximum is None else v.maximum)
+                assert held.constant == (p.constant if v.constant is None else v.constant)
+                assert held.valid == (p.valid if v.valid is None else v.valid)
+                assert held.deprecated == (p.deprecated if v.deprecated is None else v.deprecated)
+                assert held.only == tuple(x.name for x in v.only)
+                if v.default is not None:
+                    assert held.default == meaning.in_numbers(v.default, v.type or p.element)
+    assert seen > 10
+
+
+def beside(package: Package, r: Record, p: m.Parameter, v: m.Variant) -> Any:
+    """The parameter as it is in an object where the other value is the one of the variant."""
+    holder = object.__new__(kind(package, r))
+    setattr(holder, names.member(v.by), v.value)
+    return kind(package, r).INFO[p.name].of(holder)
+
+
+@BOTH
+def test_types_know_their_values_and_bits(spec: str) -> None:
+    package, of = PACKAGES[spec], model(spec)
+    info = package.reflection.info
+    for t in (*of.all_types, of.protocol.function_selector):
+        if isinstance(t, m.Enum):
+            known = info(kind(package, t))
+            assert [(v.name, v.value, v.description, v.deprecated) for v in known.values] == [
+                (v.name, v.value, prose(v.description, of), v.deprecated) for v in t.values
+            ]
+            assert known.names == {v.value: v.name for v in t.values}
+        elif isinstance(t, m.Bitfield):
+            known = info(kind(package, t))
+            assert [(b.name, b.first, b.last, b.mask, b.alias) for b in known.bits] == [
+                (b.name, b.first, b.last, b.mask, b.alias) for b in t.bits
+            ]
+            assert [b.type for b in known.bits] == [kind(package, b.enum) if b.enum else None for b in t.bits]
+        else:
+            continue
+        assert known.description == prose(t.description, of) and known.sources == tuple(describe.sources(t))
+    for s in of.sets:
+        found = package.reflection.set_info(s.number)
+        assert (found.name, found.number, found.title) == (s.name, s.number, s.title)
+
+
+def test_only_types_of_the_specification_are_known() -> None:
+    class Mine(real.sensor.ScaledAccel):  # type: ignore[name-defined,misc]
+        __slots__ = ()
+
+    assert Mine.INFO is real.sensor.ScaledAccel.INFO
+    for other in (int, real.field.Data, real.codec.OpenEnum):
+        with pytest.raises(LookupError, match="is no type of the specification"):
+            real.reflection.info(other)
+    assert not hasattr(real.field.Field, "INFO")
+    with pytest.raises(KeyError):
+        real.reflection.PARAMETERS[real.types.AckCode]
+
+
+def test_a_set_is_loaded_when_it_is_asked_for() -> None:
+    code = """if True:
+        import sys
+        from mip_protocol import sensor
+        def loaded(): return sorted(x.partition("_protocol.")[2] for x in sys.modules if "mip_protocol." in x)
+        before = loaded()
+        assert not {"info", "parameter", "text", "lookup", "reflection", "_index", "simulator"} & {*before}, before
+        sensor.ScaledAccel.INFO
+        print([x for x in loaded() if x not in before])
+    """
+    done = subprocess.run([sys.executable, "-S", "-c", code], capture_output=True, text=True, cwd=REAL, check=True)
+    assert "_meaning.sensor" in done.stdout and "_meaning.filter" not in done.stdout
+    assert "mip_3dm" not in done.stdout and "_index" not in done.stdout
+
+
+def test_help_says_it() -> None:
+    text = pydoc.plain(pydoc.render_doc(real.gnss_1.LlhPosition))
+    assert " |  latitude\n |      Latitude. Unit: deg. Frame: llh. " in text
+    assert "Valid if `gnss_1.LlhPositionFlags.LAT_LON` of `valid_flags` is set." in " ".join(
+        text.replace("|", "").split()
+    )
+
+
+# --------------------------------------------------------------------------- validity
+
+
+@BOTH
+def test_flags_vouch_for_values(spec: str) -> None:
+    """A value is valid if exactly the bits that the specification names are set."""
+    package, of = PACKAGES[spec], model(spec)
+    seen = 0
+    for r in records(of):
+        for p in r.parameters:
+            for device in (None, *(d.id for d in of.devices)):
+                own = next((v for v in p.variants if v.by_device and v.key == device and v.valid is not None), None)
+                paths = p.valid if own is None else own.valid
+                if paths is not None and not p.derived:
+                    seen += vouching(package, r, p, paths, device)
+    assert seen > {"real": 150, "invented": 10}[spec]
+
+
+def vouching(package: Package, r: Record, p: m.Parameter, paths: tuple[str, ...], device: str | None) -> int:
+    flags = [flag(r, path, device) for path in paths]
+    if None in flags:
+        assert not kind(package, r).INFO[p.name].of(empty(package, r), device).flags
+        return 0
+    holder = empty(package, r)
+    assert holder.is_valid(p.name, device) == (not flags)
+    elements = p.element.elements if isinstance(p.element, m.Vector) else ()
+    for attribute, mask in flags:  # type: ignore[misc]
+        setattr(holder, attribute, 0xFF if mask else 0)
+    for attribute, mask in flags:  # type: ignore[misc]
+        setattr(holder, attribute, getattr(holder, attribute) & ~mask)
+    given = set()
+    for attribute, mask in flags:  # type: ignore[misc]
+        assert not holder.is_valid(p.name, device) or given == {*flags}
+        setattr(holder, attribute, getattr(holder, attribute) | mask or 2)
+        given.add((attribute, mask))
+        assert holder.is_valid(p.name, device) == (given == {*flags})
+        if len(flags) == len(elements):
+            for element, wanted in zip(elements, flags):
+                assert holder.is_valid(f"{p.name}.{element}", device) == (wanted in given)
+    setattr(holder, names.member(p.name), None)
+    assert not holder.is_valid(p.name, device)
+    return 1
+
+
+def flag(r: Record, path: str, device: str | None) -> tuple[str, int] | None:
+    name, _, bit = path.partition(".")
+    holder = next(q for q in r.parameters if q.name == name)
+    types = [v.type for v in holder.readings if v.key == device] or [holder.element]
+    masks = [b.mask for t in types if isinstance(t, m.Bitfield) for b in t.bits if b.name == bit]
+    return None if bit and not masks else (names.member(name), masks[0] if bit else 0)
+
+
+def empty(package: Package, r: Record) -> Any:
+    """All its values are 0."""
+    found = object.__new__(kind(package, r))
+    for p in kind(package, r).INFO.members:
+        setattr(found, p.attribute, 0)
+    return found
+
+
+def test_flags_suit_whole_columns() -> None:
+    """What `holds` does with a number it does with anything that has the operators, such as an array."""
+
+    class Column(list[int]):
+        def __and__(self, mask: int) -> Column:
+            return Column(x & mask for x in self)
+
+        def __eq__(self, other: object) -> Any:
+            return [x == other for x in self]
+
+        def __ne__(self, other: object) -> Any:
+            return [x != other for x in self]
+
+    flag = real.reflection.Flag
+    assert flag("flags.both", "flags", 6).holds(Column([0, 2, 4, 6, 15])) == [False, False, False, True, True]
+    assert flag("ok", "ok", 0).holds(Column([0, 1, 2])) == [False, True, True]
+
+
+def test_flags_may_differ_by_device_where_nothing_else_does() -> None:
+    status = mip.tools.StatusShort
+    flag, other = mip.reflection.Flag("flags.a", "flags", 1), mip.reflection.Flag("flags.a", "flags", 2)
+    p = dataclasses.replace(status.INFO["flags"], variants=(), flags=(flag,), flags_on={"model-b": (other,)})
+    value = status(2)
+    assert p.of(value).flags == (flag,) and p.on("model-b").flags == (other,) and p.on("model-a").flags == (flag,)
+    assert mip.text._here(p, value, "model-b", None).flags == (other,)
+
+
+def test_elements_have_their_own_flags() -> None:
+    position = real.aiding.EcefPosition
+    holder = empty(real, model("real").field("aiding.ecef_position"))  # type: ignore[arg-type]
+    holder.valid_flags = position.INFO["valid_flags"].type.X
+    assert holder.is_valid("position.x") and not holder.is_valid("position.y") and not holder.is_valid("position")
+    with pytest.raises(real.errors.UnknownName, match="'w' is not an element of position; known: x, y, z"):
+        holder.is_valid("position.w")
+
+
+def test_a_device_has_its_own_flags() -> None:
+    stamp = real.sensor.GpsTimestamp(1.0, 2, 8)
+    assert stamp.is_valid("tow") and stamp.is_valid("tow", "3dm-cv7-gnss-ins")
+    assert not stamp.is_valid("tow", "3dm-gx5-15") and "(invalid)" in stamp.to_text("3dm-gx5-15")
+
+
+# --------------------------------------------------------------------------- meaning of one value
+
+
+def test_meaning_of_arrays_of_bytes() -> None:
+    """The continuous built-in test is sixteen bytes for most devices, and a bitfield for one."""
+    tests = real.types.Cv7ContinuousBuiltInTest
+    for field in (real.base.ContinuousBuiltInTestResponse, real.system_data.BuiltInTest):
+        value = field.decode(bytes((1, 0, 2, *[0] * 13)))
+        found = value.meaning("result", "3dm-cv7-gnss-ins")
+        assert type(found) is tests and int(found) == 0x20001
+        assert value.meaning("result") == value.result and value.meaning("result", "3dm-gx5-15") == value.result
+        for wrong in ((1, 2, 256), (-1,), ("a",)):
+            with pytest.raises(real.errors.EncodeError, match="needs numbers from 0 to 255"):
+                field(wrong).meaning("result", "3dm-cv7-gnss-ins")
+
+
+@BOTH
+def test_every_value_has_a_meaning_on_every_device(spec: str) -> None:
+    package, of, chance = PACKAGES[spec], model(spec), random.Random(3)
+    seen = 0
+    for f in all_fields(of):
+        for p in (p for p in f.parameters if p.readings):
+            for value in objects(package, f, chance):
+                for device in (None, *(d.id for d in of.devices)):
+                    found = value.meaning(p.name, device)
+                    seen += found is not getattr(value, names.member(p.name))
+    assert seen > 10
+
+
+# --------------------------------------------------------------------------- dictionaries and text
+
+
+@BOTH
+def test_every_object_is_a_dictionary_and_a_text(spec: str) -> None:
+    package, of, chance = PACKAGES[spec], model(spec), random.Random(4)
+    seen = set()
+    for f in all_fields(of):
+        for value in objects(package, f, chance, 30):
+            seen.add(f.full_name)
+            for device in (None, of.devices[0].id):
+                for named in (True, False):
+                    held = value.to_dict(names=named, json=True, device=device)
+                    assert list(held) == [p.name for p in f.parameters if not p.derived]
+                    assert json.loads(json.dumps(held, allow_nan=False)) == held
+                    assert plain(held) and plain(value.to_dict(names=named, device=device))
+                line = value.to_text(device)
+                assert line.startswith(f.full_name) and line.isprintable()
+            assert str(value) == value.to_text()
+    assert seen == {f.full_name for f in all_fields(of)}
+
+
+def plain(value: Any) -> bool:
+    if isinstance(value, dict):
+        return all(type(k) is str and plain(v) for k, v in value.items())
+    return all(map(plain, value)) if type(value) is list else type(value) in (int, float, str, bool, type(None))
+
+
+def test_dictionaries() -> None:
+    tools, types, data = mip.tools, mip.types, mip.measurements
+    nan, infinite = math.nan, math.inf
+    accel = data.Accel((1.5, nan, -infinite), types.StateFlags(0x8000 | 1 << 4))
+    held = accel.to_dict()
+    assert held["scaled_accel"]["x"] == 1.5 and math.isnan(held["scaled_accel"]["y"])
+    assert accel.to_dict(json=True)["scaled_accel"] == {"x": 1.5, "y": None, "z": None}
+    assert accel.to_dict(names=False, json=True) == {"scaled_accel": [1.5, None, None], "valid_flags": 0x8010}
+    settings = tools.Settings.write(1, types.Mode.SLOW, 9600)
+    assert settings.to_dict() == {
+        "function": "write", "port": 1, "mode": "slow", "baud": 9600, "limit": None, "reserved": None,
+    }  # fmt: skip
+    assert tools.Settings.write(1, 77, 9600).to_dict()["mode"] == 77
+    pin = tools.Pin.write(tools.Drive.SERIAL, 0x21)
+    assert pin.to_dict()["use"] == "transmit" and pin.to_dict(names=False)["use"] == 0x21
+    status = tools.StatusShort(1 << 12)
+    assert status.to_dict()["flags"] == 4096 and status.to_dict(device="model-b")["flags"] == ["accel"]
+
+
+def test_text() -> None:
+    accel = real.sensor.ScaledAccel.decode(bytes.fromhex("3dcccccd 3e4ccccd bf800000"))
+    assert str(accel) == "sensor.scaled_accel: scaled_accel = (x=0.1, y=0.2, z=-1.0) g"
+    assert str(real.base.Ping()) == "base.ping"
+    flags = real.gnss_1.LlhPosition.INFO["valid_flags"].type
+    position = real.gnss_1.LlhPosition(44.5, -73.25, 12.0, math.nan, 0.5, 1.5, flags.LAT_LON | 0x8000)
+    assert str(position) == (
+        "gnss_1.llh_position: latitude = 44.5 deg, longitude = -73.25 deg, ellipsoid_height = 12.0 m (invalid), "
+        "msl_height = nan m (invalid), horizontal_accuracy = 0.5 m (invalid), vertical_accuracy = 1.5 m (invalid), "
+        "valid_flags = lat_lon|0x8000"
+    )
+    assert repr(position).startswith("LlhPosition(latitude=44.5, ")
+    pin = mip.tools.Pin.write(mip.tools.Drive.SERIAL, 0x21)
+    assert str(pin) == "tools.pin: function = write, drive = serial, use = transmit"
+    info = real.base.GetDeviceInfoResponse.decode(b"\0\1" + b"      3DM-GX5-15".ljust(80, b"\0"))
+    assert "model_name = '3DM-GX5-15'" in str(info)
+
+
+def test_text_of_parts() -> None:
+    form = real.sensor.CompQuaternion.INFO["q"].format
+    assert form((1.0, 0.0, 0.0, 0.0)) == "(w=1.0, x=0.0, y=0.0, z=0.0)" and form(None) == "-"
+    assert mip.measurements.Gust.INFO["speed"].format((1.0, 2.0, 3.0)) == "(x=1.0, y=2.0, z=3.0) m"
+    matrix = real.sensor.CompOrientationMatrix.INFO["m"]
+    assert matrix.format((1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)).startswith("(1.0, 0.0, 0.0, 0.0, 1.0")
+    rates = (real.types.DescriptorRate(4, 10), real.types.DescriptorRate(5, 10))
+    form = real.mip_3dm.MessageFormat.INFO["descriptors"].format
+    assert form(rates) == "[(descriptor = 4, decimation = 10), (descriptor = 5, decimation = 10)]"
+    items = real.reflection.items(real.sensor.ScaledAccel((1.0, 2.0, 3.0)))
+    assert [(x.parameter.name, x.value, x.text, x.valid) for x in items] == [
+        ("scaled_accel", (1.0, 2.0, 3.0), "(x=1.0, y=2.0, z=3.0) g", True)
+    ]
+
+
+def test_numbers_of_four_bytes_are_short_and_exact() -> None:
+    pack, form, chance = (
+        struct.Struct(">f"),
+        real.sensor.ScaledAccel.INFO["scaled_accel"].format,
+        random.Random(5),
+    )
+    for _ in range(2000):
+        (number,) = pack.unpack(chance.randbytes(4))
+        if math.isfinite(number):
+            text = form((number,) * 3).partition("=")[2].partition(",")[0]
+            digits = next(d for d in range(6, 10) if pack.pack(float(f"{number:.{d}g}")) == pack.pack(number))
+            assert text == repr(float(f"{number:.{digits}g}"))
+    assert form((1e300, math.inf, math.nan)) == "(x=1e+300, y=inf, z=nan) g"
+
+
+def test_numbers_in_bitfields_and_of_the_elements() -> None:
+    state = mip.types.StateFlags
+    kind = mip.measurements.Accel
+    shown = kind((0.0, 0.0, 0.0), state(0)).to_dict()["valid_flags"]
+    assert "level=0" in shown and "mode=" in str(shown)
+    text = kind.INFO["valid_flags"].format(state.READY | state(0).with_level(5))
+    assert "ready" in text.split("|") and "level=5" in text.split("|")
+
+
+def test_members_of_structures_depend_on_what_holds_them() -> None:
+    tools = mip.tools
+    reply = tools.ReadingsResponse(tools.Drive.SERIAL, (tools.Reading(0x21, 1.0),), tools.Reading(1, 2.0))
+    assert reply.to_dict()["readings"][0]["kind"] == "transmit"
+    reply = tools.ReadingsResponse(tools.Drive.PULSE, (tools.Reading(1, 1.0),), tools.Reading(1, 2.0))
+    assert reply.to_dict()["readings"][0]["kind"] == "input"
+    unit = model("invented").field("tools.readings_response").parameters[-1].variants[0].units[0]  # type: ignore[union-attr]
+    assert f"value = 2.0 {unit}" in str(reply)
+
+
+def test_objects_of_strange_values_have_a_text() -> None:
+    for value in (None, "text", b"bytes", (), (1, "2"), object(), -1, 1 << 200, [(1, 2)]):
+        for kind in (real.sensor.ScaledAccel, real.base.ContinuousBuiltInTestResponse, mip.types.Point):
+            holder = object.__new__(kind)
+            for p in kind.INFO.members:
+                setattr(holder, p.attribute, value)
+            assert str(holder) and holder.to_dict()
+
+
+def test_a_class_of_the_users_own_has_the_text_of_its_representation() -> None:
+    class Mine(real.field.Data):  # type: ignore[name-defined,misc]
+        __slots__ = ("x",)
+
+        def __repr__(self) -> str:
+            return "Mine"
+
+    assert str(Mine()) == "Mine"
+
+
+# --------------------------------------------------------------------------- names
+
+
+@BOTH
+def test_every_name_finds_its_field(spec: str) -> None:
+    package, of = PACKAGES[spec], model(spec)
+    find = package.registry.by_name
+    assert package.registry.names() == tuple(f.full_name for f in all_fields(of))
+    for f in of.fields:
+        wanted = kind(package, f)
+        assert find(f.full_name) is wanted
+        assert find(f"{names.home(f)}.{names.class_name(f)}") is wanted
+        for name in (*f.also, f.title, f.name, names.class_name(f)):
+            try:
+                found = [find(f"{f.set_name}.{name}")]
+            except package.errors.UnknownName as error:
+                assert error.kind == "ambiguous"
+                found = [find(x) for x in error.near]
+            assert wanted in found, name
+    for s in of.sets:
+        for name in (s.name, s.title, hex(s.number), names.module(s.name)):
+            assert package.registry.set_by_name(name) == s.number
+    for d in of.devices:
+        for name in (d.id, d.title, d.title.lower()):
+            assert package.devices.by_name(name) is package.devices.DEVICES[d.id]
+
+
+def test_names_of_the_vendor() -> None:
+    find = real.registry.by_name
+    assert find("continuous_bit") is real.base.ContinuousBuiltInTest
+    assert find("gnss_1.pos_llh") is real.gnss_1.LlhPosition
+    assert find("mip_sensor_scaled_accel_data") is real.sensor.ScaledAccel
+    assert find("data_sensor::ScaledAccel") is real.sensor.ScaledAccel
+    assert find("commands_base::ContinuousBit") is real.base.ContinuousBuiltInTest
+    assert find("mip_filter_status_data") is real.filter_data.Status
+    assert find("mip_accel_bias_data") is real.filter_data.AccelBias
+    assert find("commands_3dm::AccelBias") is find("mip_3dm_accel_bias_command") is real.mip_3dm.AccelBias
+    assert find("0x80,0x04") is find("(0x80, 0x04)") is real.sensor.ScaledAccel
+
+
+@pytest.mark.parametrize(
+    ("name", "message"),
+    [
+        ("sensor.scaled_acel", "'sensor.scaled_acel' is not a field; did you mean sensor.scaled_accel"),
+        ("3dm.mesage_format", "did you mean 3dm.message_format"),
+        ("pos_llh", "'pos_llh' may be aiding.llh_position, "),
+        ("xyzzy", "'xyzzy' is not a field$"),
+        ("", "'' is not a field$"),
+        ("0x80,0x99", "is not a field$"),
+        ("0x0C,0x90", "may be 3dm.device_status"),
+    ],
+)
+def test_unknown_names_say_the_nearest(name: str, message: str) -> None:
+    with pytest.raises(LookupError, match=message) as error:
+        real.registry.by_name(name)
+    assert isinstance(error.value, real.errors.UnknownName) and isinstance(error.value, real.errors.MipError)
+    assert all(x in real.registry.names() for x in error.value.near)
+
+
+def test_other_unknown_names() -> None:
+    unknown = real.errors.UnknownName
+    with pytest.raises(unknown, match="'sensr' is not a descriptor set; did you mean sensor"):
+        real.registry.set_by_name("sensr")
+    for name in ("0x99", "0xzz"):
+        with pytest.raises(unknown, match="is not a descriptor set"):
+            real.registry.set_by_name(name)
+    with pytest.raises(unknown, match="'3dm-gx5-14' is not a device; did you mean 3dm-gx5-"):
+        real.sensor.GpsTimestamp(1.0, 2, 8).is_valid("tow", "3dm-gx5-14")
+    with pytest.raises(unknown, match=r"'acel' is not a parameter of sensor.scaled_accel; .*scaled_accel"):
+        real.sensor.ScaledAccel.INFO["acel"]
+    with pytest.raises(unknown):
+        real.sensor.ScaledAccel((1.0, 2.0, 3.0)).is_valid("nothing")
+    with pytest.raises(unknown) as error:
+        real.devices.by_name("gx5")
+    again = pickle.loads(pickle.dumps(error.value))
+    assert (str(again), again.near, again.kind) == (str(error.value), error.value.near, "unknown_name")

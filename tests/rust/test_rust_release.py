@@ -1,0 +1,167 @@
+"""The crate as it is released: its package, the oldest compilers that it promises, and sets of features."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import shutil
+import subprocess
+import tarfile
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import pytest
+from mipgen.targets.rust import OLDEST, names
+from support import SPECS, heavy, locked, need
+from test_rust import EMBEDDED, WORK, bare, crate, embedded, passes, rendered, specification, with_dependencies
+
+#: Rust that is needed by features which the table of the README leaves to their dependencies, as locked for the tests.
+DEPENDENCIES = {"serde": "1.81", "defmt": "1.81"}
+
+
+@cache
+def manifest(spec: str) -> dict[str, Any]:
+    metadata = passes(crate(spec), "metadata", "--offline", "--no-deps", "--format-version", "1")
+    (package,) = json.loads(metadata)["packages"]
+    assert isinstance(package, dict)
+    return package
+
+
+# --------------------------------------------------------------------------- the oldest compilers
+
+
+def promised() -> dict[str, str]:
+    """Feature -> the oldest Rust, from the table of the README; `none` stands for none, all sets are one row."""
+    text = rendered("invented")["README.md"].decode("utf-8")
+    table = text.partition("| Feature | Adds | Oldest Rust |\n|---|---|---|\n")[2].partition("\n\n")[0]
+    return dict(re.findall(r"^\| `?([\w -]+)`? \| .+ \| ([^|]+) \|$", table, re.MULTILINE))
+
+
+@cache
+def toolchain(version: str) -> str:
+    """A compiler of this version; one that cannot be had is an error."""
+    rustup = need("rustup")
+    installed = subprocess.run([rustup, "toolchain", "list"], capture_output=True, text=True).stdout
+    if not re.search(rf"^{re.escape(version)}-", installed, re.MULTILINE):
+        arguments = ["toolchain", "install", version, "--profile", "minimal", "--no-self-update"]
+        done = subprocess.run([rustup, *arguments], capture_output=True, text=True)
+        assert done.returncode == 0, f"rustup {' '.join(arguments)}: {done.stderr[-2000:]}"
+    return version
+
+
+def checked_with(version: str, folder: Path, *arguments: str) -> None:
+    command = [need("rustup"), "run", toolchain(version), "cargo", "check", "--quiet", *arguments]
+    environment = {**os.environ, "CARGO_TARGET_DIR": str(WORK / "target-oldest"), "CARGO_TERM_COLOR": "never"}
+    with locked(WORK / "oldest"):
+        done = subprocess.run(command, cwd=folder, capture_output=True, text=True, env=environment)
+    assert done.returncode == 0, f"{version}: {' '.join(arguments)}\n{done.stderr[-6000:]}"
+
+
+def test_each_feature_has_an_oldest_compiler() -> None:
+    sets = {names.feature(s) for s in specification("invented").sets}
+    own = manifest("invented")["features"].keys() - sets - {"default"}
+    table = promised()
+    assert table.keys() == own | {"none", "one for each descriptor set"}
+    assert table["none"] == OLDEST == manifest("invented")["rust_version"]
+    for feature, version in table.items():
+        assert (
+            version == f"that of the crate `{feature}`" if feature in DEPENDENCIES else re.fullmatch(r"1\.\d+", version)
+        )
+
+
+@heavy("other Rust compilers")
+@pytest.mark.parametrize("feature", sorted(promised()))
+def test_the_oldest_compiler_builds_it(feature: str) -> None:
+    if feature in DEPENDENCIES:
+        with with_dependencies() as folder:
+            checked_with(DEPENDENCIES[feature], folder, "-p", "mip-protocol", "--features", feature)
+        return
+    arguments = {
+        "none": ["--no-default-features"],
+        "one for each descriptor set": [],
+    }.get(feature, ["--features", feature])
+    checked_with(promised()[feature], bare("awkward"), "--offline", *arguments)
+
+
+@heavy("other Rust compilers")
+def test_the_oldest_compiler_builds_the_crate_with_all_that_it_can() -> None:
+    features = [
+        name for name, version in promised().items() if version == OLDEST and " " not in name and name != "none"
+    ]
+    checked_with(OLDEST, bare("real"), "--offline", "--features", ",".join(features))
+
+
+@heavy("other Rust compilers")
+def test_an_older_compiler_would_not_do() -> None:
+    """What is promised is no older than it has to be, so that the tests above can fail."""
+    with pytest.raises(AssertionError, match=r"core.*error|error_in_core"):
+        checked_with(OLDEST, bare("invented"), "--offline", "--features", "core-error")
+
+
+# --------------------------------------------------------------------------- sets of features
+
+
+def combinations(spec: str) -> list[str]:
+    """Each feature that needs no dependency alone, without and with the sets; and those that people combine."""
+    sets = [names.feature(s) for s in specification(spec).sets]
+    own = [f for f in manifest(spec)["features"] if f not in (*sets, "default", *DEPENDENCIES)]
+    return [*own, *(f"{f},{sets[0]}" for f in own), "alloc,core-error", "std,dynamic,core-error"]
+
+
+def test_each_combination_of_features() -> None:
+    for features in combinations("invented"):
+        lint = ("clippy", "--quiet", "--offline", "--no-default-features", "--features", features)
+        passes(bare("invented"), *lint, "--", "-D", "warnings")
+
+
+@heavy(EMBEDDED)
+def test_each_combination_of_features_without_std() -> None:
+    check = ("check", "--quiet", "--offline", "--target", embedded(), "--no-default-features", "--features")
+    for features in ["", *combinations("invented")]:
+        if "std" not in features.split(","):
+            passes(bare("invented"), *check, features, RUSTFLAGS="-D warnings")
+
+
+def test_documentation_of_one_set() -> None:
+    """Nothing is wrong with it but that its texts name fields of other sets."""
+    name = names.feature(specification("invented").sets[0])
+    doc = ("doc", "--quiet", "--offline", "--no-deps", "--no-default-features", "--features", name)
+    passes(bare("invented"), *doc, RUSTDOCFLAGS="-D warnings")
+
+
+# --------------------------------------------------------------------------- the package
+
+
+def test_manifest() -> None:
+    """What the registry demands, and what it shows."""
+    for spec in SPECS:
+        package = manifest(spec)
+        for key in ("description", "license", "readme", "documentation", "rust_version"):
+            assert package[key], key
+        assert len(package["keywords"]) <= 5 and all(re.fullmatch(r"[a-z][\w-]{0,19}", k) for k in package["keywords"])
+        assert len(package["categories"]) <= 5
+        docs = package["metadata"]["docs"]["rs"]
+        assert docs["all-features"] and docs["rustdoc-args"] == ["--cfg", "docsrs"] and len(docs["targets"]) == 1
+        readme = rendered(spec)["README.md"].decode("utf-8")
+        links = re.findall(r"\]\(([^)]*)\)", readme)
+        assert all(link.startswith("https://") for link in links), links  # others lead nowhere in a registry
+
+
+def test_package(tmp_path: Path) -> None:
+    """From a folder that is in no repository and has been worked in; what is packed builds by itself."""
+    folder = tmp_path / "mip-protocol"
+    shutil.copytree(crate("invented"), folder, ignore=shutil.ignore_patterns("target", "Cargo.lock"))
+    (folder / "notes.txt").write_text("not for others")
+    (folder / "target").mkdir()
+    (folder / "target/junk").write_text("")
+    assert not any((parent / ".git").exists() for parent in folder.parents)
+    passes(folder, "package", "--quiet", CARGO_TARGET_DIR=str(tmp_path / "target"))
+    (archive,) = (tmp_path / "target/package").glob("*.crate")
+    with tarfile.open(archive) as packed:
+        found = {name.partition("/")[2] for name in packed.getnames()}
+    made = {"Cargo.toml.orig", "Cargo.lock"}
+    wanted = {name for name in rendered("invented") if not name.startswith(".") and name != "rustfmt.toml"}
+    assert found == wanted | made | {"LICENSE"}
+    assert archive.stat().st_size < 10_000_000  # the registry takes no more
