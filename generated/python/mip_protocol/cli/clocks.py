@@ -112,7 +112,7 @@ def _time(source: _Source, data: bytes) -> int | None:
     except DecodeError:
         return None
     for flag in source.flags:
-        if not flag.holds(getattr(value, flag.attribute)):
+        if not flag.holds(int(getattr(value, flag.attribute))):
             return None
     total = 0
     for attribute, scale in source.scales:

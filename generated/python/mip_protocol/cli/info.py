@@ -116,7 +116,10 @@ def _packet(report: Report, piece: scan.Piece) -> None:
     if packet.set >= 0x80:
         for clock, time in clocks.moments_of(data, headers).items():
             if time is not None:
-                report.clocks[clock].setdefault(packet.set, Intervals()).add(time, piece.offset)
+                sets = report.clocks[clock]
+                if packet.set not in sets:
+                    sets[packet.set] = Intervals()
+                sets[packet.set].add(time, piece.offset)
     if len(report.layouts) >= MOST:
         _sum(report)
 
