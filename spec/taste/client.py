@@ -1,11 +1,15 @@
 import time
 
+import serial  # pyserial
 from mip_protocol import Answer, Client, TimedOut, base
 
 client = Client()
+port = serial.Serial("/dev/ttyACM0", 115200)
 port.write(client.send(base.GetDeviceInfo(), now=time.monotonic()))
 while client.pending:
-    for event in client.receive(port.read(256), now=time.monotonic()):
+    time.sleep(0.002)
+    received = port.read(port.in_waiting)  # what has come: `read` does not wait
+    for event in client.receive(received, now=time.monotonic()):
         if isinstance(event, Answer) and event.response:
             print(event.response)
         elif isinstance(event, Answer):

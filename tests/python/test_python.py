@@ -435,12 +435,14 @@ def test_readme_client_runs() -> None:
     port = """
 from mip_protocol import PacketBuilder
 class Port:
+    in_waiting = 1
     def write(self, data): self.sent = data
     def read(self, size):
         answer = PacketBuilder(1).add(0xF1, bytes([self.sent[5], 0])).add(0x81, bytes(82)).build()
         return bytes(PacketBuilder(0x80).add(4, bytes(12)).build()) + bytes(answer)
 port = Port()
 """
+    program = program.replace("import serial", "#").replace("port = serial", "#")
     printed = user(REAL, port + program).splitlines()
     assert printed[0].startswith("data: Packet(7565800e") and printed[1].startswith("base.get_device_info_response: ")
 

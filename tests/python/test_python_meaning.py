@@ -472,6 +472,17 @@ def test_a_class_of_the_users_own_has_the_text_of_its_representation() -> None:
     assert str(Mine()) == "Mine"
 
 
+def test_the_program_of_the_readme_runs() -> None:
+    text = (REAL / "README.md").read_text("utf-8")
+    program = text.split("## What fields mean")[1].split("```python\n")[1].split("```")[0]
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, cwd=REAL, check=True)
+    lines = done.stdout.splitlines()
+    assert lines[0] == "GNSS LLH position is sent by 3dm-cv7-gnss-ins 3dm-gq7"
+    assert lines[1] == "Latitude. deg ('valid_flags.lat_lon',)"
+    assert lines[2].startswith("gnss_1.llh_position: latitude = 44.5 deg, ") and lines[3] == "True False"
+    assert "'valid_flags': ['lat_lon']" in lines[4] and lines[5] == "sensor.temperature_statistics"
+
+
 # --------------------------------------------------------------------------- names
 
 

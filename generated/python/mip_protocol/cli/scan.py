@@ -22,33 +22,21 @@ class Scanner:
 
     def __init__(self) -> None:
         self._parser = Parser()
-        self._held = b""
         self._offset = 0
 
     def feed(self, data: bytes) -> Iterator[Piece]:
         """The pieces that are complete with these bytes."""
-        return self._pieces(data, self._parser.feed(data))
+        return self._pieces(self._parser.feed_all(data))
 
     def flush(self) -> Iterator[Piece]:
         """The pieces of what is left, at the end of a file or after a silence."""
-        return self._pieces(b"", self._parser.flush())
+        return self._pieces(self._parser.flush_all())
 
-    def _pieces(self, data: bytes, packets: list[Packet]) -> Iterator[Piece]:
-        held = self._held + data
-        end = len(held) - self._parser.pending
-        start = self._offset
-        self._held, self._offset = held[end:], start + end
-        at = 0
-        for packet in packets:
-            raw = bytes(packet)
-            # The parser tries every sync after the packet before, so the first occurrence is it.
-            found = at if held.startswith(raw, at) else held.find(raw, at)
-            if found > at:
-                yield Piece(start + at, held[at:found], None)
-            at = found + len(raw)
-            yield Piece(start + found, raw, packet)
-        if end > at:
-            yield Piece(start + at, held[at:end], None)
+    def _pieces(self, found: list[Packet | bytes]) -> Iterator[Piece]:
+        for item in found:
+            data = bytes(item)
+            yield Piece(self._offset, data, item if isinstance(item, Packet) else None)
+            self._offset += len(data)
 
 
 def damaged(data: bytes) -> int:

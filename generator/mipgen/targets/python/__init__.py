@@ -26,6 +26,9 @@ def files(model: m.Model) -> Iterator[File]:
     shown = {
         "taste": taste.partition('"""\n\n')[2].rstrip(),
         "client": model.taste("client.py").rstrip(),
+        "at_port": model.taste("device.py").rstrip(),
+        "at_port_aio": model.taste("device_aio.py").rstrip(),
+        "meaning": model.taste("meaning.py").rstrip(),
         "device": known.id if known else "DEVICE",  # the one that shows most
     }
     yield File("README.md", "README.md.j2", shown)

@@ -21,7 +21,6 @@ from .field import Command, Response
 from .packet import Packet, PacketBuilder, RawField
 from .parser import Parser
 from .protocol import Acknowledge
-from .splitter import Splitter
 from .types import AckCode
 
 
@@ -96,7 +95,8 @@ class Client:
         `skipped`: the bytes between packets are events, too.
         """
         self._timeout = timeout
-        self._parser: Parser | Splitter = Splitter() if skipped else Parser()
+        self._parser = Parser()
+        self._wants_skipped = skipped
         self._pending: list[_Pending] = []
 
     @property
@@ -133,11 +133,11 @@ class Client:
 
     def receive(self, data: bytes, now: float) -> list[Event]:
         """The events of these bytes and this time: answers, other packets, time-outs."""
-        return self._events(self._parser.feed(data)) + self.poll(now)
+        return self._events(self._parser.feed_all(data)) + self.poll(now)
 
     def flush(self, now: float) -> list[Event]:
         """Gives up an incomplete packet, as at the end of a file, and searches the bytes in it."""
-        return self._events(self._parser.flush()) + self.poll(now)
+        return self._events(self._parser.flush_all()) + self.poll(now)
 
     def look_behind(self, now: float) -> list[Event]:
         """Gives up an incomplete packet only if whole ones are behind its first bytes: it was noise.
@@ -145,8 +145,8 @@ class Client:
         To be called when nothing has come for a while. A packet that comes slowly is kept.
         """
         events: list[Event] = []
-        while packets := self._parser.look_behind():
-            events += self._events(packets)
+        while found := self._parser.look_behind_all():
+            events += self._events(found)
         return events + self.poll(now)
 
     @property
@@ -167,10 +167,10 @@ class Client:
         """
         events: list[Event] = []
         while any(p.deadline <= now for p in self._pending):
-            packets = self._parser.look_behind()
-            if not packets:
+            found = self._parser.look_behind_all()
+            if not found:
                 break
-            events += self._events(packets)
+            events += self._events(found)
         events += [TimedOut(p.command) for p in self._pending if p.deadline <= now]
         self._pending = [p for p in self._pending if p.deadline > now]
         return events
@@ -178,7 +178,10 @@ class Client:
     def _events(self, found: Iterable[Packet | bytes]) -> list[Event]:
         events: list[Event] = []
         for item in found:
-            events += [Skipped(item)] if isinstance(item, bytes) else self._taken(item)
+            if isinstance(item, Packet):
+                events += self._taken(item)
+            elif self._wants_skipped:
+                events.append(Skipped(item))
         return events
 
     def _taken(self, packet: Packet) -> list[Event]:

@@ -66,14 +66,19 @@ class Scanner(Generic[T]):
 
         The first was noise then. Otherwise nothing changes.
         """
-        found: list[T] = []
+        return [item for item in self.look_behind_all() if not isinstance(item, bytes)]
+
+    def look_behind_all(self) -> list[T | bytes]:
+        """As `look_behind`, with the bytes between packets."""
+        found: list[T | bytes] = []
         rest, at = self._rest, 0
         while (at := rest.find(SYNC, at + 1)) >= 0 and len(rest) - at >= OVERHEAD:
             end = at + rest[at + 3] + OVERHEAD
             if end <= len(rest) and rest[at + 2] != 0 and is_correct(rest[at:end]):
                 self.skipped += at
+                found.append(rest[:at])
                 self._rest = rest[at:]
-                self._scan(b"", found)
+                self._scan(b"", found, between=True)
                 break
         return found
 

@@ -5,18 +5,16 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Callable, Iterable
 from datetime import datetime, timedelta
-from functools import cache
-from math import isfinite
+from functools import cache, lru_cache
 from typing import NamedTuple
 
 from .. import registry
 from .._clocks import CLOCKS, LEAP_SECONDS, TIMESTAMPS
 from ..errors import DecodeError
 from ..field import Field
-from ..packet import Packet, RawField
+from ..packet import Packet
 from ..parameter import Flag
 from ..reflection import info
-from .decoding import raw_fields
 
 SECOND = 1_000_000_000
 #: How far before a packet without a time the last one of its set may be, in bytes.
@@ -32,11 +30,25 @@ class _Source(NamedTuple):
     kind: type[Field]
     scales: tuple[tuple[str, int], ...]  # attribute -> nanoseconds
     flags: tuple[Flag, ...]
+    size: int  # bytes that its data have at least
 
 
 def dated(clock: str | None) -> bool:
     """Does it have a date? Then its times are UTC."""
     return clock is not None and CLOCKS[clock] is not None
+
+
+def headers(data: bytes) -> bytes:
+    """The lengths and descriptors of the fields of a packet, up to a malformed one."""
+    found = bytearray()
+    at, end = 4, len(data) - 2
+    while at < end:
+        length = data[at]
+        if length < 2 or length > end - at:
+            break
+        found += data[at : at + 2]
+        at += length
+    return bytes(found)
 
 
 def moments(packet: Packet) -> dict[str, int | None]:
@@ -45,19 +57,28 @@ def moments(packet: Packet) -> dict[str, int | None]:
     They are since 1970 in UTC if the clock has a date, else since its start. Of several fields for
     one clock, that with the lowest descriptor counts.
     """
-    found: dict[str, int | None] = {}
-    if packet.set < 0x80:
-        return found
-    best: dict[str, int] = {}
-    for raw in raw_fields(packet):
-        source = _source(raw.set, raw.descriptor)
-        if source is not None and best.get(source.clock, 0x100) > raw.descriptor:
-            try:
-                found[source.clock] = _time(source, raw)
-            except DecodeError:
-                continue
-            best[source.clock] = raw.descriptor
-    return found
+    data = bytes(packet)
+    return moments_of(data, headers(data)) if packet.set >= 0x80 else {}
+
+
+def moments_of(data: bytes, headers: bytes) -> dict[str, int | None]:
+    """The same of the bytes of a packet of data, with the headers of its fields."""
+    places = _places(data[2], headers)
+    return {source.clock: _time(source, data[begin:end]) for source, begin, end in places}
+
+
+@lru_cache(maxsize=4096)
+def _places(number: int, headers: bytes) -> tuple[tuple[_Source, int, int], ...]:
+    """Where packets with these fields have their times."""
+    found: dict[str, tuple[int, _Source, int, int]] = {}
+    at = 4
+    for length, descriptor in zip(headers[::2], headers[1::2]):
+        source = _source(number, descriptor) if number >= 0x80 else None
+        if source is not None and found.get(source.clock, (0x100,))[0] > descriptor:
+            if length >= source.size + 2:
+                found[source.clock] = (descriptor, source, at + 2, at + length)
+        at += length
+    return tuple(place[1:] for place in found.values())
 
 
 @cache
@@ -71,17 +92,32 @@ def _source(set: int, descriptor: int) -> _Source | None:
     ]
     flags = dict.fromkeys(flag for p in parameters for flag in p.flags)
     scales = tuple((p.attribute, _UNITS[p.units[0]]) for p in parameters)
-    return _Source(clock, kinds[0], scales, tuple(flags))
+    return _Source(clock, kinds[0], scales, tuple(flags), _size(kinds[0]))
 
 
-def _time(source: _Source, raw: RawField) -> int | None:
-    value = source.kind.decode(raw.data)
-    if not all(flag.holds(getattr(value, flag.attribute)) for flag in source.flags):
+def _size(kind: type[Field]) -> int:
+    """How many bytes of zeros it takes to decode one."""
+    for size in range(254):
+        try:
+            kind.decode(bytes(size))
+            return size
+        except DecodeError:
+            continue
+    return 254
+
+
+def _time(source: _Source, data: bytes) -> int | None:
+    try:
+        value = source.kind.decode(data)
+    except DecodeError:
         return None
+    for flag in source.flags:
+        if not flag.holds(int(getattr(value, flag.attribute))):
+            return None
     total = 0
     for attribute, scale in source.scales:
         number = getattr(value, attribute)
-        if not isfinite(number) or abs(number * scale) >= _MOST:
+        if not -_MOST < number * scale < _MOST:  # NaN is not, either
             return None
         total += round(number * scale)
     return utc(source.clock, total) if CLOCKS[source.clock] else total
@@ -89,15 +125,17 @@ def _time(source: _Source, raw: RawField) -> int | None:
 
 def utc(clock: str, time: int) -> int:
     """A time of a clock with a date as UTC; during a leap second the next one begins."""
-    epoch, begins = _leaps(clock)
-    return time + epoch - ([0] + [n for _, n in LEAP_SECONDS])[bisect_right(begins, time)] * SECOND
+    begins, shifts = _leaps(clock)
+    return time + shifts[bisect_right(begins, time)]
 
 
 @cache
-def _leaps(clock: str) -> tuple[int, list[int]]:
+def _leaps(clock: str) -> tuple[list[int], list[int]]:
+    """When leap seconds came, by the clock, and what makes its times UTC between them."""
     epoch = from_date(datetime.fromisoformat(CLOCKS[clock] or "1970-01-01"))
     days = [(from_date(datetime.fromisoformat(day)), ahead) for day, ahead in LEAP_SECONDS]
-    return epoch, [day - epoch + ahead * SECOND for day, ahead in days]
+    begins = [day - epoch + ahead * SECOND for day, ahead in days]
+    return begins, [epoch, *(epoch - ahead * SECOND for _, ahead in days)]
 
 
 def from_date(time: datetime) -> int:
@@ -161,7 +199,9 @@ __all__ = [
     "best",
     "dated",
     "from_date",
+    "headers",
     "moments",
+    "moments_of",
     "seconds",
     "stamp",
     "utc",

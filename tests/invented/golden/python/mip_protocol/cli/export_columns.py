@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 PART = 1 << 25
 
 #: What a table has beside the values of fields.
-_PLACES = ("time", "time_own", "packet", "offset")
+_PLACES = ("time", "time_own", "packet", "offset", "set")
 
 
 def require(form: str) -> None:

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import argparse
 import json
+from collections import Counter
 from dataclasses import dataclass, field
 from typing import Any
 
-from ..packet import RawField
-from . import inputs, scan, show
-from .clocks import CLOCKS, SECOND, dated, moments, stamp
+from ..packet import Packet
+from . import clocks, inputs, scan, show
+from .clocks import CLOCKS, SECOND, dated, stamp
 from .decoding import decoded, name_of, raw_fields
 from .intervals import Intervals, Place
 
@@ -30,13 +31,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--json", action="store_true", help="print JSON, for programs")
 
 
+#: How many layouts of packets are counted apart before they are added up.
+MOST = 10_000
+
+
 @dataclass
 class _Kind:
     """A descriptor in packets of a set."""
 
     name: str
     count: int = 0
-    undecoded: int = 0
     packets: int = 0
 
 
@@ -56,6 +60,10 @@ class Report:
     clocks: dict[str, dict[int, Intervals]] = field(
         default_factory=lambda: {clock: {} for clock in CLOCKS}
     )
+
+    #: (set, length, headers of the fields) -> packets that are not counted yet.
+    layouts: dict[tuple[int, int, bytes], int] = field(default_factory=dict)
+    seen: set[tuple[int, bytes]] = field(default_factory=set)
 
     @property
     def clock(self) -> str | None:
@@ -82,6 +90,7 @@ def examine(name: str) -> Report:
         run = run and _counted(report, run, b"")
         _packet(report, piece)
     _counted(report, run, b"")
+    _sum(report)
     return report
 
 
@@ -93,28 +102,48 @@ def _counted(report: Report, run: bytes, more: bytes) -> bytes:
 
 
 def _packet(report: Report, piece: scan.Piece) -> None:
-    packet = piece.packet
+    packet, data = piece.packet, piece.data
     assert packet is not None
     report.packets += 1
-    report.sets[packet.set] = report.sets.get(packet.set, 0) + 1
-    end = 4
-    seen: set[int] = set()
-    for raw in raw_fields(packet):
-        end += len(raw.data) + 2
-        kind = report.fields.get((raw.set, raw.descriptor))
-        if kind is None:
-            kind = report.fields[raw.set, raw.descriptor] = _Kind(_name(raw))
-        kind.count += 1
-        kind.packets += raw.descriptor not in seen
-        seen.add(raw.descriptor)
-    report.malformed += end != len(piece.data) - 2
-    for clock, time in moments(packet).items():
-        if time is not None:
-            report.clocks[clock].setdefault(packet.set, Intervals()).add(time, piece.offset)
+    headers = clocks.headers(data)
+    key = packet.set, len(data), headers
+    count = report.layouts.get(key)
+    if count is None:
+        _first_of(report, packet, headers)
+        report.layouts[key] = 1
+    else:
+        report.layouts[key] = count + 1
+    if packet.set >= 0x80:
+        for clock, time in clocks.moments_of(data, headers).items():
+            if time is not None:
+                sets = report.clocks[clock]
+                if packet.set not in sets:
+                    sets[packet.set] = Intervals()
+                sets[packet.set].add(time, piece.offset)
+    if len(report.layouts) >= MOST:
+        _sum(report)
 
 
-def _name(raw: RawField) -> str:
-    return name_of(decoded(raw))
+def _first_of(report: Report, packet: Packet, headers: bytes) -> None:
+    """Fields that are new get their names."""
+    if (packet.set, headers) not in report.seen:
+        report.seen.add((packet.set, headers))
+        for raw in raw_fields(packet):
+            if (raw.set, raw.descriptor) not in report.fields:
+                report.fields[raw.set, raw.descriptor] = _Kind(name_of(decoded(raw)))
+
+
+def _sum(report: Report) -> None:
+    """Adds the counts of layouts to those of sets and fields."""
+    for (number, length, headers), count in report.layouts.items():
+        report.sets[number] = report.sets.get(number, 0) + count
+        report.malformed += count * (sum(headers[::2]) != length - 6)
+        for descriptor, several in Counter(headers[1::2]).items():
+            kind = report.fields[number, descriptor]
+            kind.count += several * count
+            kind.packets += count
+    report.layouts.clear()
+    report.seen.clear()
 
 
 # --------------------------------------------------------------------------- for people

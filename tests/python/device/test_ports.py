@@ -1,0 +1,359 @@
+"""Real ports: the virtual device at pseudo-terminals and TCP, faults on the line, pyserial, ports of one's own."""
+
+from __future__ import annotations
+
+import os
+import queue
+import subprocess
+import sys
+import threading
+import time
+import tty
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import mip_protocol as mip
+import pytest
+import serial
+from both import PATIENCE, Kind, acknowledge, packet
+from mip_protocol import aiding, base, mip_3dm, sensor, types
+from mip_protocol.baud import rates
+from mip_protocol.simulator.device import VirtualDevice
+from mip_protocol.simulator.endpoints import Endpoint, pty_at, tcp_at
+from mip_protocol.simulator.faults import Faults
+from mip_protocol.simulator.serve import Server
+from support import ROOT, expected_parse
+
+DEVICE = "3dm-cv7-gnss-ins"
+PING = base.Ping()
+DATA = packet(0x80, "04 3e7a63a0 bb8e3b29 7fe5bf7f")
+FAULTS = {
+    "lose": 0.03, "change": 0.03, "noise": 0.1, "nmea": 0.1, "false_header": 0.05, "double_packet": 0.03,
+    "delay": (0.05, 0.02), "lose_answer": 0.05, "unknown_set": 0.02, "cut": 0.02,
+}  # fmt: skip
+
+
+@pytest.fixture(params=["threads", "asyncio"])
+def kind(request: pytest.FixtureRequest) -> Kind:
+    return Kind(request.param)
+
+
+@contextmanager
+def serving(virtual: VirtualDevice, *endpoints: Endpoint, **options: Any) -> Iterator[list[str]]:
+    """Serves a device in a thread; the URLs at which it is."""
+    places: list[str] = []
+    with Server(virtual, endpoints, ready=places.append, **options) as server:
+        thread = threading.Thread(target=server.run, daemon=True)
+        thread.start()
+        try:
+            yield [place if place.startswith("/") else f"socket://{place}" for place in places]
+        finally:
+            server.stop()
+            thread.join(PATIENCE)
+    assert not thread.is_alive()
+
+
+def stream(device: Any, rate: int = 100) -> None:
+    for command in (
+        mip_3dm.MessageFormat.write(0x80, (types.DescriptorRate(0x04, 1000 // rate),)),
+        mip_3dm.DataStreamControl.write(0x80, True),
+    ):
+        insist(device, command)
+
+
+def insist(device: Any, command: Any) -> Any:
+    """Asks until the device answers; faults strike commands and answers."""
+    for _ in range(20):
+        try:
+            return device.request(command)
+        except mip.NoAnswer:
+            pass
+    raise AssertionError("no answer")
+
+
+# --------------------------------------------------------------------------- faults
+
+
+@pytest.mark.parametrize("place", ["tcp", "pty"])
+def test_nothing_intact_is_lost(kind: Kind, place: str, tmp_path: Path) -> None:
+    """All packets of data in what came are handed over in order, and all that is between them, while commands run."""
+    came, between = bytearray(), bytearray()
+    virtual = VirtualDevice(DEVICE, faults=Faults(seed=3, **FAULTS))
+    endpoint = tcp_at("localhost:0") if place == "tcp" else pty_at(str(tmp_path / "port"))
+    options: dict[str, Any] = {"timeout": 0.2, "on_bytes": came.extend, "on_skipped": between.extend}
+    with serving(virtual, endpoint) as (url,), kind.open(url, **options) as device:
+        stream(device)
+        for _ in range(8):
+            assert insist(device, base.GetDeviceInfo()).device_info.model_name.strip()
+            assert insist(device, mip_3dm.GetBaseRate(0x80)).rate == 1000
+            time.sleep(0.05)
+        insist(device, base.SetIdle())
+        arrivals = drain(device)
+        assert device.dropped == 0
+    found = expected_parse(bytes(came))
+    data = [p for p in found["packets"] if int(p[4:6], 16) >= 0x80]
+    assert [bytes(a.packet).hex() for a in arrivals if a.packet.set >= 0x80] == data and len(data) > 40
+    assert len(between) == found["skipped"] > 0
+    assert mip.Sentences().feed(bytes(between))
+
+
+def drain(device: Any) -> list[mip.Arrival]:
+    found = []
+    while (arrival := device.next(0.3)) is not None:
+        found.append(arrival)
+    return found
+
+
+def test_continuous_data_while_requests_run(kind: Kind) -> None:
+    virtual = VirtualDevice(DEVICE)
+    with serving(virtual, tcp_at("localhost:0")) as (url,), kind.open(url) as device:
+        stream(device, 500)
+        fields = device.fields(sensor.ScaledAccel)
+        for _ in range(50):
+            next(fields)
+            assert device.request(mip_3dm.GetBaseRate(0x80)).rate == 1000
+        assert device.skipped == device.dropped == 0
+
+
+def test_silenced_commands_at_the_virtual_device(kind: Kind) -> None:
+    command = aiding.Pressure(aiding.MeasurementTime(aiding.Timebase.TIME_OF_ARRIVAL, 0), 1, 1000.0, 1.0, 1)
+    virtual = VirtualDevice(DEVICE)
+    with serving(virtual, tcp_at("localhost:0")) as (url,), kind.open(url, timeout=20.0) as device:
+        for mode in aiding.AidingEchoMode:
+            device.request(aiding.EchoControl.write(mode))
+            (outcome,) = device.exchange(command)
+            assert (outcome is None) == (mode is aiding.AidingEchoMode.SUPPRESS_ACK)
+
+
+# --------------------------------------------------------------------------- pyserial
+
+
+@pytest.mark.parametrize("timeout", [None, 0, 0.01, 10.0])
+def test_serial_ports_with_any_time_out(kind: Kind, timeout: float | None, tmp_path: Path) -> None:
+    """An answer comes at once, and a missing one is noticed."""
+    endpoint = pty_at(str(tmp_path / "port"))
+    with (
+        serving(VirtualDevice(DEVICE), endpoint) as (path,),
+        kind.at(serial.Serial(path, timeout=timeout), timeout=5.0) as device,
+    ):
+        started = time.monotonic()
+        for _ in range(10):
+            device.request(base.GetDeviceInfo())
+        assert time.monotonic() - started < 5
+        with pytest.raises(mip.NoAnswer):
+            device.request(base.GetDeviceInfo(), timeout=0.0)
+        stream(device)
+        sets = [device.next(5).packet.set for _ in range(10)]
+        assert sets == [1] + [0x80] * 9  # the answer that came too late is not lost
+
+
+@pytest.mark.parametrize("answers", [True, False])
+@pytest.mark.parametrize("options", ["", ", timeout=0", ", timeout=20"])
+def test_the_loop_of_the_readme_at_a_serial_port(options: str, answers: bool, tmp_path: Path) -> None:
+    """It neither hangs nor waits for bytes that do not come, whatever the time-out of the port."""
+    text = (ROOT / "generated/python/README.md").read_text("utf-8")
+    program = text.split("## Commands")[1].split("```python\n")[1].split("```")[0]
+    opening = 'serial.Serial("/dev/ttyACM0", 115200)'
+    assert opening in program
+    faults = None if answers else Faults(lose_answer=1.0)
+    with serving(VirtualDevice(DEVICE, faults=faults), pty_at(str(tmp_path / "port"))) as (path,):
+        program = program.replace(opening, f'serial.Serial("{path}", 115200{options})')
+        environment = {**os.environ, "PYTHONPATH": str(ROOT / "generated/python")}
+        done = subprocess.run(
+            [sys.executable, "-c", program], capture_output=True, text=True, timeout=15, env=environment
+        )
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.startswith("GetDeviceInfoResponse(" if answers else "no answer to GetDeviceInfo()")
+
+
+def test_a_terminal_that_goes_away_and_comes_back(kind: Kind, tmp_path: Path) -> None:
+    endpoint = pty_at(str(tmp_path / "port"))
+    with serving(VirtualDevice(DEVICE), endpoint) as (path,):
+        device = kind.open(path)
+        device.request(PING)
+    with device:
+        with pytest.raises(mip.PortClosed):
+            list(device)
+        with pytest.raises(OSError):
+            device.reopen(timeout=0.2)
+        with serving(VirtualDevice(DEVICE), endpoint):
+            device.reopen()
+            device.request(PING)
+
+
+# --------------------------------------------------------------------------- baud rates
+
+
+def at_rate(rate: int) -> VirtualDevice:
+    """A device whose port has this baud rate."""
+    virtual = VirtualDevice(DEVICE)
+    link = virtual.connect("UART 1")
+    link.write(bytes(base.CommSpeed.write(0x11, rate).packet()))
+    virtual.advance(0.1)
+    virtual.disconnect(link)
+    return virtual
+
+
+@pytest.mark.parametrize("rate", [115200, 921600, 230400])
+def test_a_rate_is_found(kind: Kind, rate: int, tmp_path: Path) -> None:
+    endpoint = pty_at(str(tmp_path / "port"), "UART 1")
+    with serving(at_rate(rate), endpoint, strict_baud=True) as (path,), kind.open(path, None) as device:
+        assert device.baud == rate
+        device.request(PING)
+
+
+def test_a_rate_is_found_by_data_alone(tmp_path: Path) -> None:
+    virtual = at_rate(460800)
+    with serving(virtual, pty_at(str(tmp_path / "port"), "UART 1"), strict_baud=True) as (path,):
+        with mip.open_port(path, 460800) as device:
+            stream(device)
+        with serial.Serial(path, 115200) as port:
+            assert mip.detect_baud(port, [9600, 460800, 115200]) == 460800
+            assert port.timeout is None and port.baudrate == 460800
+
+
+def test_no_rate_is_found(kind: Kind) -> None:
+    master, slave = os.openpty()
+    try:
+        with serial.Serial(os.ttyname(slave), 9600) as port:
+            with pytest.raises(mip.NoDevice, match="no device answers at 115200, 57600 Bd") as caught:
+                mip.detect_baud(port, [115200, 57600], listen=0.02)
+            assert port.baudrate == 9600 and isinstance(caught.value, ConnectionError)
+            with pytest.raises(mip.NoDevice, match="at no rate"):
+                mip.detect_baud(port, [])
+        with pytest.raises(mip.NoDevice, match="has no baud rate"):
+            mip.detect_baud(Answering())
+    finally:
+        os.close(master)
+        os.close(slave)
+
+
+def test_the_rates_that_are_tried() -> None:
+    assert rates()[0] == 115200 and len(set(rates())) == len(rates()) > 5
+
+
+@pytest.mark.parametrize("idle", [True, False])
+def test_a_rate_is_changed(kind: Kind, idle: bool, tmp_path: Path) -> None:
+    endpoint = pty_at(str(tmp_path / "port"), "UART 1")
+    with serving(VirtualDevice(DEVICE), endpoint, strict_baud=True) as (path,), kind.open(path) as device:
+        stream(device)
+        if idle:
+            device.request(base.SetIdle())
+        assert device.change_baud(mip_3dm.UartBaudRate.write(921600)) == 921600 == device.baud
+        assert device.change_baud(base.CommSpeed.write(0x11, 230400)) == 230400 == device.baud
+        assert device.request(mip_3dm.UartBaudRate.read()).baud == 230400
+        assert device.change_baud(base.CommSpeed.write(0x12, 4800), attempts=1) == 230400 == device.baud
+        with pytest.raises(mip.Refused):
+            device.change_baud(mip_3dm.UartBaudRate.write(77))
+        with pytest.raises(ValueError, match="writes `baud`"):
+            device.change_baud(PING)
+        assert device.baud == 230400
+        device.request(PING)
+
+
+# --------------------------------------------------------------------------- ports of one's own
+
+
+class Answering:
+    """Answers each command at once. `read` returns at once, too."""
+
+    nothing: Any = b""
+
+    def __init__(self) -> None:
+        self.out = b""
+
+    def write(self, data: bytes) -> Any:
+        self.out += acknowledge(data[2], data[5])
+
+    def read(self, size: int) -> Any:
+        data, self.out = self.out[:size], self.out[size:]
+        return data or self.nothing
+
+
+class WithoutWaiting(Answering):
+    """As raw files that are set not to block."""
+
+    nothing = None
+
+
+class Slowly(Answering):
+    """Takes a byte at a time, and gives one."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.taken = b""
+
+    def write(self, data: bytes) -> int:
+        self.taken += data[:1]
+        if len(self.taken) == 8:
+            super().write(self.taken)
+            self.taken = b""
+        return 1
+
+    def read(self, size: int) -> Any:
+        return super().read(1)
+
+
+class Blocking:
+    """Waits for ever, until it is closed."""
+
+    def __init__(self) -> None:
+        self.queue: queue.Queue[bytes | None] = queue.Queue()
+
+    def write(self, data: bytes) -> int:
+        self.queue.put(acknowledge(data[2], data[5]) if data[5] == 1 else b"")
+        return len(data)
+
+    def read(self, size: int) -> bytes:
+        data = self.queue.get()
+        if data is None:
+            raise OSError("closed")
+        return data
+
+    def close(self) -> None:
+        self.queue.put(None)
+
+
+@pytest.mark.parametrize("port", [Answering, WithoutWaiting, Slowly, Blocking])
+def test_ports_of_ones_own(kind: Kind, port: Any) -> None:
+    with kind.at(port()) as device:
+        for _ in range(3):
+            device.request(PING)
+    assert device.closed
+
+
+def test_a_port_that_waits_for_ever(kind: Kind) -> None:
+    """A missing answer is noticed while the port is being read."""
+    with kind.at(Blocking(), timeout=0.05) as device, pytest.raises(mip.NoAnswer):
+        device.request(base.SetIdle())
+
+
+def test_files(kind: Kind) -> None:
+    """A terminal opened with `open`, whose buffer would wait for all bytes."""
+    master, slave = os.openpty()
+    tty.setraw(slave)
+    file = open(os.ttyname(slave), "r+b", buffering=0)  # noqa: SIM115  # the device closes it
+    with kind.at(file) as device:
+        thread = threading.Thread(target=lambda: os.read(master, 100) and os.write(master, DATA + acknowledge(1, 1)))
+        thread.start()
+        device.request(PING)
+        assert bytes(device.next(5).packet) == DATA
+        thread.join()
+        os.write(master, DATA)  # so that the read ends
+        os.close(slave)
+    os.close(master)
+
+
+class Failing(Answering):
+    def write(self, data: bytes) -> Any:
+        raise OSError("cannot write")
+
+
+def test_a_port_that_cannot_write(kind: Kind) -> None:
+    with kind.at(Failing()) as device:
+        with pytest.raises(mip.PortClosed, match="the port cannot write: cannot write"):
+            device.request(PING)
+        with pytest.raises(mip.PortClosed):
+            device.send(PING)

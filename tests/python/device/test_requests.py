@@ -1,0 +1,438 @@
+"""Devices at a port, with a peer that answers what the test wants: the same for threads and for asyncio."""
+
+from __future__ import annotations
+
+import pickle
+import socket
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Iterator
+from typing import Any
+
+import mip_protocol as mip
+import pytest
+from both import Kind, Peer, acknowledge, packet, until
+from mip_protocol import aiding, base, mip_3dm, sensor, types
+from support import ROOT
+
+DATA = packet(0x80, "04 3e7a63a0 bb8e3b29 7fe5bf7f")
+INFO = packet(0x01, "f1 03 00", "81" + "20" * 82)
+PING = base.Ping()
+
+
+@pytest.fixture(params=["threads", "asyncio"])
+def kind(request: pytest.FixtureRequest) -> Kind:
+    return Kind(request.param)
+
+
+@pytest.fixture
+def peer() -> Iterator[Peer]:
+    made = Peer()
+    yield made
+    made.close()
+
+
+# --------------------------------------------------------------------------- requests
+
+
+def test_responses(kind: Kind, peer: Peer) -> None:
+    with kind.at(peer.near) as device:
+        peer.answering(INFO, acknowledge(1, 1), packet(0x0C, "f1 0e 00", "8e 80 03e8"))
+        assert device.request(base.GetDeviceInfo()).device_info.model_name == " " * 16
+        assert device.request(PING) is None
+        assert device.request(mip_3dm.GetBaseRate(0x80)).rate == 1000
+        assert device.waiting == device.dropped == device.skipped == 0
+
+
+def test_refusals(kind: Kind, peer: Peer) -> None:
+    command = mip_3dm.PpsSourceControl.read()
+    with kind.at(peer.near) as device:
+        peer.answering(acknowledge(0x0C, 0x28, 3))
+        with pytest.raises(mip.Refused, match=r"refused: 3dm.pps_source_control: INVALID_PARAMETER \(3\)") as caught:
+            device.request(command)
+    error = caught.value
+    assert error.code is types.AckCode.INVALID_PARAMETER and error.command is command and error.kind == "refused"
+    assert [o.code for o in error.outcomes] == [3]
+    copy = pickle.loads(pickle.dumps(error))
+    assert (str(copy), copy.code) == (str(error), error.code)
+
+
+def test_no_answer(kind: Kind, peer: Peer) -> None:
+    with kind.at(peer.near, timeout=0.05) as device:
+        with pytest.raises(mip.NoAnswer, match=r"no_answer: the device has not answered base\.ping in time") as caught:
+            device.request(PING)
+        with pytest.raises(TimeoutError):
+            device.request(base.BuiltInTest(), timeout=0.05)  # it would take ten seconds
+        peer.command()
+        peer.send(acknowledge(1, 1))  # too late: nobody waits for it
+        assert device.next(5).packet == mip.Packet(acknowledge(1, 1))
+    assert caught.value.command is PING and isinstance(caught.value, mip.MipError)
+    assert str(pickle.loads(pickle.dumps(caught.value))) == str(caught.value)
+
+
+def test_answers_without_a_usable_response(kind: Kind, peer: Peer) -> None:
+    with kind.at(peer.near) as device:
+        peer.answering(acknowledge(1, 3), packet(0x01, "f1 03 00", "81 00"))
+        with pytest.raises(mip.MissingResponse):
+            device.request(base.GetDeviceInfo())
+        with pytest.raises(mip.DecodeError):
+            device.request(base.GetDeviceInfo())
+
+
+def test_what_does_not_fit_is_not_sent(kind: Kind, peer: Peer) -> None:
+    with kind.at(peer.near) as device:
+        for commands in ((), (PING, mip_3dm.GetBaseRate(0x80)), (PING,) * 128):
+            with pytest.raises(mip.EncodeError):
+                device.request_all(*commands)
+        peer.answering(acknowledge(1, 1))
+        device.request(PING)  # the first that has come
+
+
+def test_several_commands_in_one_packet(kind: Kind, peer: Peer) -> None:
+    with kind.at(peer.near) as device:
+        both = packet(0x01, "f1 01 00", "f1 03 00", "81" + "20" * 82)
+        peer.answering(both, [acknowledge(1, 1), DATA, INFO])
+        for _ in range(2):  # in one packet, and split over several
+            nothing, info = device.request_all(PING, base.GetDeviceInfo())
+            assert nothing is None and isinstance(info, base.GetDeviceInfoResponse)
+        assert device.next(5).packet == mip.Packet(DATA)
+
+
+def test_one_failure_of_several(kind: Kind, peer: Peer) -> None:
+    with kind.at(peer.near) as device:
+        answers = packet(0x01, "f1 01 00", "f1 05 04", "f1 02 00")
+        peer.answering(answers, answers)
+        outcomes = device.exchange(PING, base.BuiltInTest(), base.SetIdle())
+        assert [o.code for o in outcomes] == [0, 4, 0]
+        with pytest.raises(mip.Refused) as caught:
+            device.request_all(PING, base.BuiltInTest(), base.SetIdle())
+    assert isinstance(caught.value.command, base.BuiltInTest) and len(caught.value.outcomes) == 3
+
+
+def test_an_answer_keeps_the_acknowledges_beside_it(kind: Kind, peer: Peer) -> None:
+    """One packet answers one command, and holds the acknowledge of another, which is asked for later."""
+    with kind.at(peer.near) as device:
+        peer.answering(packet(0x01, "f1 01 00", "f1 02 00"))
+        device.request(PING)
+        arrival = device.next(5)
+    assert [(raw.descriptor, raw.data) for raw in arrival.fields] == [(0xF1, b"\x02\0")]
+
+
+@pytest.mark.parametrize("noise", [b"ue\x80\xff", b"ueue\x01\xffue\x80\xf0", b"$GPZDA,ue*", bytes(300)])
+def test_noise_before_an_acknowledge(kind: Kind, peer: Peer, noise: bytes) -> None:
+    """What looks like the start of a long packet does not hold back the answer until it is too late."""
+    with kind.at(peer.near, timeout=20.0) as device:
+        peer.answering(noise + acknowledge(1, 1))
+        started = time.monotonic()
+        device.request(PING)
+        assert time.monotonic() - started < 10
+        assert device.skipped == len(noise)
+
+
+def test_an_answer_that_comes_slowly_behind_noise(kind: Kind, peer: Peer) -> None:
+    with kind.at(peer.near, timeout=20.0) as device:
+        answer = acknowledge(1, 1)
+        peer.send(b"ue\x80\xff", answer[:5])
+        time.sleep(0.2)  # the port is silent for a moment; a longer one changes nothing
+        peer.answering(answer[5:])
+        device.request(PING)
+
+
+def test_commands_that_are_not_acknowledged(kind: Kind, peer: Peer) -> None:
+    with kind.at(peer.near, timeout=20.0) as device:
+        assert device.request(mip_3dm.PollData(0x80, True, (4,))) is None
+        assert device.exchange(mip_3dm.PollData(0x80, True, (4,))) == [None]
+        assert peer.command() == peer.command()
+
+
+def test_sending_without_waiting(kind: Kind, peer: Peer) -> None:
+    with kind.at(peer.near) as device:
+        device.send(PING, base.SetIdle())
+        assert [raw.descriptor for raw in peer.command()] == [1, 2]
+        peer.send(packet(0x01, "f1 01 00", "f1 02 00"))
+        assert [raw.data for raw in device.next(5).fields] == [b"\x01\0", b"\x02\0"]
+
+
+AIDING = aiding.Pressure(aiding.MeasurementTime(aiding.Timebase(1), 0), 1, 1.0, 1.0, 1)
+
+
+def asked(packet: mip.Packet) -> list[tuple[int, int]]:
+    return [(raw.set, raw.descriptor) for raw in packet]
+
+
+def test_commands_that_a_setting_silences(kind: Kind, peer: Peer) -> None:
+    """The setting is asked for once, then known, also when it is changed; no command waits in vain."""
+    mode = aiding.AidingEchoMode
+    ack = acknowledge(0x13, AIDING.DESCRIPTOR)
+    with kind.at(peer.near, timeout=20.0) as device:
+        peer.answering(packet(0x13, "f1 1f 00", f"9f {mode.SUPPRESS_ACK:02x}"))
+        device.request(AIDING)
+        assert asked(peer.command()) == [(0x13, AIDING.DESCRIPTOR)]
+        device.request(AIDING)
+        assert asked(peer.command()) == [(0x13, AIDING.DESCRIPTOR)]
+        peer.answering(acknowledge(0x13, 0x1F), ack, acknowledge(0x13, 0x1F))
+        device.request(aiding.EchoControl.write(mode.STANDARD))
+        assert device.exchange(AIDING)[0].accepted
+        device.request(aiding.EchoControl.write(mode.SUPPRESS_ACK))
+        assert device.exchange(AIDING) == [None]
+        peer.command()
+        peer.answering(acknowledge(0x13, 0x1F), packet(0x13, "f1 1f 00", f"9f {mode.RESPONSE:02x}"), ack)
+        device.request(aiding.EchoControl.default())  # whatever that is
+        assert device.exchange(AIDING)[0].accepted
+
+
+def test_a_device_without_that_setting(kind: Kind, peer: Peer) -> None:
+    with kind.at(peer.near, timeout=20.0) as device:
+        ack = acknowledge(0x13, AIDING.DESCRIPTOR)
+        peer.answering(acknowledge(0x13, 0x1F, 1), ack, ack)
+        device.request(AIDING)
+        device.request(AIDING)
+
+
+# --------------------------------------------------------------------------- data
+
+
+def test_data_come_in_order_with_their_times(kind: Kind, peer: Peer) -> None:
+    others = [packet(0x80, f"04 {n:024x}") for n in range(5)]
+    before, start = time.time(), time.monotonic()
+    with kind.at(peer.near) as device:
+        peer.answering([*others[:2], acknowledge(1, 1), *others[2:]])
+        device.request(PING)  # nothing is lost meanwhile
+        arrivals = [device.next(5) for _ in others]
+        assert [bytes(a.packet) for a in arrivals] == others
+        assert before <= arrivals[0].time <= arrivals[-1].time <= time.time()
+        assert start <= arrivals[0].monotonic <= arrivals[-1].monotonic <= time.monotonic()
+        assert arrivals[1].find(sensor.ScaledAccel) == arrivals[1].decode()[0]
+        assert device.next(0) is None and device.next(0.01) is None
+
+
+def test_fields_of_some_types(kind: Kind, peer: Peer) -> None:
+    with kind.at(peer.near) as device:
+        peer.send(DATA, packet(0x82, "10 0001 0002 0003"), packet(0x80, "05" + "00" * 12, "04" + "00" * 12))
+        found = device.fields(sensor.ScaledAccel, sensor.ScaledGyro)
+        assert [type(next(found)[1]) for _ in range(3)] == [
+            sensor.ScaledAccel, sensor.ScaledAccel, sensor.ScaledGyro,
+        ]  # fmt: skip
+
+
+def test_the_oldest_are_dropped_and_counted(kind: Kind, peer: Peer) -> None:
+    others = [packet(0x80, f"04 {n:024x}") for n in range(10)]
+    with kind.at(peer.near, capacity=4) as device:
+        peer.answering([*others, acknowledge(1, 1)])
+        device.request(PING)
+        assert (device.waiting, device.dropped) == (4, 6)
+        assert [bytes(device.next(5).packet) for _ in range(4)] == others[6:]
+        peer.send(DATA)
+        until(lambda: device.waiting)
+        device.clear()
+        assert device.waiting == 0 and device.dropped == 6
+
+
+def test_what_is_between_packets_is_handed_over(kind: Kind, peer: Peer) -> None:
+    seen, read = bytearray(), bytearray()
+    sentences = mip.Sentences()
+    nmea = b"$GPZDA,010203.00,01,02,2024,00,00*61\r\n"
+    with kind.at(peer.near, on_skipped=seen.extend, on_bytes=read.extend) as device:
+        stream = [b"noise", DATA, nmea, DATA, b"ue\x80\x04", nmea, acknowledge(1, 1)]
+        peer.answering(stream)
+        device.request(PING)
+        assert device.waiting == 2 and device.skipped == len(seen)
+    assert bytes(seen) == b"noise" + nmea + b"ue\x80\x04" + nmea and bytes(read) == b"".join(stream)
+    assert sentences.feed(bytes(seen)) == [nmea.decode().strip()] * 2
+
+
+def test_a_callback_that_fails_ends_the_device(kind: Kind, peer: Peer) -> None:
+    def fail(data: bytes) -> None:
+        raise KeyError(data)
+
+    with kind.at(peer.near, on_skipped=fail) as device:
+        peer.send(b"noise")
+        with pytest.raises(mip.PortClosed, match="noise"):
+            device.next(5)
+
+
+def test_callbacks_must_not_use_a_device_of_threads(peer: Peer) -> None:
+    with Kind("threads").at(peer.near, on_skipped=lambda data: device.request(PING)) as device:
+        peer.send(b"noise")
+        with pytest.raises(mip.PortClosed, match="must not use the device"):
+            device.next(5)
+
+
+# --------------------------------------------------------------------------- several at once
+
+
+def test_requests_from_many_threads_while_another_takes_data(kind: Kind, peer: Peer) -> None:
+    taken: list[Any] = []
+
+    def answer() -> None:
+        for n in range(40):
+            (raw,) = peer.command()
+            peer.send(packet(0x80, f"04 {n:024x}"), packet(0x0C, "f1 0e 00", f"8e {raw.data[0]:02x} {raw.data[0]:04x}"))
+
+    def take() -> None:
+        taken.extend(device)
+
+    def ask(number: int) -> None:
+        for _ in range(10):
+            response = device.request(mip_3dm.GetBaseRate(number))
+            right.append(response.rate == response.descriptor_set == number)
+
+    right: list[bool] = []
+    with kind.at(peer.near, timeout=20.0) as device:
+        threads = [threading.Thread(target=take), threading.Thread(target=answer)]
+        askers = [threading.Thread(target=ask, args=(n,)) for n in (0x80,) * 4]
+        for thread in [*threads, *askers]:
+            thread.start()
+        for thread in askers:
+            thread.join()
+        until(lambda: len(taken) == 40)
+        device.close()
+        threads[0].join(20)
+        assert not threads[0].is_alive()
+    assert right == [True] * 40
+    assert [a.packet for a in taken] == [mip.Packet(packet(0x80, f"04 {n:024x}")) for n in range(40)]
+
+
+# --------------------------------------------------------------------------- the end of a port
+
+
+def test_the_end_of_a_connection(kind: Kind, peer: Peer) -> None:
+    with kind.at(peer.near) as device:
+        peer.send(DATA, b"ue\x80\xff", DATA)
+        peer.close()
+        assert bytes(device.next(5).packet) == bytes(device.next(5).packet) == DATA  # what has come comes first
+        for use in (lambda: device.next(5), lambda: list(device), lambda: device.request(PING)):
+            with pytest.raises(mip.PortClosed, match="closed: the port is gone: the other end has closed") as caught:
+                use()
+            assert isinstance(caught.value, ConnectionError)
+        assert device.closed
+    assert pickle.loads(pickle.dumps(caught.value)).kind == "closed"
+
+
+def test_a_connection_that_ends_before_the_answer(kind: Kind, peer: Peer) -> None:
+    def leave() -> None:
+        peer.command()
+        peer.close()
+
+    with kind.at(peer.near, timeout=20.0) as device:
+        threading.Thread(target=leave).start()
+        with pytest.raises(mip.PortClosed):
+            device.request(PING)
+
+
+def test_closing_wakes_those_who_wait(kind: Kind, peer: Peer) -> None:
+    ends: list[Any] = []
+
+    def ask() -> None:
+        try:
+            device.request(PING)
+        except mip.PortClosed as error:
+            ends.append(error)
+
+    with kind.at(peer.near, timeout=20.0) as device:
+        threads = [threading.Thread(target=ask), threading.Thread(target=lambda: ends.append(list(device)))]
+        for thread in threads:
+            thread.start()
+        peer.command()
+        device.close()
+        for thread in threads:
+            thread.join(20)
+        assert sorted(str(e) for e in ends) == ["[]", "closed: the device has been closed"]
+        assert device.next(1) is None and list(device) == []
+        with pytest.raises(mip.PortClosed, match="the device has been closed"):
+            device.request(PING)
+        with pytest.raises(ValueError, match="open_port"):
+            device.reopen()
+
+
+def test_a_port_that_is_opened_again(kind: Kind) -> None:
+    with socket.create_server(("localhost", 0)) as server:
+
+        def serve() -> None:
+            for _ in range(2):
+                connection, _ = server.accept()
+                with connection:
+                    connection.recv(100)
+                    connection.sendall(DATA + acknowledge(1, 1) + b"ue\x80\xff")
+
+        thread = threading.Thread(target=serve)
+        thread.start()
+        with kind.open(f"socket://localhost:{server.getsockname()[1]}") as device:
+            device.request(PING)
+            until(lambda: device.closed)
+            with pytest.raises(mip.PortClosed):
+                device.request(PING)
+            device.reopen()
+            device.request(PING)
+            assert device.waiting == 2
+        thread.join()
+
+
+def test_a_port_that_does_not_come_back(kind: Kind) -> None:
+    with (
+        socket.create_server(("localhost", 0)) as server,
+        kind.open(f"socket://localhost:{server.getsockname()[1]}") as device,
+    ):
+        server.accept()[0].close()
+        until(lambda: device.closed)
+        server.close()
+        with pytest.raises(OSError):
+            device.reopen(timeout=0.2)
+
+
+@pytest.mark.parametrize(
+    ("url", "error", "message"),
+    [
+        ("socket://localhost", ValueError, "write socket://HOST:PORT"),
+        ("socket://localhost:99999", ValueError, "write socket://HOST:PORT"),
+        ("socket://localhost:1", OSError, "Err|Connect"),
+        ("/no/such/port", OSError, "/no/such/port"),
+    ],
+)
+def test_ports_that_cannot_be_opened(kind: Kind, url: str, error: type[Exception], message: str) -> None:
+    with pytest.raises(error, match=message):
+        kind.open(url)
+
+
+def test_wrong_arguments(kind: Kind, peer: Peer) -> None:
+    with pytest.raises(TypeError, match="it needs `read` and `write`"):
+        kind.at(object())
+    for options in ({"capacity": 0}, {"timeout": 0}):
+        with pytest.raises(ValueError, match=r"at least one packet|some time"):
+            kind.at(peer.near, **options)
+    with kind.at(peer.near) as device, pytest.raises(ValueError, match="baud rate"):
+        device.change_baud(mip_3dm.UartBaudRate.write(9600))
+
+
+# --------------------------------------------------------------------------- the package
+
+
+def python(code: str, *options: str) -> str:
+    folder = str(ROOT / "generated/python")
+    done = subprocess.run(
+        [sys.executable, *options, "-c", f"import sys; sys.path.insert(0, {folder!r})\n{code}"],
+        capture_output=True, text=True,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    return done.stdout.strip()
+
+
+def test_the_core_imports_nothing_of_it() -> None:
+    code = "import mip_protocol, mip_protocol.base\nprint([m for m in ('asyncio', 'socket', 'threading', 'select', "
+    code += "'mip_protocol.device', 'mip_protocol.conversation', 'mip_protocol.sampling') if m in sys.modules])"
+    assert python(code, "-S") == "[]"
+
+
+def test_a_missing_package_is_named() -> None:
+    code = "sys.modules['serial'] = None\nfrom mip_protocol import open_port\n"
+    code += "try: open_port('/dev/ttyS0')\nexcept ImportError as e: print(type(e).__name__, e)"
+    assert python(code) == "MissingExtra pyserial is missing; pip install 'mip-protocol[serial]'"
+
+
+def test_every_name_can_be_had() -> None:
+    for name in mip.__all__:
+        assert getattr(mip, name) is not None
+    with pytest.raises(AttributeError, match="nothing"):
+        mip.nothing  # noqa: B018
