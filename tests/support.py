@@ -279,3 +279,23 @@ def tree(folder: Path) -> dict[str, bytes]:
     """All files below a folder, but for what Python leaves beside modules that a test has imported."""
     files = [p for p in sorted(folder.rglob("*")) if p.is_file() and p.parent.name != "__pycache__"]
     return {p.relative_to(folder).as_posix(): p.read_bytes() for p in files}
+
+
+# --------------------------------------------------------------------------- the virtual device
+
+#: Seconds that a program may take that talks to it.
+PATIENCE = 60
+
+
+@contextmanager
+def simulated(*arguments: str) -> Iterator[str]:
+    """Runs a virtual device, and says where it is."""
+    command = [sys.executable, "-m", "mip_protocol", "simulate", "3dm-cv7-gnss-ins", *arguments]
+    environment = {**os.environ, "PYTHONPATH": str(ROOT / "generated/python"), "PYTHONDONTWRITEBYTECODE": "1"}
+    process = subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, text=True)
+    try:
+        assert process.stdout is not None
+        yield process.stdout.readline().strip()
+    finally:
+        process.terminate()
+        process.communicate(timeout=PATIENCE)

@@ -4,7 +4,9 @@ print(gnss_1.LlhPosition.INFO.title, "is sent by", *gnss_1.LlhPosition.INFO.devi
 latitude = gnss_1.LlhPosition.INFO["latitude"]
 print(latitude.description, latitude.unit, latitude.valid)
 
-data = bytes.fromhex("4046400000000000c052500000000000402800000000000000000000000000003f8000003fc000000001")
+data = bytes.fromhex(
+    "4046400000000000c052500000000000402800000000000000000000000000003f8000003fc000000001"
+)
 position = gnss_1.LlhPosition.decode(data)
 print(position)
 print(position.is_valid("latitude"), position.is_valid("msl_height"))

@@ -97,6 +97,8 @@ def main() -> None:
         parse, both = (statistics.median(column) for column in zip(*runs, strict=True))
         first = f"{parse:10.0f}{parse / base[0]:8.1f}" if parse == parse else f"{'-':>10}{'-':>8}"
         print(f"{name:24}{first}{both:14.0f}{both / base[1]:8.1f}")
+    print("\nPython: " + subprocess.check_output([sys.executable, str(HERE / "bench_python_objects.py")], text=True,
+                                                   env=environment))  # fmt: skip
     device = [sys.executable, str(HERE / "bench_device.py")]
     shares = [subprocess.check_output(device, text=True, env=environment) for _ in range(ROUNDS)]
     share = statistics.median(map(float, shares))

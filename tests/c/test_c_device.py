@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-import os
 import re
 import shutil
 import subprocess
-import sys
 from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -16,12 +13,11 @@ from c_build import HERE, SANITIZE, WARNINGS, archive, compiled, folder, include
 from mipgen import cli, codec
 from mipgen import model as m
 from mipgen.targets.c import calls, members, names
-from support import ROOT, SPECS, heavy, model, need
+from support import PATIENCE, SPECS, heavy, model, need, simulated
 from terse import filled as filled_in
 from test_c import both, build, constructed, given, record, written
 
 EXAMPLES = folder("real") / "examples"
-PATIENCE = 60
 
 
 # --------------------------------------------------------------------------- calls
@@ -243,20 +239,6 @@ def example(tmp_path: Path, name: str, *also: Path) -> Path:
         library = archive("real", "cc", "-std=c99")
         return compiled(out, "real", "g++", EXAMPLES / name, "-std=c++11", library=library)
     return compiled(out, "real", "cc", EXAMPLES / name, "-std=c99", *SANITIZE, also=also)
-
-
-@contextmanager
-def simulated(*arguments: str) -> Iterator[str]:
-    """Runs a virtual device, and says where it is."""
-    command = [sys.executable, "-m", "mip_protocol", "simulate", "3dm-cv7-gnss-ins", *arguments]
-    environment = {**os.environ, "PYTHONPATH": str(ROOT / "generated/python"), "PYTHONDONTWRITEBYTECODE": "1"}
-    process = subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, text=True)
-    try:
-        assert process.stdout is not None
-        yield process.stdout.readline().strip()
-    finally:
-        process.terminate()
-        process.communicate(timeout=PATIENCE)
 
 
 def ran(program: Path, *arguments: str) -> tuple[int, str, str]:

@@ -7,6 +7,7 @@
 use core::hint::black_box;
 use core::panic::PanicInfo;
 
+use mip_protocol::device::{Device, Port};
 use mip_protocol::{AnyField, Client, Packet, PacketBuilder, Parser, RawField};
 
 extern "C" {
@@ -24,8 +25,41 @@ fn input() -> &'static [u8] {
     black_box(&[0x75, 0x65])
 }
 
+struct Line;
+
+impl Port for Line {
+    type Error = ();
+
+    fn read(&mut self, buffer: &mut [u8]) -> Result<usize, ()> {
+        black_box(buffer);
+        Ok(black_box(7))
+    }
+
+    fn write(&mut self, bytes: &[u8]) -> Result<(), ()> {
+        black_box(bytes);
+        Ok(())
+    }
+
+    fn now_ms(&mut self) -> u64 {
+        black_box(7)
+    }
+}
+
+/// Commands of any type: as they come, and known ones.
+fn ask(device: &mut Device<Line, 2, 600>, any: &AnyField) {
+    let added = device.send_all(1, |request| request.add_any(any));
+    if let Ok(ticket) = &added {
+        black_box(ticket.id());
+    }
+    if let Ok(Some(packet)) = device.next_packet(7) {
+        black_box(packet.bytes());
+    }
+    black_box(device.dropped());
+}
+
 #[no_mangle]
 pub extern "C" fn _start() -> ! {
+    let mut device: Device<_, 2, 600> = Device::with_client(Line, Client::new());
     let mut parser = Parser::new();
     let mut client: Client<4> = Client::new();
     let mut builder = PacketBuilder::new(0x80);
@@ -42,6 +76,11 @@ pub extern "C" fn _start() -> ! {
         black_box((packets.skipped(), packets.remainder()));
         while let Some(packet) = parser.flush() {
             look_into(&packet, &mut client, &mut builder);
+        }
+        if let Some(Ok((any, _))) =
+            &AnyField::decode(&RawField { set: 1, descriptor: 1, data: input() })
+        {
+            ask(&mut device, any);
         }
         if let Ok(packet) = Packet::new(input()) {
             look_into(&packet, &mut client, &mut builder);

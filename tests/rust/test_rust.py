@@ -84,9 +84,9 @@ def bare(spec: str) -> Path:
 def without_dependencies(files: dict[str, bytes]) -> dict[str, bytes]:
     """Cargo wants to know optional dependencies even where it does not use them."""
     manifest = files["Cargo.toml"].decode("utf-8")
-    manifest = re.sub(r"\[dependencies\]\n(?:.+\n)+", "", manifest)
-    manifest = re.sub(r'\["dep:\w+"\]', "[]", manifest)
-    assert "dep:" not in manifest
+    manifest = re.sub(r"\[(?:.*\.dev-)?dependencies\]\n(?:.+\n)+", "", manifest)
+    manifest = re.sub(r'\["dep:[\w-]+"\]', "[]", manifest)
+    assert "dep:" not in manifest and "dependencies]" not in manifest
     return {**files, "Cargo.toml": f"{manifest}\n[workspace]\n".encode()}
 
 
@@ -193,6 +193,9 @@ def test_a_list_that_is_too_long_does_not_compile() -> None:
     assert done.returncode != 0 and "more items than the list can hold" in done.stderr
 
 
+FEATURES = '"std", "dynamic", "serde", "embedded-io", "embedded-io-async"'
+
+
 @contextmanager
 def with_dependencies() -> Iterator[Path]:
     """A project that uses the crate with the real dependencies, pinned in features/Cargo.lock."""
@@ -204,13 +207,19 @@ edition = "2021"
 publish = false
 
 [dependencies]
-mip-protocol = {{ path = "mip-protocol", features = ["std", "dynamic", "serde"] }}
+mip-protocol = {{ path = "mip-protocol", features = [{FEATURES}] }}
+embedded-io = "0.7"
+embedded-io-async = "0.7"
 serde = "1"
 serde_json = "1"
 
 [[test]]
 name = "features"
 path = "{HERE / "features" / "features.rs"}"
+
+[[test]]
+name = "embedded"
+path = "{HERE / "features" / "embedded.rs"}"
 
 [workspace]
 members = ["mip-protocol"]
@@ -222,16 +231,18 @@ members = ["mip-protocol"]
         yield folder
 
 
-def test_serde_and_defmt() -> None:
+def test_serde_defmt_and_embedded_io() -> None:
     with with_dependencies() as folder:
-        passes(folder, "test", "--quiet", "--test", "features")
-        passes(folder, "clippy", "--quiet", "-p", "mip-protocol", "--all-features", "--", "-D", "warnings")
+        passes(folder, "test", "--quiet")
+        for features in ("--all-features", "--features=embedded-io", "--features=embedded-io-async,core-error"):
+            passes(folder, "clippy", "--quiet", "-p", "mip-protocol", features, "--", "-D", "warnings")
 
 
 @heavy(EMBEDDED)
-def test_serde_and_defmt_without_std() -> None:
+def test_dependencies_without_std() -> None:
     with with_dependencies() as folder:
-        passes(folder, "check", "--quiet", "--target", embedded(), "-p", "mip-protocol", "--features", "serde,defmt")
+        for features in ("serde,defmt", "embedded-io,embedded-io-async"):
+            passes(folder, "check", "--quiet", "--target", embedded(), "-p", "mip-protocol", "--features", features)
 
 
 # --------------------------------------------------------------------------- what the crate promises
@@ -330,7 +341,12 @@ def test_documentation_tells_which_feature_brings_an_item() -> None:
     doc = ("doc", "--quiet", "--offline", "--no-deps", "--features", "std,dynamic")
     passes(bare("invented"), *doc, **environment)
     pages = WORK / "target" / "doc" / "mip_protocol"
-    for page, feature in (("dynamic/index", "dynamic"), ("tools/struct.Ping", "tools"), ("struct.PacketReader", "std")):
+    for page, feature in (
+        ("dynamic/index", "dynamic"),
+        ("tools/struct.Ping", "tools"),
+        ("struct.PacketReader", "std"),
+        ("device/struct.StdPort", "std"),
+    ):
         text = re.sub(r"<[^>]+>", "", (pages / f"{page}.html").read_text("utf-8"))
         assert f"Available on crate feature {feature} only" in text, page
     assert 'rustdoc-args = ["--cfg", "docsrs"]' in rendered("invented")["Cargo.toml"].decode("utf-8")

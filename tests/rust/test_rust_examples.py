@@ -1,16 +1,26 @@
-"""Each printed packet, built in Rust as a user would: values by their names, options where they may be absent."""
+"""Each printed packet, built in Rust as a user would: values by their names, options where they may be absent.
+
+And the programs of the folder examples, as their users run them.
+"""
 
 from __future__ import annotations
 
+import json
+import re
+import subprocess
+from functools import cache
+from pathlib import Path
 from typing import Any
 
 import everything
 import pytest
 from mipgen import model as m
+from mipgen import render
+from mipgen.targets import rust as target
 from mipgen.targets.rust import names as rust
 from mipgen.targets.rust.records import Records
-from support import SPECS, model
-from test_rust import passes, project
+from support import PATIENCE, SPECS, heavy, locked, model, need, simulated
+from test_rust import EMBEDDED, HERE, WORK, embedded, passes, project, rendered, write
 
 HEAD = """//! Made by test_rust_examples.py.
 
@@ -105,3 +115,160 @@ def number(op: m.ScalarOp, value: Any) -> str:
     if isinstance(op.type, m.Bitfield):
         return f"{everything.path(op.type)}({value})"
     return str(value)
+
+
+# --------------------------------------------------------------------------- the folder examples
+
+FEATURES = "std,serde"
+
+#: Noise, and accelerations from the manual.
+ACCEL = bytes.fromhex("7565800e0e043e7a63a0bb8e3b297fe5bf7f84ee")
+LOG = b"$GPGGA noise\r\n" + ACCEL
+
+
+@cache
+def crate() -> Path:
+    """The crate in a workspace of its own, with the programs' dependencies, pinned in examples/Cargo.lock."""
+    folder = WORK / "real" / "examples-of-crate"
+    with locked(WORK / "real-examples-of-crate"):
+        render.write(rendered("real"), folder)
+        manifest = rendered("real")["Cargo.toml"] + b"\n[workspace]\n"
+        write({"Cargo.toml": manifest, "Cargo.lock": (HERE / "examples/Cargo.lock").read_bytes()}, folder)
+    return folder
+
+
+@cache
+def programs() -> Path:
+    passes(crate(), "build", "--quiet", "--locked", "--examples", "--features", FEATURES)
+    return WORK / "target/debug/examples"
+
+
+def ran(name: str, *arguments: object, given: bytes = b"") -> tuple[int, str, str]:
+    done = subprocess.run([programs() / name, *map(str, arguments)], input=given, capture_output=True, timeout=PATIENCE)
+    return done.returncode, done.stdout.decode("latin-1"), done.stderr.decode()
+
+
+def packet(hexadecimal: str) -> bytes:
+    """A packet of this header and payload."""
+    data = bytes.fromhex(hexadecimal)
+    first = second = 0
+    for byte in data:
+        first += byte
+        second += first
+    return data + bytes([first & 0xFF, second & 0xFF])
+
+
+@pytest.fixture
+def log(tmp_path: Path) -> Path:
+    path = tmp_path / "log.bin"
+    path.write_bytes(LOG)
+    return path
+
+
+def test_the_examples_are_these() -> None:
+    """Each is listed, has a first line that says what it does, and names the features that it needs."""
+    found = {p.stem for p in (crate() / "examples").iterdir()}
+    assert found == set(target.EXAMPLES)
+    readme = rendered("real")["README.md"].decode()
+    for name, needed in target.EXAMPLES.items():
+        assert f"`examples/{name}.rs`" in readme, name
+        text = (crate() / f"examples/{name}.rs").read_text("utf-8")
+        if name != "taste":
+            assert text.startswith("//! ")
+        if needed:
+            assert f"--example {name} --features {','.join(needed)} " in text, name
+    assert "dev-dependencies" not in rendered("invented")["Cargo.toml"].decode()
+
+
+def test_lints_of_examples() -> None:
+    lint = ("clippy", "--quiet", "--locked", "--examples", "--features", FEATURES)
+    passes(crate(), *lint, "--", "-D", "warnings")
+
+
+def test_log_to_csv(log: Path) -> None:
+    code, out, error = ran("log_to_csv", log)
+    head, row = out.splitlines()
+    assert (code, error) == (0, "14 bytes belong to no packet\n")
+    assert head.split(",")[:2] == ["tow_s", "accel_x_g"] and head.count(",") == row.count(",") == 6
+    assert row == ",0.24452066,-0.0043405485,NaN,,,"
+    assert ran("log_to_csv")[0] == 1
+    log.write_bytes(packet("75658006" + "0604" + "3e7a63a0"))
+    code, out, error = ran("log_to_csv", log)
+    assert code == 1 and "need: 12, got: 4" in error
+
+
+def test_json(log: Path) -> None:
+    log.write_bytes(LOG + packet("75658004" + "04fe0102"))
+    code, out, error = ran("json", log)
+    assert (code, error) == (0, "")
+    accel, unknown = map(json.loads, out.splitlines())
+    values = accel["fields"][0]["sensor.scaled_accel"]["scaled_accel"]
+    assert (accel["set"], values[0], values[2]) == (128, pytest.approx(0.24452066), None)
+    assert unknown == {"set": 128, "fields": [{"descriptor": 254, "data": [1, 2]}]}
+
+
+def test_tokio_codec() -> None:
+    """Also in packets that chunks cut, and at the end, in one that is not whole."""
+    code, out, error = ran("tokio_codec", given=LOG * 20 + bytes.fromhex("756580ff") + ACCEL)
+    assert (code, error) == (0, "") and out == f"Packet({ACCEL.hex()})\n" * 21
+
+
+def test_stream(tmp_path: Path) -> None:
+    """At a pseudo-terminal."""
+    path = f"{tmp_path}/terminal"
+    assert ran("stream")[0] == 1
+    assert "No such file" in ran("stream", path)[2]
+    with simulated("--pty", path, "--speed", "10"):
+        code, out, error = ran("stream", path)
+        head, *lines = out.splitlines()
+        assert (code, error) == (0, "") and head == "3DM-CV7-GNSS/INS, 1000 Hz"
+        assert len(lines) == 50 and all(re.fullmatch(r"(no time|[\d.]+ s):( +-?\d\.\d{4}){3} g", x) for x in lines)
+    with simulated("--pty", path, "--fault", "refuse@3"):
+        code, out, error = ran("stream", path)
+        assert code == 1 and "Refused(AckCode(bad_checksum))" in error
+
+
+def test_setup(tmp_path: Path) -> None:
+    """What it has saved is there after the next start."""
+    path, storage = f"{tmp_path}/terminal", tmp_path / "storage"
+    with simulated("--pty", path, "--storage", str(storage)):
+        code, out, error = ran("setup", path)
+        assert (code, error) == (0, "")
+    assert out.splitlines() == [
+        "low-pass filter at 25 Hz",
+        *(f"field 0x{descriptor:02X} at 100 Hz" for descriptor in (0xD3, 0x04, 0x05)),
+        "saved; 3 fields in the first packet",
+    ]
+    saved = storage.read_bytes()
+    assert saved
+    with simulated("--pty", path, "--storage", str(storage), "--fault", "refuse@3"):
+        assert ran("setup", path)[0] == 1
+
+
+#: What the firmware sends, and what it is answered.
+RATE, STREAM = packet("75650c03" + "030e80"), packet("75650c05" + "0511018001")
+RATE_IS = packet("75650c09" + "04f10e00" + "058e8003e8")
+
+
+def test_firmware() -> None:
+    answered = packet("75650c04" + "04f11100")
+    code, out, error = ran("firmware", given=b"u" + RATE_IS + answered + LOG)
+    assert code == 0 and error.splitlines() == ["1 1000", "3 0", "6 NaN"]
+    assert out.encode("latin-1") == RATE + STREAM
+    refused = packet("75650c04" + "04f10e03")
+    assert ran("firmware", given=refused)[2].splitlines() == ["2 0"]
+
+
+@heavy(EMBEDDED)
+def test_firmware_is_small() -> None:
+    """As the README says."""
+    profile = {"OPT_LEVEL": "z", "LTO": "true", "CODEGEN_UNITS": "1", "PANIC": "abort"}
+    passes(
+        crate(), "build", "--quiet", "--locked", "--release", "--example", "firmware", "--target", embedded(),
+        **{f"CARGO_PROFILE_RELEASE_{key}": value for key, value in profile.items()},
+    )  # fmt: skip
+    program = WORK / "target" / EMBEDDED / "release/examples/firmware"
+    sizes = subprocess.run([need("size"), str(program)], capture_output=True, text=True, check=True).stdout
+    text, data = map(int, sizes.splitlines()[1].split()[:2])
+    (said,) = re.findall(r"takes ([\d.]+) kB", rendered("real")["README.md"].decode())
+    assert float(said) - 0.2 < (text + data) / 1000 <= float(said)

@@ -18,7 +18,7 @@ from support import SPECS, heavy, locked, need
 from test_rust import EMBEDDED, WORK, bare, crate, embedded, passes, rendered, specification, with_dependencies
 
 #: Rust that is needed by features which the table of the README leaves to their dependencies, as locked for the tests.
-DEPENDENCIES = {"serde": "1.81", "defmt": "1.81"}
+DEPENDENCIES = {"serde": "1.81", "defmt": "1.81", "embedded-io": "1.81", "embedded-io-async": "1.81"}
 
 
 @cache

@@ -116,7 +116,7 @@ class Structure(Described):
         return tuple([getattr(self, name) for name in self._MEMBERS])
 
     def __eq__(self, other: object) -> bool:
-        if other.__class__ is not self.__class__:
+        if not isinstance(other, Structure) or other.__class__ is not self.__class__:
             return NotImplemented
         return self._values() == other._values()
 

@@ -31,6 +31,7 @@ mod macros;
 pub mod bits;
 pub mod client;
 pub mod codec;
+pub mod device;
 pub mod error;
 pub mod field;
 pub mod list;

@@ -27,7 +27,7 @@ impl Reply {
 }
 
 fn only<const N: usize>(client: &mut Client<N>, reply: &Reply) -> Event {
-    let mut events: Vec<_> = client.receive(&reply.0.packet()).collect();
+    let mut events: Vec<_> = client.receive(&reply.0.packet()).cloned().collect();
     assert_eq!(events.len(), 1);
     events.remove(0)
 }
@@ -35,12 +35,12 @@ fn only<const N: usize>(client: &mut Client<N>, reply: &Reply) -> Event {
 /// The events of commands that took too long; there is no parser that holds anything back.
 fn expire<const N: usize>(client: &mut Client<N>, now: u64) -> Vec<Event> {
     assert!(client.poll(&mut Parser::new(), now).is_none());
-    client.events().collect()
+    client.events().cloned().collect()
 }
 
 fn sent<C: Command>(client: &mut Client, command: &C, now: u64) -> Ticket<C> {
     let (ticket, packet) = client.send(command, now).unwrap();
-    assert_eq!(packet.packet().find::<C>().unwrap().unwrap().to_vec(), command.to_vec());
+    assert_eq!(packet.find::<C>().unwrap().unwrap().to_vec(), command.to_vec());
     ticket
 }
 
@@ -107,7 +107,7 @@ fn several_commands_in_one_packet() {
     let save = request.add(&tools::Bias::save()).unwrap();
     let list = request.add(&tools::List::read()).unwrap();
     let packet = request.send(0);
-    assert_eq!(packet.packet().fields().count(), 4);
+    assert_eq!(packet.fields().count(), 4);
     assert_eq!(client.pending(), 4);
     let response = tools::BiasVector::default();
     let reply = Reply::new()
@@ -154,7 +154,7 @@ fn replies_may_come_in_several_packets_with_data_between() {
 fn commands_that_nobody_answers_are_not_waited_for() {
     let mut client: Client<1> = Client::new();
     let (apply, packet) = client.send(&tools::Settings::apply(1, Mode::FAST, 1), 0).unwrap();
-    assert_eq!(packet.packet().fields().count(), 1);
+    assert_eq!(packet.fields().count(), 1);
     assert!(apply.is_silent());
     let (quiet, _) = client.send(&tools::Formats::new(true, 0, []), 0).unwrap();
     assert!(quiet.is_silent());
@@ -167,7 +167,7 @@ fn commands_that_nobody_answers_are_not_waited_for() {
     let mut request = client.request(tools::SET);
     let loud = request.add(&tools::Ping).unwrap();
     let silent = request.add(&tools::Formats::new(true, 0, [])).unwrap();
-    assert_eq!(request.send(0).packet().fields().count(), 2);
+    assert_eq!(request.send(0).fields().count(), 2);
     assert_eq!((loud.is_silent(), silent.is_silent(), client.pending()), (false, true, 1));
 }
 
@@ -391,7 +391,7 @@ fn commands_whose_type_is_known_only_when_the_program_runs() {
     assert_eq!(request.add_any(&response).unwrap_err(), RequestError::NoCommand);
     let other = AnyField::Mip3dDefault(Default::default());
     assert_eq!(refused(request.add_any(&other)), EncodeErrorKind::Set);
-    assert_eq!(request.send(0).packet().fields().count(), 2);
+    assert_eq!(request.send(0).fields().count(), 2);
     let reply = Reply::new().ack(5, AckCode::OK).field(&tools::BiasVector::default());
     let event = only(&mut client, &reply);
     assert_eq!((event.id, event.outcome), (read.id(), Outcome::Acknowledged));
@@ -422,7 +422,7 @@ fn a_full_client_or_packet_refuses() {
     request.add(&tools::Ping).unwrap();
     assert_eq!(request.add(&tools::Ping).unwrap_err(), RequestError::Busy);
     let packet = request.send(0);
-    assert_eq!(packet.packet().fields().count(), 1);
+    assert_eq!(packet.fields().count(), 1);
     assert_eq!(client.send(&tools::Ping, 0).unwrap_err(), RequestError::Busy);
 
     let mut client: Client<8> = Client::new();
@@ -430,7 +430,7 @@ fn a_full_client_or_packet_refuses() {
     let long = tools::List::write([0; 100]);
     request.add(&long).unwrap();
     assert_eq!(refused(request.add(&long)), EncodeErrorKind::Length);
-    assert_eq!(request.send(0).packet().fields().count(), 1);
+    assert_eq!(request.send(0).fields().count(), 1);
     assert_eq!(client.pending(), 1);
     let mut request = client.request(0x0C);
     assert_eq!(refused(request.add(&tools::Ping)), EncodeErrorKind::Set);

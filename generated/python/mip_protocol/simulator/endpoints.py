@@ -10,17 +10,20 @@ from array import array
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass
+from importlib import import_module
 from pathlib import Path
 from random import Random
+from typing import Any
 
 from ..errors import Failure
 
+fcntl: Any
+termios: Any
+tty: Any
 try:
-    import fcntl
-    import termios
-    import tty
+    fcntl, termios, tty = map(import_module, ("fcntl", "termios", "tty"))
 except ImportError:  # Windows has no pseudo-terminals
-    fcntl = termios = tty = None  # type: ignore[assignment]
+    fcntl = termios = tty = None
 
 DEFAULT_HOST = "localhost"
 

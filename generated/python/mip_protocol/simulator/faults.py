@@ -170,7 +170,9 @@ class Faults:
         checksum is right by accident; bytes in between prevent this. Lost bytes may be replaced by
         equal ones in the same way.
         """
-        wanted = at.hidden + right
+        wanted, spare = at.hidden + right, 0
+        found: list[bytes] = []
+        pending = b""
         for spare in range(8):
             parser, stream = Parser(), at.pending + bytes(spare) + before + body
             found = [bytes(p) for p in parser.feed(stream)]

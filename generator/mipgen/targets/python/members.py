@@ -152,7 +152,9 @@ def layout(record: Record) -> list[tuple[str, str, str]]:
     for op in record.operations:
         match op:
             case m.ScalarOp():
-                made = reference(op.type, home(record)) if op.type else "codec.truth" if op.scalar.kind == "bool" else ""
+                made = (
+                    reference(op.type, home(record)) if op.type else "codec.truth" if op.scalar.kind == "bool" else ""
+                )
                 found.append((member(op.member), SCALARS[op.scalar.name][0], made))
             case m.ArrayOp(item=m.ScalarOp(type=None, scalar=scalar), count=int(count)) if scalar.kind != "bool":
                 made = reference(op.vector, home(record)) if op.vector else "tuple"

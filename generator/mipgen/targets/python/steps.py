@@ -180,7 +180,9 @@ class _Planner:
             case m.ArrayOp(item=m.ScalarOp() as item, count=int(count)):
                 name = union or member(op.member)
                 if op.vector:
-                    return _letter(item.scalar) * count, Value("vector", name, at, count, reference(op.vector, self.home))
+                    return _letter(item.scalar) * count, Value(
+                        "vector", name, at, count, reference(op.vector, self.home)
+                    )
                 value = Value("array", name, at, count, self.convert(item))
                 return _letter(item.scalar) * count, value
         raise AssertionError(op)

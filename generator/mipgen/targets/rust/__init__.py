@@ -15,15 +15,26 @@ from .records import Records
 TITLE = "Rust, no_std"
 #: The oldest Rust that builds the crate.
 OLDEST = "1.65"
+#: Programs with fields of the specification, and the features that they need besides descriptor sets.
+EXAMPLES = {
+    "taste": (),
+    "log_to_csv": ("std",),
+    "stream": ("std",),
+    "setup": ("std",),
+    "json": ("std", "serde"),
+    "tokio_codec": ("std",),
+    "firmware": (),
+}
 CONFORMANCE = ("parse", "decode", "encode", "client", "live")
 
 
 def files(model: m.Model) -> Iterable[File]:
-    shown = {name: model.taste(f"{name}.rs").rstrip() for name in ("taste", "client")} | {"oldest": OLDEST}
-    yield File("Cargo.toml", "Cargo.toml.j2", {"oldest": OLDEST})
-    yield File("README.md", "README.md.j2", shown)
-    if shown["taste"]:
-        yield File("examples/taste.rs", "verbatim.j2", {"text": model.taste("taste.rs")})
+    shown = {name: model.taste(f"{name}.rs").rstrip() for name in ("taste", "client", "device")} | {"oldest": OLDEST}
+    examples = {name: needed for name, needed in EXAMPLES.items() if model.taste(f"{name}.rs")}
+    yield File("Cargo.toml", "Cargo.toml.j2", {"oldest": OLDEST, "examples": examples})
+    yield File("README.md", "README.md.j2", {**shown, "examples": examples})
+    for name in examples:
+        yield File(f"examples/{name}.rs", "verbatim.j2", {"text": model.taste(f"{name}.rs")})
     for page in ("map", "sets"):
         yield File(f"src/{page}.md", f"{page}.md.j2")
     for path in ("types", "protocol", "sets", "devices/known", "registry/fields"):

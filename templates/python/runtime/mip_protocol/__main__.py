@@ -7,6 +7,7 @@ import os
 import sys
 from collections.abc import Generator
 from importlib import import_module
+from typing import Any
 
 from .errors import Failure
 from .protocol import VERSION
@@ -71,6 +72,7 @@ def _run(given: list[str]) -> int:
     parser.add_argument("--version", action="version", version=f"mip {VERSION}")
     used = parser
     commands = parser.add_subparsers(metavar="COMMAND", title="commands", dest="command")
+    chosen: Any = None
     for name, (module, text) in COMMANDS.items():
         added = commands.add_parser(
             name, help=text, description=f"{text[0].upper()}{text[1:]}.", formatter_class=_Layout

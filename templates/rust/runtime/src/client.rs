@@ -1,11 +1,13 @@
 //! Sends commands and recognizes their replies, without input or output.
 
+use core::cell::Cell;
 use core::fmt;
 use core::marker::PhantomData;
 
-use crate::error::{DecodeError, EncodeError};
+use crate::codec::Writer;
+use crate::error::{DecodeError, EncodeError, EncodeErrorKind};
 use crate::field::{Command, RawField, Response, ResponseCheck};
-use crate::packet::{FieldLengthError, Packet, PacketBuilder, MAX_FIELD_DATA};
+use crate::packet::{FieldLengthError, Fields, Packet, PacketBuilder, MAX_FIELD_DATA};
 use crate::parser::Parser;
 use crate::protocol::{AckCode, Acknowledge};
 use crate::registry::AnyField;
@@ -13,38 +15,80 @@ use crate::registry::AnyField;
 /// Tracks at most `N` commands that a device has not answered yet.
 ///
 /// The caller moves the bytes and supplies the time: any count of milliseconds that never
-/// decreases.
+/// decreases. A [`Device`](crate::device::Device) does both at a port.
 ///
-/// 1. [`Client::request`] begins a packet, [`Request::add`] adds commands to it, and
-///    [`Request::send`] returns the bytes to send.
+/// 1. [`Client::send`] returns the bytes of one command to send; for several in one packet,
+///    [`Client::request`] begins it, [`Request::add`] adds commands to it, and [`Request::send`]
+///    returns its bytes.
 /// 2. Pass every received packet to [`Client::receive`], which yields an [`Event`] for each command
 ///    that it answers, and gives access to the other fields of the packet.
 /// 3. Call [`Client::poll`] from time to time with the current time; commands that time out get
 ///    their events.
 ///
 /// Events that are not taken are kept: the next call returns them, or [`Client::events`] or
-/// [`Client::take`] do. For that, each of the `N` slots has room for the longest response.
+/// [`Client::take`] do. For that, each of the `N` slots has room for the longest response. The
+/// packet to send is in the client too, so that none has to be moved.
 #[derive(Clone, Debug)]
 pub struct Client<const N: usize = 8> {
-    slots: [Slot; N],
+    table: Table<[Slot; N]>,
+}
+
+/// What a client has, whatever the number of its slots: the code is there once.
+///
+/// That of a new client is all zeros, so that it has no image in the memory of a program.
+#[derive(Clone, Debug)]
+struct Table<S: ?Sized> {
+    packet: PacketBuilder,
     /// The number of the next command, and that of the next event.
     next: u32,
     happened: u32,
-    timeout_ms: u32,
+    /// How much longer than usual a reply may take; it may wrap around.
+    patience: u32,
+    /// A bit for each field of the last packet that answers a command; a packet has at most 127.
+    taken: [u32; 4],
+    slots: S,
 }
+
+type Slots = Table<[Slot]>;
 
 /// A command, from the moment that it is added to a request until its event is taken.
 #[derive(Clone)]
 struct Slot {
-    state: State,
-    /// The number of the event, of those that happened.
+    /// Taking an event changes only this, so that the event can be lent.
+    state: Cell<State>,
+    /// The number of the event, of those that happened; the same if they happened at once.
     order: u32,
-    /// The descriptors of all responses of the command, and the check for the one that it asks for.
-    responses: &'static [u8],
-    wanted: Option<ResponseCheck>,
-    timeout_ms: u32,
+    /// When it times out; how long it may take, until it is sent.
     deadline: u64,
+    kind: Option<&'static Kind>,
+    /// The check for the response that the command asks for.
+    wanted: Option<ResponseCheck>,
     event: Event,
+}
+
+/// What all commands of a type have in common.
+struct Kind {
+    name: &'static str,
+    set: u8,
+    descriptor: u8,
+    timeout_ms: u32,
+    /// The descriptors of all responses.
+    responses: &'static [u8],
+}
+
+struct KindOf<C>(PhantomData<C>);
+
+impl<C: Command> KindOf<C> {
+    const KIND: &'static Kind = &Kind {
+        name: C::NAME,
+        set: C::SET,
+        descriptor: C::DESCRIPTOR,
+        timeout_ms: match C::TIMEOUT_MS {
+            Some(timeout_ms) => timeout_ms,
+            None => 0,
+        },
+        responses: C::Response::DESCRIPTORS,
+    };
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,21 +102,25 @@ enum State {
 }
 
 impl Slot {
+    #[allow(clippy::declare_interior_mutable_const)] // it is only copied
     const FREE: Self = Self {
-        state: State::Free,
+        state: Cell::new(State::Free),
         order: 0,
-        responses: &[],
-        wanted: None,
-        timeout_ms: 0,
         deadline: 0,
+        kind: None,
+        wanted: None,
         event: Event::NONE,
     };
+
+    fn is(&self, state: State) -> bool {
+        self.state.get() == state
+    }
 }
 
 impl fmt::Debug for Slot {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { state, deadline, event: Event { id, set, descriptor, .. }, .. } = self;
-        write!(f, "{id}: 0x{set:02X},0x{descriptor:02X} {state:?} until {deadline}")
+        write!(f, "{id}: 0x{set:02X},0x{descriptor:02X} {:?} until {deadline}", state.get())
     }
 }
 
@@ -233,8 +281,9 @@ pub enum Outcome {
     TimedOut,
     /// It was acknowledged, but the response that it asks for did not come.
     MissingResponse,
-    /// It was carried out, but the response could not be decoded.
-    Undecodable(DecodeError),
+    /// It was carried out, but the response cannot be decoded. The answer of the event, or decoding
+    /// the response, tells why.
+    Undecodable,
 }
 
 /// The result of a command, with its response not yet decoded.
@@ -258,7 +307,7 @@ impl Event {
         id: 0,
         set: 0,
         descriptor: 0,
-        outcome: Outcome::TimedOut,
+        outcome: Outcome::Acknowledged,
         response: None,
         length: 0,
         data: [0; MAX_FIELD_DATA],
@@ -281,19 +330,22 @@ impl Event {
     /// The answer, if the event belongs to this ticket.
     #[must_use]
     pub fn answer<C: Command>(&self, ticket: &Ticket<C>) -> Option<Answer<C::Response>> {
-        if self.id != ticket.id {
-            return None;
+        (self.id == ticket.id).then(|| self.decoded())
+    }
+
+    fn decoded<R: Response>(&self) -> Answer<R> {
+        match self.outcome {
+            Outcome::Acknowledged | Outcome::Undecodable => {
+                match self.response().and_then(|field| R::from_field(&field)) {
+                    None => Answer::Acknowledged(None),
+                    Some(Ok(response)) => Answer::Acknowledged(Some(response)),
+                    Some(Err(error)) => Answer::Undecodable(error),
+                }
+            }
+            Outcome::Refused(code) => Answer::Refused(code),
+            Outcome::TimedOut => Answer::TimedOut,
+            Outcome::MissingResponse => Answer::MissingResponse,
         }
-        let response = self.response().and_then(|field| C::Response::from_field(&field));
-        Some(match (self.outcome, response) {
-            (Outcome::Acknowledged, None) => Answer::Acknowledged(None),
-            (Outcome::Acknowledged, Some(Ok(response))) => Answer::Acknowledged(Some(response)),
-            (Outcome::Acknowledged, Some(Err(error))) => Answer::Undecodable(error),
-            (Outcome::Refused(code), _) => Answer::Refused(code),
-            (Outcome::TimedOut, _) => Answer::TimedOut,
-            (Outcome::MissingResponse, _) => Answer::MissingResponse,
-            (Outcome::Undecodable(error), _) => Answer::Undecodable(error),
-        })
     }
 }
 
@@ -338,39 +390,52 @@ impl<const N: usize> Client<N> {
     /// A client that waits this long for a reply; longer for commands that take longer.
     #[must_use]
     pub const fn with_timeout(timeout_ms: u32) -> Self {
-        Self { slots: [Slot::FREE; N], next: 1, happened: 0, timeout_ms }
+        let mut client = Self::NEW;
+        client.table.patience = timeout_ms.wrapping_sub(DEFAULT_TIMEOUT_MS);
+        client
     }
+
+    /// As a constant, so that it is memory that is cleared, and not a copy.
+    #[allow(clippy::declare_interior_mutable_const)] // it is only copied
+    const NEW: Self = Self {
+        table: Table {
+            packet: PacketBuilder::BLANK,
+            next: 0,
+            happened: 0,
+            patience: 0,
+            taken: [0; 4],
+            slots: [Slot::FREE; N],
+        },
+    };
 
     /// The number of commands that wait for a reply.
     #[must_use]
     pub fn pending(&self) -> usize {
-        self.waiting().count()
+        self.table().waiting().count()
     }
 
     /// Does this command wait for a reply?
     #[must_use]
     pub fn is_pending<C>(&self, ticket: &Ticket<C>) -> bool {
-        self.waiting().any(|slot| slot.event.id == ticket.id)
+        self.table().waiting().any(|slot| slot.event.id == ticket.id)
     }
 
     /// When the next command times out.
     #[must_use]
     pub fn deadline(&self) -> Option<u64> {
-        self.waiting().map(|slot| slot.deadline).min()
-    }
-
-    fn waiting(&self) -> impl Iterator<Item = &Slot> {
-        self.slots.iter().filter(|slot| slot.state == State::Waiting)
+        self.table().waiting().map(|slot| slot.deadline).min()
     }
 
     /// Begins a packet with commands of one descriptor set.
-    pub fn request(&mut self, set: u8) -> Request<'_, N> {
-        for slot in &mut self.slots {
-            if slot.state == State::Added {
-                slot.state = State::Free; // of a request that was not sent
+    pub fn request(&mut self, set: u8) -> Request<'_> {
+        let table = self.table_mut();
+        for slot in &table.slots {
+            if slot.is(State::Added) {
+                slot.state.set(State::Free); // of a request that was not sent
             }
         }
-        Request { client: self, packet: PacketBuilder::new(set) }
+        table.packet.start(set);
+        Request { table }
     }
 
     /// A packet with one command, ready to be sent.
@@ -378,41 +443,25 @@ impl<const N: usize> Client<N> {
         &mut self,
         command: &C,
         now_ms: u64,
-    ) -> Result<(Ticket<C>, PacketBuilder), RequestError> {
-        let mut request = self.request(C::SET);
-        let ticket = request.add(command)?;
-        Ok((ticket, request.send(now_ms)))
+    ) -> Result<(Ticket<C>, Packet<'_>), RequestError> {
+        let table = self.table_mut();
+        table.packet.start(C::SET);
+        let ticket = table.add(command, Some(now_ms))?;
+        Ok((ticket, table.packet.packet()))
     }
 
     /// Processes a received packet, and returns the events that have not been taken.
     ///
     /// Data and late or foreign replies cause no events; [`Events::others`] returns them.
-    pub fn receive<'p>(&mut self, packet: &Packet<'p>) -> Events<'_, 'p, N> {
-        let mut taken = Taken([0; 16]);
-        let mut fields = packet.fields().map_while(Result::ok).enumerate();
-        while let Some((at, field)) = fields.next() {
-            let Some(Ok(ack)) = field.get::<Acknowledge>() else { continue };
-            let behind = fields.clone().next();
-            let Some((index, outcome, whole)) = self.find(field.set, ack, behind.map(|b| b.1))
-            else {
-                continue;
-            };
-            taken.add(at);
-            if let (true, Some((at, field)), Some(slot)) =
-                (whole, behind, self.slots.get_mut(index))
-            {
-                slot.event.keep(&field);
-                taken.add(at);
-                fields.next();
-            }
-            self.happens(index, outcome);
-        }
-        Events { client: self, packet: Some(*packet), taken }
+    pub fn receive<'p>(&mut self, packet: &Packet<'p>) -> Events<'_, 'p> {
+        let table = self.table_mut();
+        table.receive(packet.fields());
+        Events { table, fields: packet.fields() }
     }
 
     /// The events that have not been taken: of earlier packets, and of commands that timed out.
-    pub fn events(&mut self) -> Events<'_, 'static, N> {
-        Events { client: self, packet: None, taken: Taken([0; 16]) }
+    pub fn events(&mut self) -> Events<'_, 'static> {
+        Events { table: self.table_mut(), fields: Fields::NONE }
     }
 
     /// The result of this command, if it is known. Events of other commands are kept.
@@ -422,10 +471,7 @@ impl<const N: usize> Client<N> {
         if ticket.silent {
             return Some(Answer::Silent);
         }
-        let mut slots = self.slots.iter_mut();
-        let slot = slots.find(|s| s.state == State::Done && s.event.id == ticket.id)?;
-        slot.state = State::Free;
-        slot.event.answer(ticket)
+        self.table().take(ticket.id).map(Event::decoded)
     }
 
     /// Updates the time. Call it until it returns `None`; the overdue commands then have their
@@ -435,143 +481,228 @@ impl<const N: usize> Client<N> {
     /// out, this returns the packets behind such noise, to be handled like any other. A packet of
     /// which a part has come is kept.
     pub fn poll<'p>(&mut self, parser: &'p mut Parser, now_ms: u64) -> Option<Packet<'p>> {
-        let late = self.deadline().map_or(false, |deadline| deadline <= now_ms);
-        let found = if late { parser.look_behind() } else { parser.complete() };
-        if late && found.is_none() {
-            let late = |slot: &Slot| slot.state == State::Waiting && slot.deadline <= now_ms;
-            let next = self.next;
-            while let Some(index) = self.oldest(late, |slot| next.wrapping_sub(slot.event.id)) {
-                self.happens(index, Outcome::TimedOut);
-            }
-        }
-        found
+        self.table_mut().poll(parser, now_ms)
     }
 
     /// Stops waiting for a command; it gets no event.
     pub fn cancel<C>(&mut self, ticket: &Ticket<C>) {
-        for slot in &mut self.slots {
+        for slot in &self.table().slots {
             if slot.event.id == ticket.id {
-                slot.state = State::Free;
+                slot.state.set(State::Free);
             }
         }
     }
 
-    /// The oldest of these slots.
-    fn oldest(&self, of: impl Fn(&Slot) -> bool, age: impl Fn(&Slot) -> u32) -> Option<usize> {
-        let slots = self.slots.iter().enumerate().filter(|(_, slot)| of(slot));
-        slots.max_by_key(|(_, slot)| age(slot)).map(|(index, _)| index)
+    /// Forgets all commands and events. What still comes for them answers nothing.
+    pub fn clear(&mut self) {
+        for slot in &self.table().slots {
+            slot.state.set(State::Free);
+        }
     }
 
-    /// The command is answered, or given up.
-    fn happens(&mut self, index: usize, outcome: Outcome) {
-        if let Some(slot) = self.slots.get_mut(index) {
-            slot.state = State::Done;
-            slot.order = self.happened;
-            slot.event.outcome = outcome;
-            self.happened = self.happened.wrapping_add(1);
+    fn table(&self) -> &Slots {
+        &self.table
+    }
+
+    fn table_mut(&mut self) -> &mut Slots {
+        &mut self.table
+    }
+}
+
+impl Slots {
+    fn waiting(&self) -> impl Iterator<Item = &Slot> {
+        self.slots.iter().filter(|slot| slot.is(State::Waiting))
+    }
+
+    /// Adds a command to the packet, to be sent later or now.
+    fn add<C: Command>(
+        &mut self,
+        command: &C,
+        sent_ms: Option<u64>,
+    ) -> Result<Ticket<C>, RequestError> {
+        let (silent, wanted) = (!command.expects_reply(), command.response_check());
+        let encode = |writer: &mut Writer<'_>| command.encode_to(writer);
+        let id = self.enter(KindOf::<C>::KIND, silent, wanted, &encode, sent_ms)?;
+        Ok(Ticket { id, silent, command: PhantomData })
+    }
+
+    /// What does not depend on the type of the command, so that it is there once.
+    fn enter(
+        &mut self,
+        kind: &'static Kind,
+        silent: bool,
+        wanted: Option<ResponseCheck>,
+        encode: &dyn Fn(&mut Writer<'_>) -> Result<(), EncodeErrorKind>,
+        sent_ms: Option<u64>,
+    ) -> Result<u32, RequestError> {
+        // What is added while one is sent now is of a request that was dropped.
+        let free = self
+            .slots
+            .iter_mut()
+            .find(|slot| slot.is(State::Free) || sent_ms.is_some() && slot.is(State::Added));
+        if free.is_none() && !silent {
+            return Err(RequestError::Busy);
+        }
+        self.packet.push_by(kind.name, kind.set, kind.descriptor, encode)?;
+        let id = self.next;
+        self.next = id.wrapping_add(1);
+        if let (Some(slot), false) = (free, silent) {
+            (slot.kind, slot.wanted) = (Some(kind), wanted);
+            let timeout_ms = self.patience.wrapping_add(DEFAULT_TIMEOUT_MS);
+            slot.deadline = timeout_ms.max(kind.timeout_ms).into();
+            let event = &mut slot.event;
+            (event.id, event.set, event.descriptor) = (id, kind.set, kind.descriptor);
+            event.response = None;
+            slot.state.set(State::Added);
+            if let Some(now_ms) = sent_ms {
+                slot.sent(now_ms);
+            }
+        }
+        Ok(id)
+    }
+
+    /// Looks for answers, and keeps which fields are part of one.
+    fn receive(&mut self, mut fields: Fields<'_>) {
+        self.taken = [0; 4];
+        let (mut at, mut next) = (0, fields.next());
+        while let Some(Ok(field)) = next {
+            next = fields.next();
+            if let Some(whole) = self.answers(&field, next.as_ref()) {
+                self.take_field(at);
+                if whole {
+                    at = at.wrapping_add(1);
+                    self.take_field(at);
+                    next = fields.next();
+                }
+            }
+            at = at.wrapping_add(1);
+        }
+    }
+
+    fn take_field(&mut self, at: u8) {
+        if let Some(bits) = self.taken.get_mut(usize::from(at >> 5)) {
+            *bits |= 1 << (at & 31);
         }
     }
 
     /// Finds the command that an acknowledge and the field after it answer: the oldest one of its
-    /// kind. Returns its result, and whether the field is its response.
+    /// kind. If there is one, its event happens; returns whether the field behind is its response.
     ///
     /// A response never answers a command that does not ask for it, because it may be the late
     /// answer to another one; an acknowledge without a response first answers commands that ask for none.
-    fn find(
-        &self,
-        set: u8,
-        ack: Acknowledge,
-        behind: Option<RawField<'_>>,
-    ) -> Option<(usize, Outcome, bool)> {
-        let mut best: Option<((bool, u32), usize, Outcome, bool)> = None;
-        for (index, slot) in self.slots.iter().enumerate() {
-            let (event, waits) = (&slot.event, slot.state == State::Waiting);
-            if !waits || event.set != set || event.descriptor != ack.command {
+    fn answers(
+        &mut self,
+        field: &RawField<'_>,
+        behind: Option<&Result<RawField<'_>, FieldLengthError>>,
+    ) -> Option<bool> {
+        const FITS: u32 = 1 << 31;
+        let ack = field.get::<Acknowledge>()?.ok()?;
+        let behind = behind.and_then(|field| field.as_ref().ok());
+        let (mut best, mut found) = (0, None);
+        for slot in &mut self.slots {
+            let Some(kind) = slot.kind else { continue };
+            if !slot.is(State::Waiting) || (kind.set, kind.descriptor) != (field.set, ack.command) {
                 continue;
             }
-            let response = behind.filter(|field| slot.responses.contains(&field.descriptor));
-            let (fits, outcome, whole) = match (slot.wanted, response) {
-                _ if ack.code.0 != 0 => (true, Outcome::Refused(ack.code), false),
-                (None, None) => (true, Outcome::Acknowledged, false),
+            // Not `contains`, which is 180 bytes of code on a microcontroller.
+            let is_response = |field: &&RawField<'_>| {
+                kind.responses.iter().fold(false, |is, known| is | (*known == field.descriptor))
+            };
+            let outcome = match (slot.wanted, behind.filter(is_response)) {
+                _ if ack.code.0 != 0 => Outcome::Refused(ack.code),
+                (None, None) => Outcome::Acknowledged,
                 (None, Some(_)) => continue,
-                (Some(_), None) => (false, Outcome::MissingResponse, false),
-                (Some(check), Some(field)) => match check(&field) {
-                    Some(Ok(())) => (true, Outcome::Acknowledged, true),
-                    Some(Err(error)) => (true, Outcome::Undecodable(error), true),
+                (Some(_), None) => Outcome::MissingResponse,
+                (Some(check), Some(field)) => match check(field) {
+                    Some(true) => Outcome::Acknowledged,
+                    Some(false) => Outcome::Undecodable,
                     None => continue,
                 },
             };
-            let rank = (fits, self.next.wrapping_sub(event.id));
-            if best.map_or(true, |(other, ..)| rank > other) {
-                best = Some((rank, index, outcome, whole));
+            slot.event.outcome = outcome; // in case that it is this one
+            let fits = if outcome == Outcome::MissingResponse { 0 } else { FITS };
+            let rank = fits | self.next.wrapping_sub(slot.event.id) & !FITS;
+            if rank > best {
+                (best, found) = (rank, Some(slot));
             }
         }
-        best.map(|(_, index, outcome, whole)| (index, outcome, whole))
+        let slot = found?;
+        let has_response =
+            matches!(slot.event.outcome, Outcome::Acknowledged | Outcome::Undecodable)
+                && slot.wanted.is_some();
+        if let (true, Some(field)) = (has_response, behind) {
+            slot.event.keep(field);
+        }
+        slot.happens(&mut self.happened);
+        Some(has_response)
+    }
+
+    /// The event of this command, if it has happened; it is taken.
+    fn take(&self, id: u32) -> Option<&Event> {
+        let slot = self.slots.iter().find(|s| s.is(State::Done) && s.event.id == id)?;
+        slot.state.set(State::Free);
+        Some(&slot.event)
+    }
+
+    fn poll<'p>(&mut self, parser: &'p mut Parser, now_ms: u64) -> Option<Packet<'p>> {
+        let late = self.waiting().any(|slot| slot.deadline <= now_ms);
+        let found = parser.held_back(late);
+        if late && found.is_none() {
+            let mut happened = self.happened;
+            for slot in &mut self.slots {
+                if slot.is(State::Waiting) && slot.deadline <= now_ms {
+                    // All at once: in the order of the commands.
+                    happened = self.happened;
+                    slot.event.outcome = Outcome::TimedOut;
+                    slot.happens(&mut happened);
+                }
+            }
+            self.happened = happened;
+        }
+        found
+    }
+
+    /// The event that happened first, of those that have not been taken; it is taken.
+    fn first(&self) -> Option<&Event> {
+        let age = |slot: &&Slot| {
+            let older = self.happened.wrapping_sub(slot.order);
+            (older, self.next.wrapping_sub(slot.event.id))
+        };
+        let slot = self.slots.iter().filter(|slot| slot.is(State::Done)).max_by_key(age)?;
+        slot.state.set(State::Free);
+        Some(&slot.event)
     }
 }
 
-/// A set of fields of a packet, which has at most 127.
-#[derive(Clone, Copy, Debug)]
-struct Taken([u8; 16]);
-
-impl Taken {
-    fn add(&mut self, at: usize) {
-        if let Some(byte) = self.0.get_mut(at >> 3) {
-            *byte |= 1 << (at & 7);
-        }
+impl Slot {
+    /// The command waits for its answer from now on.
+    fn sent(&mut self, now_ms: u64) {
+        self.state.set(State::Waiting);
+        self.deadline = now_ms.saturating_add(self.deadline);
     }
 
-    fn has(&self, at: usize) -> bool {
-        self.0.get(at >> 3).map_or(false, |byte| byte & (1 << (at & 7)) != 0)
+    /// The command is answered, or given up.
+    fn happens(&mut self, happened: &mut u32) {
+        self.state.set(State::Done);
+        self.order = *happened;
+        *happened = happened.wrapping_add(1);
     }
 }
 
 /// A packet of commands that is not sent yet. Dropping it discards them.
 #[derive(Debug)]
-pub struct Request<'c, const N: usize> {
-    client: &'c mut Client<N>,
-    packet: PacketBuilder,
+pub struct Request<'c> {
+    table: &'c mut Slots,
 }
 
-impl<const N: usize> Request<'_, N> {
+impl<'c> Request<'c> {
     /// Appends a command. On an error the request is unchanged.
     pub fn add<C: Command>(&mut self, command: &C) -> Result<Ticket<C>, RequestError> {
-        let silent = !command.expects_reply();
-        if !silent && self.free().is_none() {
-            return Err(RequestError::Busy);
+        let set = self.table.packet.set();
+        if !C::in_set(set) {
+            return Err(EncodeError::set(C::NAME, C::SET, set).into());
         }
-        self.packet.push(command)?;
-        let id = self.client.next;
-        self.client.next = id.wrapping_add(1);
-        if !silent {
-            let timeout_ms = C::TIMEOUT_MS.unwrap_or(0);
-            let (responses, wanted) = (C::Response::DESCRIPTORS, command.response_check());
-            self.enter(id, C::DESCRIPTOR, responses, wanted, timeout_ms);
-        }
-        Ok(Ticket { id, silent, command: PhantomData })
-    }
-
-    fn free(&mut self) -> Option<&mut Slot> {
-        self.client.slots.iter_mut().find(|slot| slot.state == State::Free)
-    }
-
-    /// Fills a slot: what does not depend on the type of the command, so that it is there once.
-    fn enter(
-        &mut self,
-        id: u32,
-        descriptor: u8,
-        responses: &'static [u8],
-        wanted: Option<ResponseCheck>,
-        timeout_ms: u32,
-    ) {
-        let (set, timeout_ms) = (self.packet.set(), timeout_ms.max(self.client.timeout_ms));
-        if let Some(slot) = self.free() {
-            slot.state = State::Added;
-            (slot.responses, slot.wanted, slot.timeout_ms) = (responses, wanted, timeout_ms);
-            let event = &mut slot.event;
-            (event.id, event.set, event.descriptor) = (id, set, descriptor);
-            (event.outcome, event.response, event.length) = (Outcome::TimedOut, None, 0);
-        }
+        self.table.add(command, None)
     }
 
     /// Appends a command whose type is known only at run time.
@@ -581,43 +712,60 @@ impl<const N: usize> Request<'_, N> {
 
     /// The packet to send. From now on its commands are pending.
     #[must_use = "the packet is to be sent"]
-    pub fn send(self, now_ms: u64) -> PacketBuilder {
-        for slot in &mut self.client.slots {
-            if slot.state == State::Added {
-                slot.state = State::Waiting;
-                slot.deadline = now_ms.saturating_add(slot.timeout_ms.into());
+    pub fn send(self, now_ms: u64) -> Packet<'c> {
+        for slot in &mut self.table.slots {
+            if slot.is(State::Added) {
+                slot.sent(now_ms);
             }
         }
-        self.packet
+        self.table.packet.packet()
     }
 }
 
 /// The events that have not been taken, oldest first. Untaken events remain in the client.
 #[derive(Debug)]
-pub struct Events<'c, 'p, const N: usize> {
-    client: &'c mut Client<N>,
-    packet: Option<Packet<'p>>,
-    taken: Taken,
+pub struct Events<'c, 'p> {
+    table: &'c Slots,
+    fields: Fields<'p>,
 }
 
-impl<'p, const N: usize> Events<'_, 'p, N> {
+impl<'c, 'p> Events<'c, 'p> {
     /// The fields of the packet that answer no command: data, and unexpected replies.
-    pub fn others(&self) -> impl Iterator<Item = Result<RawField<'p>, FieldLengthError>> + Clone {
-        let taken = self.taken;
-        let fields = self.packet.into_iter().flat_map(|packet| packet.fields()).enumerate();
-        fields.filter(move |(at, _)| !taken.has(*at)).map(|(_, field)| field)
+    #[must_use]
+    pub fn others(&self) -> Others<'c, 'p> {
+        Others { fields: self.fields.clone(), taken: &self.table.taken, at: 0 }
     }
 }
 
-impl<const N: usize> Iterator for Events<'_, '_, N> {
-    type Item = Event;
+/// The client keeps an event until something else is done with it; to keep it longer, clone it.
+impl<'c> Iterator for Events<'c, '_> {
+    type Item = &'c Event;
 
-    fn next(&mut self) -> Option<Event> {
-        let happened = self.client.happened;
-        let done = |slot: &Slot| slot.state == State::Done;
-        let index = self.client.oldest(done, |slot| happened.wrapping_sub(slot.order))?;
-        let slot = self.client.slots.get_mut(index)?;
-        slot.state = State::Free;
-        Some(slot.event.clone())
+    fn next(&mut self) -> Option<&'c Event> {
+        self.table.first()
+    }
+}
+
+/// The fields of a packet that answer no command; from [`Events::others`].
+#[derive(Clone, Debug)]
+pub struct Others<'c, 'p> {
+    fields: Fields<'p>,
+    taken: &'c [u32; 4],
+    at: u8,
+}
+
+impl<'p> Iterator for Others<'_, 'p> {
+    type Item = Result<RawField<'p>, FieldLengthError>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        loop {
+            let field = self.fields.next()?;
+            let bits = self.taken.get(usize::from(self.at >> 5))?;
+            let taken = bits & (1 << (self.at & 31)) != 0;
+            self.at = self.at.wrapping_add(1);
+            if !taken {
+                return Some(field);
+            }
+        }
     }
 }

@@ -84,12 +84,15 @@ pub trait Command: Field {
 }
 
 /// Recognizes a response and tells whether it can be decoded; `None` for other fields.
-pub type ResponseCheck = fn(&RawField<'_>) -> Option<Result<(), DecodeError>>;
+pub type ResponseCheck = fn(&RawField<'_>) -> Option<bool>;
 
 /// The check for one type of response.
 #[must_use]
-pub fn check<R: Response>(field: &RawField<'_>) -> Option<Result<(), DecodeError>> {
-    R::from_field(field).map(|found| found.map(drop))
+pub fn check<R: Field>(field: &RawField<'_>) -> Option<bool> {
+    if R::FIXED && R::CONSTANTS.is_empty() {
+        return field.is::<R>().then_some(field.data.len() >= R::SIZE);
+    }
+    R::from_field(field).map(|found| found.is_ok())
 }
 
 /// A field that answers the command `C`.

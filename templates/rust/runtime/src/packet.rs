@@ -2,7 +2,8 @@
 
 use core::fmt;
 
-use crate::error::{DecodeError, EncodeError};
+use crate::codec::Writer;
+use crate::error::{DecodeError, EncodeError, EncodeErrorKind};
 use crate::field::{Field, RawField};
 use crate::protocol::SYNC;
 
@@ -163,6 +164,10 @@ pub struct Fields<'a> {
     payload: &'a [u8],
 }
 
+impl Fields<'_> {
+    pub(crate) const NONE: Self = Self { set: 0, payload: &[] };
+}
+
 impl<'a> Iterator for Fields<'a> {
     type Item = Result<RawField<'a>, FieldLengthError>;
 
@@ -208,6 +213,17 @@ impl PacketBuilder {
         Self { bytes }
     }
 
+    /// Memory to start a packet in.
+    pub(crate) const BLANK: Self = Self { bytes: [0; MAX_PACKET] };
+
+    /// Begins again, with another set.
+    pub(crate) fn start(&mut self, set: u8) {
+        let [first, second, number, payload, ..] = &mut self.bytes;
+        let [a, b] = SYNC;
+        (*first, *second, *number, *payload) = (a, b, set, 0);
+        self.seal();
+    }
+
     /// A packet with only this field.
     pub fn with<T: Field>(field: &T) -> Result<Self, EncodeError> {
         let mut builder = Self::new(T::SET);
@@ -229,6 +245,21 @@ impl PacketBuilder {
         }
         let length = field.encode(self.free(T::NAME, T::SET)?)?;
         self.close(T::DESCRIPTOR, length);
+        Ok(())
+    }
+
+    /// The same, compiled once for all types; the set is that of the packet.
+    pub(crate) fn push_by(
+        &mut self,
+        name: &'static str,
+        set: u8,
+        descriptor: u8,
+        encode: &dyn Fn(&mut Writer<'_>) -> Result<(), EncodeErrorKind>,
+    ) -> Result<(), EncodeError> {
+        let mut writer = Writer::of_field(self.free(name, set)?);
+        let done = encode(&mut writer);
+        let length = writer.finish(done, name)?;
+        self.close(descriptor, length);
         Ok(())
     }
 

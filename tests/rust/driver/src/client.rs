@@ -113,13 +113,14 @@ impl Session {
             }
         }
         let packet = request.send(self.now);
-        let first = self.sent.len();
-        self.sent.extend_from_slice(&tickets);
-        let commands = Json::Array((first..self.sent.len()).map(number).collect());
-        self.happens("sent", [("packet", hex(packet.bytes())), ("commands", commands)]);
+        let bytes = hex(packet.bytes());
         if let Some(port) = &mut self.port {
             port.write(packet.bytes());
         }
+        let first = self.sent.len();
+        self.sent.extend_from_slice(&tickets);
+        let commands = Json::Array((first..self.sent.len()).map(number).collect());
+        self.happens("sent", [("packet", bytes), ("commands", commands)]);
         for (at, _) in tickets.iter().enumerate().filter(|(_, ticket)| ticket.is_silent()) {
             self.happens("silent", [("command", number(first + at))]);
         }
@@ -165,7 +166,7 @@ impl Session {
         while let Some(packet) = self.client.poll(parser, self.now) {
             self.take(&packet);
         }
-        let events: Vec<Event> = self.client.events().collect();
+        let events: Vec<Event> = self.client.events().cloned().collect();
         for event in events {
             self.answer(&event);
         }
@@ -192,7 +193,7 @@ impl Session {
                 Err(_) => object([("error", string("field_length"))]),
             })
             .collect();
-        let events: Vec<Event> = events.collect();
+        let events: Vec<Event> = events.cloned().collect();
         for event in &events {
             self.answer(event);
         }
@@ -215,8 +216,10 @@ impl Session {
             }
             (Outcome::TimedOut, _) => self.happens("timed_out", [command]),
             (Outcome::MissingResponse, _) => self.happens("missing_response", [command]),
-            (Outcome::Undecodable(error), field) => {
-                let RawField { descriptor, data, .. } = field.expect("there is one");
+            (Outcome::Undecodable, field) => {
+                let field = field.expect("there is one");
+                let RawField { descriptor, data, .. } = field;
+                let Some(Err(error)) = AnyField::decode(&field) else { panic!("it is decodable") };
                 let response = object([
                     ("descriptor", Json::Integer(descriptor.into())),
                     ("error", string(decode_error(error))),

@@ -126,7 +126,8 @@ def velocity(s: Satellite, t: float) -> Vector:
 
 def _line(s: Satellite, t: float, antenna: Vector) -> tuple[Vector, float, float]:
     """The vector from an antenna to where the satellite sent what arrives now, its length, and the travel time."""
-    delay = 0.075
+    delay, length = 0.075, 0.0
+    line = (0.0, 0.0, 0.0)
     for _ in range(3):
         x, y, z = place(s, t - delay)
         turn = ROTATION * delay
@@ -199,7 +200,7 @@ def dop(satellites: Sequence[Seen]) -> Dop:
     for s in satellites:
         c = cos(s.elevation)
         rows.append((c * cos(s.azimuth), c * sin(s.azimuth), -sin(s.elevation), 1.0))
-    normal = [[sum(r[i] * r[j] for r in rows) for j in range(4)] for i in range(4)]
+    normal = [[sum((r[i] * r[j] for r in rows), 0.0) for j in range(4)] for i in range(4)]
     q = _inverse(normal) if len(rows) >= 4 else None
     if q is None:
         return Dop(*[99.9] * 7)

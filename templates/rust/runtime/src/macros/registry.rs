@@ -101,9 +101,9 @@ macro_rules! registry {
 
             /// Adds it to a request, if it is a command.
             #[allow(unused_variables)] // few sets are without commands
-            pub(crate) fn add_to<const N: usize>(
+            pub(crate) fn add_to(
                 &self,
-                request: &mut Request<'_, N>,
+                request: &mut Request<'_>,
             ) -> Option<Result<Ticket<()>, RequestError>> {
                 match self {
                     $($(

@@ -110,16 +110,18 @@ impl Parser {
         Feed { parser: self, rest: chunk }
     }
 
-    /// The next packet that is complete in the buffer.
-    pub(crate) fn complete(&mut self) -> Option<Packet<'_>> {
-        self.step(&mut [].as_slice())?;
-        Some(self.packet())
-    }
-
     /// Gives up the pending candidate only if a whole packet is behind its first bytes, and returns
     /// that packet: the candidate was noise then. Otherwise nothing changes.
     pub fn look_behind(&mut self) -> Option<Packet<'_>> {
+        self.held_back(true)
+    }
+
+    /// The next packet that is complete in the buffer; also behind the candidate, if asked to.
+    pub(crate) fn held_back(&mut self, behind_candidate: bool) -> Option<Packet<'_>> {
         if self.step(&mut [].as_slice()).is_none() {
+            if !behind_candidate {
+                return None;
+            }
             let held = self.held();
             let whole = |at: &usize| matches!(judge(behind(held, *at)), Candidate::Whole(_));
             let at = (1..held.len()).find(whole)?;

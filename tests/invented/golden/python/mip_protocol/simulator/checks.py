@@ -57,7 +57,7 @@ def data_sets(profile: Device) -> frozenset[int]:
 def _instances(command: Command, profile: Device, function: int | None) -> None:
     behavior = COMMANDS.get(command.NAME, NOTHING)
     for name, what in behavior.instances.items():
-        value = getattr(command, name)
+        value: Any = getattr(command, name)
         if value is None or meaning_all(command, name, value, function):
             continue
         value = behavior.translate.get(name, {}).get(value, value)

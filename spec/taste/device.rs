@@ -1,0 +1,23 @@
+use mip_protocol::device::{Device, DeviceError, Port};
+use mip_protocol::{base, mip_3dm, sensor::ScaledAccel};
+
+/// The port is for instance `StdPort::new(serial)`, with that of the crate `serialport`.
+fn run<P: Port>(port: P) -> Result<(), DeviceError<P::Error>> {
+    let mut device = Device::new(port);
+    let info = device.request(&base::GetDeviceInfo::new())?; // its response, or why there is none
+    println!("{}", info.device_info.model_name);
+    device.run(&mip_3dm::DataStreamControl::write(0x80, true))?; // for commands without response
+
+    let (rate, pps) = device.send_all(mip_3dm::SET, |request| {
+        let rate = request.add(&mip_3dm::GetBaseRate::new(0x80))?;
+        Ok((rate, request.add(&mip_3dm::PpsSourceControl::read())?))
+    })?;
+    println!("{:?} {:?}", device.answer(&rate), device.answer(&pps));
+
+    while let Some(packet) = device.next_packet(1000)? {
+        if let Some(Ok(accel)) = packet.find::<ScaledAccel>() {
+            println!("{:.4} g along x", accel.scaled_accel.x);
+        }
+    }
+    Ok(()) // nothing has come for a second
+}

@@ -1,0 +1,59 @@
+//! Sets up a device as the manuals advise: idle, settings, message format, save, resume.
+//!
+//!     cargo run --example setup --features std -- /dev/ttyACM0
+
+use std::error::Error;
+use std::time::Duration;
+
+use mip_protocol::device::{Device, StdPort};
+use mip_protocol::types::DescriptorRate;
+use mip_protocol::{base, mip_3dm, sensor, shared, Field};
+
+const RATE: u16 = 100; // Hz
+const CUTOFF: f32 = 25.0; // Hz
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let path = std::env::args().nth(1).ok_or("usage: setup PORT")?;
+    let serial = serialport::new(path, 115_200).timeout(Duration::from_millis(10)).open()?;
+    let mut device = Device::new(StdPort::new(serial));
+    let accel = sensor::ScaledAccel::DESCRIPTOR;
+
+    // 1. Idle: the device sends no data while it is set up.
+    device.run(&base::SetIdle::new())?;
+
+    // 2. Settings.
+    device.run(&mip_3dm::LowPassFilter::write(sensor::SET, accel, true, true, CUTOFF))?;
+
+    // 3. What is to be sent, and how often. Several commands may share a packet.
+    let base_rate = device.request(&mip_3dm::GetBaseRate::new(sensor::SET))?.rate;
+    let decimation = (base_rate / RATE).max(1);
+    let fields = [shared::GpsTimestamp::DESCRIPTOR, accel, sensor::ScaledGyro::DESCRIPTOR];
+    let format = fields.map(|descriptor| DescriptorRate::new(descriptor, decimation));
+    let (format, stream) = device.send_all(mip_3dm::SET, |request| {
+        Ok((
+            request.add(&mip_3dm::MessageFormat::write(sensor::SET, format))?,
+            request.add(&mip_3dm::DataStreamControl::write(sensor::SET, true))?,
+        ))
+    })?;
+    device.answer(&format).into_result()?;
+    device.answer(&stream).into_result()?;
+
+    // 4. Is it so?
+    let filter = device.request(&mip_3dm::LowPassFilter::read(sensor::SET, accel))?;
+    println!("low-pass filter at {} Hz", filter.frequency);
+    let format = device.request(&mip_3dm::MessageFormat::read(sensor::SET))?;
+    for field in format.descriptors.iter() {
+        println!("field 0x{:02X} at {} Hz", field.descriptor, base_rate / field.decimation.max(1));
+    }
+
+    // 5. Save, so that it is the same after the next start.
+    device.run(&mip_3dm::LowPassFilter::save(sensor::SET, accel))?;
+    device.run(&mip_3dm::MessageFormat::save(sensor::SET))?;
+    device.run(&mip_3dm::DataStreamControl::save(sensor::SET))?;
+
+    // 6. Resume: data come.
+    device.run(&base::Resume::new())?;
+    let packet = device.next_packet(2000)?.ok_or("no data")?;
+    println!("saved; {} fields in the first packet", packet.fields().count());
+    Ok(())
+}

@@ -1,0 +1,380 @@
+//! A device at a port: one call for each command, and the data that it sends.
+//!
+//! [`Device`] waits at a [`Port`]: `StdPort` is one over whatever reads and writes with the standard
+//! library, `EmbeddedPort` one with the traits of `embedded-io`, and any other takes three
+//! functions. `AsyncDevice` does the same with `embedded-io-async`. Each needs the feature of its
+//! name.
+//!
+//! ```no_run
+//! # #[cfg(feature = "std")]
+//! # fn example(serial: std::net::TcpStream) -> Result<(), Box<dyn std::error::Error>> {
+//! use mip_protocol::device::{Device, StdPort};
+//!
+//! let mut device = Device::new(StdPort::new(serial));
+//! while let Some(packet) = device.next_packet(1000)? {
+//!     println!("{packet:?}");
+//! }
+//! # Ok(()) }
+//! ```
+//!
+//! **Commands**: [`Device::request`] returns the response of one, [`Device::run`] is for those
+//! without, and [`Device::send_all`] sends several in one packet. What the device refuses, does not
+//! answer in time or answers otherwise is a [`DeviceError::Command`].
+//!
+//! **Data that come while a command waits for its answer** are kept, and [`Device::next_packet`]
+//! returns them first, in order. There is room for `Q` bytes; if it is full, the oldest packets are
+//! dropped, and [`Device::dropped`] counts them. A device that is set to idle first sends none.
+//!
+//! **An answer** may come in a packet by itself or with others. Before a command times out, what
+//! noise holds back is looked through.
+//!
+//! **A command that changes the baud rate** is acknowledged at the old rate. Then set the rate of the port
+//! ([`Device::port_mut`]), and ask with a ping whether the device hears it.
+
+use core::fmt;
+
+use crate::client::{Answer, Client, CommandError, Request, RequestError, Ticket};
+use crate::field::Command;
+use crate::packet::{Packet, MAX_PACKET};
+use crate::parser::Parser;
+
+#[cfg(feature = "embedded-io-async")]
+mod asynchronous;
+#[cfg(feature = "embedded-io")]
+mod embedded;
+#[cfg(feature = "std")]
+mod standard;
+
+#[cfg(feature = "embedded-io-async")]
+pub use asynchronous::AsyncDevice;
+#[cfg(feature = "embedded-io")]
+pub use embedded::EmbeddedPort;
+#[cfg(feature = "std")]
+pub use standard::StdPort;
+
+/// How a device is reached, and a clock.
+pub trait Port {
+    /// What can go wrong.
+    type Error;
+
+    /// Takes bytes that have come, to the front of the buffer, and returns how many they are. It
+    /// may wait for a while if there are none, but must then return 0.
+    fn read(&mut self, buffer: &mut [u8]) -> Result<usize, Self::Error>;
+
+    /// Sends all of these bytes.
+    fn write(&mut self, bytes: &[u8]) -> Result<(), Self::Error>;
+
+    /// A count of milliseconds that never decreases.
+    fn now_ms(&mut self) -> u64;
+}
+
+/// Why a device did not do what it was asked to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum DeviceError<E> {
+    /// The command was not sent: it does not encode, or too many wait.
+    Request(RequestError),
+    /// The command was not sent, because with these values it has no response: `run` it.
+    NoResponse,
+    /// It was sent, and refused, or not answered as it should be.
+    Command(CommandError),
+    /// The port could not read or write.
+    Port(E),
+    /// The port is at its end: nothing will come any more.
+    Closed,
+}
+
+impl<E> From<RequestError> for DeviceError<E> {
+    fn from(error: RequestError) -> Self {
+        Self::Request(error)
+    }
+}
+
+impl<E> From<CommandError> for DeviceError<E> {
+    fn from(error: CommandError) -> Self {
+        Self::Command(error)
+    }
+}
+
+impl<E: fmt::Display> fmt::Display for DeviceError<E> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Request(error) => write!(f, "not sent: {error}"),
+            Self::NoResponse => f.write_str("not sent: the command has no response"),
+            Self::Command(error) => error.fmt(f),
+            Self::Port(error) => write!(f, "port: {error}"),
+            Self::Closed => f.write_str("the port is closed"),
+        }
+    }
+}
+
+#[cfg(feature = "std")]
+impl<E: fmt::Debug + fmt::Display> std::error::Error for DeviceError<E> {}
+
+#[cfg(all(feature = "core-error", not(feature = "std")))]
+impl<E: fmt::Debug + fmt::Display> core::error::Error for DeviceError<E> {}
+
+/// What a device takes at a time from its port.
+const CHUNK: usize = 256;
+
+/// What is known of the conversation with a device, without its port.
+#[derive(Clone, Debug)]
+struct Core<const N: usize, const Q: usize> {
+    client: Client<N>,
+    parser: Parser,
+    data: Queue<Q>,
+}
+
+impl<const N: usize, const Q: usize> Core<N, Q> {
+    const fn new(client: Client<N>) -> Self {
+        Self { client, parser: Parser::new(), data: Queue::new() }
+    }
+
+    /// The part of a chunk to read into: whatever comes fits into an empty queue.
+    #[allow(clippy::unused_self)]
+    fn part<'c>(&self, chunk: &'c mut [u8; CHUNK]) -> &'c mut [u8] {
+        let size = Q.saturating_sub(MAX_PACKET).clamp(1, CHUNK);
+        chunk.get_mut(..size).unwrap_or_default()
+    }
+
+    /// Takes bytes that have come.
+    fn arrived(&mut self, bytes: &[u8]) {
+        let mut packets = self.parser.feed(bytes);
+        while let Some(packet) = packets.next() {
+            sort(&mut self.client, &mut self.data, &packet);
+        }
+    }
+
+    /// Lets commands time out, after what noise holds back.
+    fn tick(&mut self, now_ms: u64) {
+        while let Some(packet) = self.client.poll(&mut self.parser, now_ms) {
+            sort(&mut self.client, &mut self.data, &packet);
+        }
+    }
+
+    /// When nothing comes for long, what is behind noise is found.
+    fn look_behind(&mut self) {
+        while let Some(packet) = self.parser.look_behind() {
+            sort(&mut self.client, &mut self.data, &packet);
+        }
+    }
+
+    /// The outcome of a command that waits no longer.
+    fn result<C: Command, E>(
+        &mut self,
+        ticket: &Ticket<C>,
+    ) -> Result<Option<C::Response>, DeviceError<E>> {
+        Ok(self.client.take(ticket).unwrap_or(Answer::TimedOut).into_result()?)
+    }
+}
+
+/// Gives a packet to the client, and keeps it if it has more than answers.
+fn sort<const N: usize, const Q: usize>(
+    client: &mut Client<N>,
+    data: &mut Queue<Q>,
+    packet: &Packet<'_>,
+) {
+    if client.receive(packet).others().next().is_some() {
+        data.push(packet.bytes());
+    }
+}
+
+/// Packets that have come, one after another.
+#[derive(Clone, Debug)]
+struct Queue<const Q: usize> {
+    bytes: [u8; Q],
+    start: usize,
+    end: usize,
+    dropped: u32,
+}
+
+impl<const Q: usize> Queue<Q> {
+    const fn new() -> Self {
+        Self { bytes: [0; Q], start: 0, end: 0, dropped: 0 }
+    }
+
+    fn push(&mut self, packet: &[u8]) {
+        while Q.saturating_sub(self.len()) < packet.len() {
+            self.dropped = self.dropped.wrapping_add(1);
+            if self.pop().is_none() {
+                return; // it is longer than the queue
+            }
+        }
+        if Q.saturating_sub(self.end) < packet.len() {
+            let (mut from, mut to) = (self.start, 0);
+            while from < self.end {
+                let byte = self.bytes.get(from).copied().unwrap_or(0);
+                self.bytes.iter_mut().skip(to).take(1).for_each(|place| *place = byte);
+                (from, to) = (from.wrapping_add(1), to.wrapping_add(1));
+            }
+            (self.start, self.end) = (0, to);
+        }
+        let free = self.bytes.iter_mut().skip(self.end);
+        free.zip(packet).for_each(|(place, byte)| *place = *byte);
+        self.end = self.end.saturating_add(packet.len());
+    }
+
+    fn pop(&mut self) -> Option<Packet<'_>> {
+        let all = self.bytes.get(self.start..self.end)?;
+        let size = usize::from(*all.get(3)?).saturating_add(6);
+        self.start = self.start.saturating_add(size);
+        all.get(..size).map(Packet::trusted)
+    }
+
+    const fn len(&self) -> usize {
+        self.end.saturating_sub(self.start)
+    }
+}
+
+/// A device at a port.
+///
+/// It has memory for `N` commands of one packet, some 300 bytes for each, and for `Q` bytes of data
+/// packets that come while a command waits; more, if a device streams fast and is not set to idle
+/// first. `Device<_, 1, 600>` is about the least that is of use.
+#[derive(Clone, Debug)]
+pub struct Device<P, const N: usize = 8, const Q: usize = 4096> {
+    port: P,
+    core: Core<N, Q>,
+}
+
+impl<P: Port> Device<P> {
+    /// A device with the usual memory and time-out; nothing is sent or read.
+    #[must_use]
+    pub const fn new(port: P) -> Self {
+        Self::with_client(port, Client::new())
+    }
+}
+
+impl<P, const N: usize, const Q: usize> Device<P, N, Q> {
+    /// With a client that has another time-out or size: `let device: Device<_, 1, 600> = …`.
+    #[must_use]
+    pub const fn with_client(port: P, client: Client<N>) -> Self {
+        Self { port, core: Core::new(client) }
+    }
+
+    /// The port.
+    pub const fn port(&self) -> &P {
+        &self.port
+    }
+
+    /// The port, for instance to set its baud rate.
+    pub fn port_mut(&mut self) -> &mut P {
+        &mut self.port
+    }
+
+    /// The port; what was read and not returned is lost.
+    pub fn into_port(self) -> P {
+        self.port
+    }
+
+    /// The parser, which counts the bytes that belong to no packet.
+    pub const fn parser(&self) -> &Parser {
+        &self.core.parser
+    }
+
+    /// How many packets were dropped, because there was no room for them while a command waited.
+    pub const fn dropped(&self) -> u32 {
+        self.core.data.dropped
+    }
+}
+
+impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
+    /// Sends a command, waits for its answer, and returns its response.
+    ///
+    /// # Errors
+    ///
+    /// If a response is not what these values ask for, nothing is sent ([`DeviceError::NoResponse`]).
+    pub fn request<C: Command>(
+        &mut self,
+        command: &C,
+    ) -> Result<C::Response, DeviceError<P::Error>> {
+        if !command.expects_response() {
+            return Err(DeviceError::NoResponse);
+        }
+        self.carry_out(command)?.ok_or(CommandError::MissingResponse.into())
+    }
+
+    /// Sends a command, and waits until the device has carried it out. A response is ignored.
+    ///
+    /// It does not wait for a command that devices do not answer.
+    pub fn run<C: Command>(&mut self, command: &C) -> Result<(), DeviceError<P::Error>> {
+        self.carry_out(command).map(drop)
+    }
+
+    fn carry_out<C: Command>(
+        &mut self,
+        command: &C,
+    ) -> Result<Option<C::Response>, DeviceError<P::Error>> {
+        self.core.client.clear();
+        let now_ms = self.port.now_ms();
+        let (ticket, packet) = self.core.client.send(command, now_ms)?;
+        self.port.write(packet.bytes()).map_err(DeviceError::Port)?;
+        self.wait()?;
+        self.core.result(&ticket)
+    }
+
+    /// Sends several commands of one descriptor set in one packet, and waits for all answers.
+    ///
+    /// The closure adds them, and returns what it likes, usually their tickets. [`Device::answer`]
+    /// tells what became of each.
+    pub fn send_all<T>(
+        &mut self,
+        set: u8,
+        add: impl FnOnce(&mut Request<'_>) -> Result<T, RequestError>,
+    ) -> Result<T, DeviceError<P::Error>> {
+        self.core.client.clear();
+        let now_ms = self.port.now_ms();
+        let mut request = self.core.client.request(set);
+        let tickets = add(&mut request)?;
+        self.port.write(request.send(now_ms).bytes()).map_err(DeviceError::Port)?;
+        self.wait()?;
+        Ok(tickets)
+    }
+
+    /// The answer to one command of [`Device::send_all`]; it is known until the next command.
+    pub fn answer<C: Command>(&mut self, ticket: &Ticket<C>) -> Answer<C::Response> {
+        self.core.client.take(ticket).unwrap_or(Answer::TimedOut)
+    }
+
+    /// Until no command waits.
+    fn wait(&mut self) -> Result<(), DeviceError<P::Error>> {
+        while self.core.client.pending() > 0 {
+            self.read()?;
+            self.core.tick(self.port.now_ms());
+        }
+        Ok(())
+    }
+
+    fn read(&mut self) -> Result<(), DeviceError<P::Error>> {
+        let mut chunk = [0; CHUNK];
+        let part = self.core.part(&mut chunk);
+        let count = self.port.read(part).map_err(DeviceError::Port)?;
+        self.core.arrived(part.get(..count).unwrap_or_default());
+        Ok(())
+    }
+
+    /// The next packet with data, or with whatever else answers no command; `None` if none comes
+    /// in so many milliseconds. With 0, it looks once.
+    ///
+    /// Continuation packets come one by one, as the device sends them.
+    pub fn next_packet(
+        &mut self,
+        wait_ms: u32,
+    ) -> Result<Option<Packet<'_>>, DeviceError<P::Error>> {
+        if self.core.data.len() == 0 {
+            let end = self.port.now_ms().saturating_add(wait_ms.into());
+            loop {
+                self.read()?;
+                if self.core.data.len() > 0 {
+                    break;
+                }
+                if self.port.now_ms() >= end {
+                    self.core.look_behind();
+                    break;
+                }
+            }
+        }
+        Ok(self.core.data.pop())
+    }
+}

@@ -1,0 +1,69 @@
+//! Ports of the standard library.
+
+use std::io::{self, ErrorKind, Read, Write};
+use std::time::{Duration, Instant};
+
+use super::Port;
+
+/// A port over anything that reads and writes, with the clock of the system.
+///
+/// A read that finds nothing may wait or not, and may return 0 or an error: of the kinds
+/// [`TimedOut`](ErrorKind::TimedOut), [`WouldBlock`](ErrorKind::WouldBlock) or
+/// [`Interrupted`](ErrorKind::Interrupted). It must return in the end, as a command times out only
+/// then: set a time-out of the port, of 10 ms for instance. Writes must wait.
+#[derive(Clone, Debug)]
+pub struct StdPort<T> {
+    io: T,
+    start: Instant,
+}
+
+impl<T> StdPort<T> {
+    /// A port, for instance of the crate `serialport`.
+    #[must_use]
+    pub fn new(io: T) -> Self {
+        Self { io, start: Instant::now() }
+    }
+
+    /// What reads and writes.
+    pub const fn get_ref(&self) -> &T {
+        &self.io
+    }
+
+    /// What reads and writes, for instance to set its baud rate.
+    pub fn get_mut(&mut self) -> &mut T {
+        &mut self.io
+    }
+
+    /// What reads and writes.
+    pub fn into_inner(self) -> T {
+        self.io
+    }
+}
+
+impl<T: Read + Write> Port for StdPort<T> {
+    type Error = io::Error;
+
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        match self.io.read(buffer) {
+            Ok(0) => {}
+            Ok(count) => return Ok(count),
+            Err(error) => match error.kind() {
+                ErrorKind::TimedOut | ErrorKind::Interrupted => return Ok(0),
+                ErrorKind::WouldBlock => {}
+                _ => return Err(error),
+            },
+        }
+        // It may not have waited at all.
+        std::thread::sleep(Duration::from_millis(1));
+        Ok(0)
+    }
+
+    fn write(&mut self, bytes: &[u8]) -> io::Result<()> {
+        self.io.write_all(bytes)?;
+        self.io.flush()
+    }
+
+    fn now_ms(&mut self) -> u64 {
+        u64::try_from(self.start.elapsed().as_millis()).unwrap_or(u64::MAX)
+    }
+}

@@ -1,0 +1,177 @@
+//! A device that is awaited.
+
+use core::future::{poll_fn, Future};
+use core::pin::{pin, Pin};
+use core::task::Poll;
+
+use embedded_io_async::{Read, Write};
+
+use super::{Answer, Client, Command, CommandError, Core, DeviceError, RequestError, CHUNK};
+use crate::client::{Request, Ticket};
+use crate::packet::Packet;
+use crate::parser::Parser;
+
+/// A device at a port with the traits of `embedded-io-async`; [`Device`](super::Device) without
+/// waiting. No executor is needed but the one that the program has.
+///
+/// The second argument makes a future that takes so many milliseconds:
+/// `|ms| Timer::after_millis(ms.into())` of `embassy-time`, or
+/// `|ms| tokio::time::sleep(Duration::from_millis(ms.into()))`.
+///
+/// A future that is dropped gives up the command, not what the device does with it; an answer that
+/// comes later is among the data. Whether bytes are lost then depends on the port.
+#[derive(Clone, Debug)]
+pub struct AsyncDevice<P, S, const N: usize = 8, const Q: usize = 4096> {
+    port: P,
+    sleep: S,
+    core: Core<N, Q>,
+}
+
+impl<P, S> AsyncDevice<P, S> {
+    /// A device with the usual memory and time-out; nothing is sent or read.
+    #[must_use]
+    pub const fn new(port: P, sleep: S) -> Self {
+        Self::with_client(port, sleep, Client::new())
+    }
+}
+
+impl<P, S, const N: usize, const Q: usize> AsyncDevice<P, S, N, Q> {
+    /// With a client that has another time-out or size: `let device: AsyncDevice<_, _, 1, 600> = …`.
+    #[must_use]
+    pub const fn with_client(port: P, sleep: S, client: Client<N>) -> Self {
+        Self { port, sleep, core: Core::new(client) }
+    }
+
+    /// The port, for instance to set its baud rate.
+    pub fn port_mut(&mut self) -> &mut P {
+        &mut self.port
+    }
+
+    /// The parser, which counts the bytes that belong to no packet.
+    pub const fn parser(&self) -> &Parser {
+        &self.core.parser
+    }
+
+    /// How many packets were dropped, because there was no room for them while a command waited.
+    pub const fn dropped(&self) -> u32 {
+        self.core.data.dropped
+    }
+}
+
+impl<P, S, F, const N: usize, const Q: usize> AsyncDevice<P, S, N, Q>
+where
+    P: Read + Write,
+    S: FnMut(u32) -> F,
+    F: Future<Output = ()>,
+{
+    /// Sends a command, waits for its answer, and returns its response.
+    ///
+    /// # Errors
+    ///
+    /// If a response is not what these values ask for, nothing is sent ([`DeviceError::NoResponse`]).
+    pub async fn request<C: Command>(
+        &mut self,
+        command: &C,
+    ) -> Result<C::Response, DeviceError<P::Error>> {
+        if !command.expects_response() {
+            return Err(DeviceError::NoResponse);
+        }
+        self.carry_out(command).await?.ok_or(CommandError::MissingResponse.into())
+    }
+
+    /// Sends a command, and waits until the device has carried it out. A response is ignored.
+    ///
+    /// It does not wait for a command that devices do not answer.
+    pub async fn run<C: Command>(&mut self, command: &C) -> Result<(), DeviceError<P::Error>> {
+        self.carry_out(command).await.map(drop)
+    }
+
+    async fn carry_out<C: Command>(
+        &mut self,
+        command: &C,
+    ) -> Result<Option<C::Response>, DeviceError<P::Error>> {
+        let ticket = self.send_all(C::SET, |request| request.add(command)).await?;
+        self.core.result(&ticket)
+    }
+
+    /// Sends several commands of one descriptor set in one packet, and waits for all answers.
+    ///
+    /// The closure adds them, and returns what it likes, usually their tickets.
+    /// [`AsyncDevice::answer`] tells what became of each.
+    pub async fn send_all<T>(
+        &mut self,
+        set: u8,
+        add: impl FnOnce(&mut Request<'_>) -> Result<T, RequestError>,
+    ) -> Result<T, DeviceError<P::Error>> {
+        self.core.client.clear();
+        let mut request = self.core.client.request(set);
+        let tickets = add(&mut request)?;
+        let packet = request.send(0); // with it, time begins
+        self.port.write_all(packet.bytes()).await.map_err(DeviceError::Port)?;
+        self.port.flush().await.map_err(DeviceError::Port)?;
+        let mut now_ms = 0;
+        while let Some(deadline) = self.core.client.deadline() {
+            let mut sleep = pin!((self.sleep)(deadline.saturating_sub(now_ms) as u32));
+            while self.core.client.pending() > 0 {
+                if !read(&mut self.port, &mut self.core, sleep.as_mut()).await? {
+                    now_ms = deadline;
+                    self.core.tick(now_ms);
+                    break;
+                }
+            }
+        }
+        Ok(tickets)
+    }
+
+    /// The answer to one command of [`AsyncDevice::send_all`]; it is known until the next command.
+    pub fn answer<C: Command>(&mut self, ticket: &Ticket<C>) -> Answer<C::Response> {
+        self.core.client.take(ticket).unwrap_or(Answer::TimedOut)
+    }
+
+    /// The next packet with data, or with whatever else answers no command; `None` if none comes
+    /// in so many milliseconds.
+    ///
+    /// Continuation packets come one by one, as the device sends them.
+    pub async fn next_packet(
+        &mut self,
+        wait_ms: u32,
+    ) -> Result<Option<Packet<'_>>, DeviceError<P::Error>> {
+        if self.core.data.len() == 0 {
+            let mut sleep = pin!((self.sleep)(wait_ms));
+            while self.core.data.len() == 0 {
+                if !read(&mut self.port, &mut self.core, sleep.as_mut()).await? {
+                    self.core.look_behind();
+                    break;
+                }
+            }
+        }
+        Ok(self.core.data.pop())
+    }
+}
+
+/// Reads once; false if the time was over first.
+async fn read<P: Read, const N: usize, const Q: usize>(
+    port: &mut P,
+    core: &mut Core<N, Q>,
+    mut sleep: Pin<&mut impl Future<Output = ()>>,
+) -> Result<bool, DeviceError<P::Error>> {
+    let mut chunk = [0; CHUNK];
+    let part = core.part(&mut chunk);
+    let count = {
+        let mut read = pin!(port.read(part));
+        poll_fn(|context| match read.as_mut().poll(context) {
+            Poll::Ready(count) => Poll::Ready(Some(count)),
+            Poll::Pending => sleep.as_mut().poll(context).map(|()| None),
+        })
+        .await
+    };
+    match count {
+        None => Ok(false),
+        Some(Ok(0)) => Err(DeviceError::Closed),
+        Some(Ok(count)) => {
+            core.arrived(part.get(..count).unwrap_or_default());
+            Ok(true)
+        }
+        Some(Err(error)) => Err(DeviceError::Port(error)),
+    }
+}

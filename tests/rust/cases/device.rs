@@ -1,0 +1,313 @@
+//! A device at a port that is played.
+
+use std::collections::VecDeque;
+use std::io::{self, ErrorKind, Read, Write};
+
+use mip_protocol::device::{Device, DeviceError, Port, StdPort};
+use mip_protocol::protocol::{AckCode, Acknowledge};
+use mip_protocol::types::{Mode, Vector3f};
+use mip_protocol::{
+    measurements, tools, Answer, Client, CommandError, EncodeErrorKind, Field, PacketBuilder,
+    RequestError,
+};
+
+/// A port that answers each packet with chunks, or with an error; in between, time goes on.
+#[derive(Default)]
+struct Played {
+    sent: Vec<Vec<u8>>,
+    replies: VecDeque<Vec<Vec<u8>>>,
+    coming: VecDeque<Vec<u8>>,
+    now: u64,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Gone;
+
+impl Port for Played {
+    type Error = Gone;
+
+    fn read(&mut self, buffer: &mut [u8]) -> Result<usize, Gone> {
+        let Some(chunk) = self.coming.front_mut() else {
+            self.now += 10;
+            return Ok(0);
+        };
+        if chunk.is_empty() {
+            self.coming.pop_front();
+            return Err(Gone);
+        }
+        let count = chunk.len().min(buffer.len());
+        buffer[..count].copy_from_slice(&chunk[..count]);
+        chunk.drain(..count);
+        if chunk.is_empty() {
+            self.coming.pop_front();
+        }
+        Ok(count)
+    }
+
+    fn write(&mut self, bytes: &[u8]) -> Result<(), Gone> {
+        self.sent.push(bytes.to_vec());
+        self.coming.extend(self.replies.pop_front().unwrap_or_default());
+        Ok(())
+    }
+
+    fn now_ms(&mut self) -> u64 {
+        self.now
+    }
+}
+
+fn ack(command: u8, code: AckCode) -> Vec<u8> {
+    packet(&Acknowledge { command, code })
+}
+
+fn packet<T: Field>(field: &T) -> Vec<u8> {
+    let mut builder = PacketBuilder::new(if T::SET == 0 { tools::SET } else { T::SET });
+    builder.push(field).unwrap();
+    builder.bytes().to_vec()
+}
+
+fn answered<T: Field>(command: u8, response: &T) -> Vec<u8> {
+    let mut builder = PacketBuilder::new(tools::SET);
+    builder.push(&Acknowledge { command, code: AckCode::OK }).unwrap();
+    builder.push(response).unwrap();
+    builder.bytes().to_vec()
+}
+
+fn data(x: f32) -> Vec<u8> {
+    packet(&measurements::Accel {
+        scaled_accel: Vector3f::from([x, 0.0, 0.0]),
+        ..Default::default()
+    })
+}
+
+const BIAS: tools::BiasVector = tools::BiasVector { bias: Vector3f { x: 1.0, y: 2.0, z: 3.0 } };
+
+fn device(replies: impl IntoIterator<Item = Vec<Vec<u8>>>) -> Device<Played> {
+    Device::new(Played { replies: replies.into_iter().collect(), ..Default::default() })
+}
+
+fn next<const N: usize, const Q: usize>(device: &mut Device<Played, N, Q>) -> Option<Vec<u8>> {
+    device.next_packet(100).unwrap().map(|packet| packet.bytes().to_vec())
+}
+
+#[test]
+fn a_response_and_the_data_around_it() {
+    let stream = [data(1.0), data(2.0), answered(5, &BIAS), data(3.0)].concat();
+    for size in [1, 3, 7, 64, 1000] {
+        let chunks = stream.chunks(size).map(<[u8]>::to_vec).collect();
+        let mut device = device([chunks]);
+        assert_eq!(device.request(&tools::Bias::read()), Ok(BIAS));
+        assert_eq!(device.port().sent.len(), 1);
+        for x in [1.0, 2.0, 3.0] {
+            assert_eq!(next(&mut device), Some(data(x)));
+        }
+        assert_eq!(next(&mut device), None);
+        assert_eq!((device.dropped(), device.parser().skipped()), (0, 0));
+    }
+}
+
+#[test]
+fn what_can_become_of_a_command() {
+    let mut device = device([
+        vec![ack(1, AckCode::OK)],
+        vec![ack(5, AckCode::INVALID_PARAMETER)],
+        vec![],
+        vec![ack(5, AckCode::OK)],
+        vec![],
+        vec![vec![]],
+        vec![answered(5, &BIAS)],
+    ]);
+    assert_eq!(device.run(&tools::Ping), Ok(()));
+    let refused = device.request(&tools::Bias::read()).unwrap_err();
+    let code = CommandError::Refused(AckCode::INVALID_PARAMETER);
+    assert_eq!(refused, DeviceError::Command(code));
+    let late = DeviceError::Command(CommandError::TimedOut);
+    assert_eq!(device.request(&tools::Bias::read()), Err(late));
+    assert_eq!(device.port().now, 1000);
+    let missing = DeviceError::Command(CommandError::MissingResponse);
+    assert_eq!(device.request(&tools::Bias::read()), Err(missing));
+    assert!(matches!(device.request(&tools::Status::new(1)), Err(e) if e == late));
+    assert_eq!(device.port().now, 3500); // this one may take 2.5 s
+    assert_eq!(device.run(&tools::Ping), Err(DeviceError::Port(Gone)));
+    assert_eq!(device.request(&tools::Bias::read()), Ok(BIAS));
+    assert_eq!(next(&mut device), None);
+}
+
+#[test]
+fn what_is_not_sent() {
+    let mut device = device([]);
+    // It would be carried out, and then nothing could be returned.
+    assert_eq!(device.request(&tools::Bias::save()), Err(DeviceError::NoResponse));
+    let no_value = tools::Bias { bias: None, ..tools::Bias::write(Vector3f::default()) };
+    let Err(DeviceError::Request(RequestError::Encode(error))) = device.run(&no_value) else {
+        panic!()
+    };
+    assert_eq!(error.kind, EncodeErrorKind::Missing);
+    assert!(device.port().sent.is_empty());
+    assert!(DeviceError::<io::Error>::from(error_of(error)).to_string().starts_with("not sent: "));
+}
+
+fn error_of(error: mip_protocol::EncodeError) -> RequestError {
+    error.into()
+}
+
+#[test]
+fn a_command_that_is_not_answered_is_not_waited_for() {
+    let mut device = device([]);
+    assert_eq!(device.run(&tools::Settings::apply(1, Mode::FAST, 1)), Ok(()));
+    assert_eq!((device.port().sent.len(), device.port().now), (1, 0));
+}
+
+#[test]
+fn several_commands_in_one_packet_and_their_answers_in_several() {
+    let reply = vec![data(1.0), ack(1, AckCode::OK), data(2.0), answered(5, &BIAS)];
+    let mut device = device([reply, vec![ack(1, AckCode::OK)], vec![ack(1, AckCode::OK)]]);
+    let tickets = device.send_all(tools::SET, |request| {
+        Ok((
+            request.add(&tools::Ping)?,
+            request.add(&tools::Bias::read())?,
+            request.add(&tools::Ping)?,
+        ))
+    });
+    let (first, second, third) = tickets.unwrap();
+    assert_eq!((device.port().sent.len(), device.port().now), (1, 1000));
+    assert_eq!(device.answer(&second), Answer::Acknowledged(Some(BIAS)));
+    assert_eq!(device.answer(&third).into_result(), Err(CommandError::TimedOut));
+    assert_eq!(next(&mut device), Some(data(1.0)));
+    // An answer that nobody asked for takes no place from the next.
+    for _ in 0..2 {
+        assert_eq!(device.run(&tools::Ping), Ok(()));
+    }
+    assert_eq!(device.answer(&first), Answer::TimedOut);
+    assert_eq!(next(&mut device), Some(data(2.0)));
+    // Nothing is sent if one of them cannot be added.
+    let mut small: Device<_, 1> = Device::with_client(Played::default(), Client::with_timeout(50));
+    let busy = small.send_all(tools::SET, |request| {
+        Ok((request.add(&tools::Ping)?, request.add(&tools::Ping)?))
+    });
+    assert_eq!(busy.unwrap_err(), DeviceError::Request(RequestError::Busy));
+    assert!(small.port().sent.is_empty());
+    assert_eq!(small.run(&tools::Ping), Err(DeviceError::Command(CommandError::TimedOut)));
+    assert_eq!(small.port().now, 50);
+}
+
+#[test]
+fn noise_hides_no_answer_and_no_data() {
+    let noise = b"ue\x80\xFF".to_vec();
+    let mut device = device([vec![noise.clone(), answered(5, &BIAS), data(1.0)]]);
+    assert_eq!(device.request(&tools::Bias::read()), Ok(BIAS));
+    assert_eq!(device.port().now, 1000); // only then it is known to be noise
+    device.port_mut().coming.extend([noise, data(2.0)]);
+    assert_eq!(next(&mut device), Some(data(1.0)));
+    assert_eq!(next(&mut device), Some(data(2.0)));
+    assert_eq!((next(&mut device), device.parser().skipped()), (None, 8));
+}
+
+#[test]
+fn data_are_kept_as_far_as_there_is_room() {
+    let size = data(0.0).len();
+    let chunks: Vec<_> = (0..1000).map(|n| data(n as f32)).chain([ack(1, AckCode::OK)]).collect();
+    let port = Played { replies: [chunks].into(), ..Default::default() };
+    let mut device: Device<_, 1, 600> = Device::with_client(port, Client::new());
+    device.run(&tools::Ping).unwrap();
+    let kept = 600 / size;
+    assert_eq!(device.dropped() as usize, 1000 - kept);
+    for n in 1000 - kept..1000 {
+        assert_eq!(next(&mut device), Some(data(n as f32)));
+    }
+    // A stream that is read loses nothing, in whatever chunks it comes.
+    let mut device: Device<_, 1, 265> = Device::with_client(Played::default(), Client::new());
+    let stream: Vec<u8> = (0..1000).flat_map(|n| data(n as f32)).collect();
+    device.port_mut().coming.extend(stream.chunks(501).map(<[u8]>::to_vec));
+    for n in 0..1000 {
+        assert_eq!(next(&mut device), Some(data(n as f32)));
+    }
+    assert_eq!((next(&mut device), device.dropped()), (None, 0));
+    // Without room, all is dropped, and commands work.
+    let replies = [vec![data(1.0), ack(1, AckCode::OK)]].into();
+    let port = Played { replies, ..Default::default() };
+    let mut device: Device<_, 1, 0> = Device::with_client(port, Client::new());
+    assert_eq!((device.run(&tools::Ping), device.dropped()), (Ok(()), 1));
+}
+
+#[test]
+fn the_time_that_data_may_take() {
+    let mut device = device([]);
+    assert!(device.next_packet(0).unwrap().is_none());
+    assert_eq!(device.port().now, 10);
+    assert!(device.next_packet(500).unwrap().is_none());
+    assert_eq!(device.port().now, 510);
+    device.port_mut().coming.push_back(vec![]);
+    assert_eq!(device.next_packet(500).unwrap_err(), DeviceError::Port(Gone));
+}
+
+/// A stream whose reads find nothing in one of the ways that there are.
+struct Stream {
+    nothing: fn() -> io::Result<usize>,
+    coming: VecDeque<u8>,
+    sent: Vec<u8>,
+}
+
+impl Read for Stream {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        // After each byte comes nothing for once.
+        match self.coming.pop_front() {
+            Some(0xFF) | None => (self.nothing)(),
+            Some(byte) => {
+                buffer[0] = byte;
+                Ok(1)
+            }
+        }
+    }
+}
+
+impl Write for Stream {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.sent.push(bytes[0]);
+        self.coming.extend(
+            ack(1, AckCode::OK).iter().flat_map(|b| [0xFF, *b]).take(if self.sent.len() == 8 {
+                99
+            } else {
+                0
+            }),
+        );
+        Ok(1)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}
+
+#[test]
+fn ports_of_the_standard_library() {
+    let ways: [fn() -> io::Result<usize>; 4] = [
+        || Ok(0),
+        || Err(ErrorKind::TimedOut.into()),
+        || Err(ErrorKind::WouldBlock.into()),
+        || Err(ErrorKind::Interrupted.into()),
+    ];
+    for nothing in ways {
+        let stream = Stream { nothing, coming: VecDeque::new(), sent: Vec::new() };
+        let client = Client::with_timeout(20_000);
+        let mut device: Device<_> = Device::with_client(StdPort::new(stream), client);
+        device.run(&tools::Ping).unwrap();
+        assert_eq!(device.port().get_ref().sent, packet(&tools::Ping));
+        assert!(device.next_packet(5).unwrap().is_none());
+    }
+    let nothing = || Err(ErrorKind::BrokenPipe.into());
+    let stream = Stream { nothing, coming: VecDeque::new(), sent: Vec::new() };
+    let mut device = Device::new(StdPort::new(stream));
+    let error = device.run(&tools::Ping).unwrap_err();
+    assert!(matches!(&error, DeviceError::Port(e) if e.kind() == ErrorKind::BrokenPipe));
+    let error: Box<dyn std::error::Error> = error.into();
+    assert!(error.to_string().starts_with("port: "));
+    // A time-out takes the time of the clock.
+    let nothing = || Ok(0);
+    let stream = Stream { nothing, coming: VecDeque::new(), sent: vec![0; 9] };
+    let client = Client::with_timeout(20);
+    let mut device: Device<_, 1> = Device::with_client(StdPort::new(stream), client);
+    let start = std::time::Instant::now();
+    let error = device.run(&tools::Ping).unwrap_err();
+    assert!(matches!(error, DeviceError::Command(CommandError::TimedOut)));
+    assert!(start.elapsed().as_millis() >= 20);
+}

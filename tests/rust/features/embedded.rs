@@ -1,0 +1,243 @@
+//! Devices at ports of `embedded-io` and `embedded-io-async`.
+
+use std::cell::RefCell;
+use std::collections::VecDeque;
+use std::convert::Infallible;
+use std::future::{poll_fn, Future};
+use std::pin::pin;
+use std::rc::Rc;
+use std::sync::Arc;
+use std::task::{Context, Poll, Wake, Waker};
+
+use mip_protocol::device::{AsyncDevice, Device, DeviceError, EmbeddedPort};
+use mip_protocol::protocol::{AckCode, Acknowledge};
+use mip_protocol::types::{Mode, Vector3f};
+use mip_protocol::{measurements, tools, Answer, Client, CommandError, Field, PacketBuilder};
+
+/// A line on which each packet is answered, byte by byte; while nothing comes, time goes on.
+#[derive(Default)]
+struct Line {
+    replies: VecDeque<Vec<u8>>,
+    coming: VecDeque<u8>,
+    now: u64,
+    closed: bool,
+}
+
+#[derive(Clone, Default)]
+struct Uart(Rc<RefCell<Line>>);
+
+impl Uart {
+    fn answering(replies: &[Vec<u8>]) -> Self {
+        let uart = Self::default();
+        uart.0.borrow_mut().replies = replies.iter().cloned().collect();
+        uart
+    }
+
+    fn take(&self, buffer: &mut [u8]) -> Option<usize> {
+        let mut line = self.0.borrow_mut();
+        if line.closed {
+            return Some(0);
+        }
+        buffer[0] = line.coming.pop_front()?;
+        Some(1)
+    }
+
+    fn put(&self, bytes: &[u8]) -> usize {
+        let mut line = self.0.borrow_mut();
+        let reply = line.replies.pop_front().unwrap_or_default();
+        line.coming.extend(reply);
+        bytes.len()
+    }
+
+    fn now(&self) -> u64 {
+        self.0.borrow().now
+    }
+}
+
+impl embedded_io::ErrorType for Uart {
+    type Error = Infallible;
+}
+
+impl embedded_io::ReadReady for Uart {
+    fn read_ready(&mut self) -> Result<bool, Infallible> {
+        let mut line = self.0.borrow_mut();
+        let ready = line.closed || !line.coming.is_empty();
+        line.now += if ready { 0 } else { 10 };
+        Ok(ready)
+    }
+}
+
+impl embedded_io::Read for Uart {
+    fn read(&mut self, buffer: &mut [u8]) -> Result<usize, Infallible> {
+        Ok(self.take(buffer).expect("this would wait for ever"))
+    }
+}
+
+impl embedded_io::Write for Uart {
+    fn write(&mut self, bytes: &[u8]) -> Result<usize, Infallible> {
+        Ok(self.put(bytes))
+    }
+
+    fn flush(&mut self) -> Result<(), Infallible> {
+        Ok(())
+    }
+}
+
+impl embedded_io_async::Read for Uart {
+    async fn read(&mut self, buffer: &mut [u8]) -> Result<usize, Infallible> {
+        poll_fn(|_| self.take(buffer).map_or(Poll::Pending, |count| Poll::Ready(Ok(count)))).await
+    }
+}
+
+impl embedded_io_async::Write for Uart {
+    async fn write(&mut self, bytes: &[u8]) -> Result<usize, Infallible> {
+        Ok(self.put(bytes))
+    }
+
+    async fn flush(&mut self) -> Result<(), Infallible> {
+        Ok(())
+    }
+}
+
+struct Nobody;
+
+impl Wake for Nobody {
+    fn wake(self: Arc<Self>) {}
+}
+
+/// The least executor: while something waits, time goes on.
+fn block_on<T>(line: &Uart, future: impl Future<Output = T>) -> T {
+    let waker = Waker::from(Arc::new(Nobody));
+    let mut future = pin!(future);
+    loop {
+        if let Poll::Ready(done) = future.as_mut().poll(&mut Context::from_waker(&waker)) {
+            return done;
+        }
+        line.0.borrow_mut().now += 10;
+    }
+}
+
+fn sleep(line: &Uart, milliseconds: u32) -> impl Future<Output = ()> {
+    let (line, end) = (line.clone(), line.now() + u64::from(milliseconds));
+    poll_fn(move |_| if line.now() < end { Poll::Pending } else { Poll::Ready(()) })
+}
+
+fn ack(command: u8, code: AckCode) -> PacketBuilder {
+    let mut builder = PacketBuilder::new(tools::SET);
+    builder.push(&Acknowledge { command, code }).unwrap();
+    builder
+}
+
+fn replies() -> Vec<Vec<u8>> {
+    let bias = tools::BiasVector { bias: Vector3f::from([1.0, 2.0, 3.0]) };
+    let mut answer = ack(5, AckCode::OK);
+    answer.push(&bias).unwrap();
+    let data = PacketBuilder::with(&measurements::Accel::default()).unwrap();
+    let refusal = ack(5, AckCode::INVALID_PARAMETER);
+    let noise = b"ue\x80\xFF";
+    vec![
+        [data.bytes(), answer.bytes(), data.bytes()].concat(),
+        refusal.bytes().to_vec(),
+        vec![],
+        [noise, answer.bytes(), data.bytes()].concat(),
+        [data.bytes(), ack(1, AckCode::OK).bytes(), answer.bytes()].concat(),
+    ]
+}
+
+const BIAS: tools::BiasVector = tools::BiasVector { bias: Vector3f { x: 1.0, y: 2.0, z: 3.0 } };
+const REFUSED: CommandError = CommandError::Refused(AckCode::INVALID_PARAMETER);
+
+#[test]
+fn a_device_at_a_port_of_embedded_io() {
+    let uart = Uart::answering(&replies());
+    let clock = uart.clone();
+    let mut device = Device::new(EmbeddedPort::new(uart.clone(), || clock.now()));
+    assert_eq!(device.request(&tools::Bias::read()), Ok(BIAS));
+    for _ in 0..2 {
+        let packet = device.next_packet(50).unwrap().unwrap();
+        assert_eq!(packet.set(), measurements::SET);
+    }
+    assert!(device.next_packet(50).unwrap().is_none());
+    assert_eq!(device.request(&tools::Bias::read()), Err(DeviceError::Command(REFUSED)));
+    let before = uart.now();
+    let late = DeviceError::Command(CommandError::TimedOut);
+    assert_eq!(device.request(&tools::Bias::read()), Err(late));
+    assert_eq!(uart.now() - before, 1000);
+    assert_eq!(device.request(&tools::Bias::read()), Ok(BIAS));
+}
+
+#[test]
+fn a_device_that_is_awaited() {
+    let uart = Uart::answering(&replies());
+    let clock = uart.clone();
+    let mut device = AsyncDevice::new(uart.clone(), |ms| sleep(&clock, ms));
+    let read = tools::Bias::read();
+    block_on(&uart, async {
+        assert_eq!(device.request(&read).await, Ok(BIAS));
+        for _ in 0..2 {
+            let packet = device.next_packet(50).await.unwrap().unwrap();
+            assert_eq!(packet.set(), measurements::SET);
+        }
+        let before = uart.now();
+        assert!(device.next_packet(50).await.unwrap().is_none());
+        assert_eq!(uart.now() - before, 50);
+        assert_eq!(device.run(&read).await, Err(DeviceError::Command(REFUSED)));
+        let before = uart.now();
+        let late = DeviceError::Command(CommandError::TimedOut);
+        assert_eq!(device.request(&read).await, Err(late));
+        assert_eq!(uart.now() - before, 1000);
+        assert_eq!(device.request(&read).await, Ok(BIAS)); // behind noise
+        assert_eq!(device.parser().skipped(), 4);
+        // Not sent, and not waited for.
+        let nothing = device.request(&tools::Bias::save()).await;
+        assert_eq!(nothing, Err(DeviceError::NoResponse));
+        let answers = device.send_all(tools::SET, |request| {
+            Ok((request.add(&tools::Ping)?, request.add(&read)?, request.add(&read)?))
+        });
+        let before = uart.now();
+        let (ping, first, second) = answers.await.unwrap();
+        assert_eq!(uart.now() - before, 1000);
+        assert_eq!(device.answer(&ping), Answer::Acknowledged(None));
+        assert_eq!(device.answer(&first), Answer::Acknowledged(Some(BIAS)));
+        assert_eq!(device.answer(&second), Answer::TimedOut);
+        for _ in 0..2 {
+            assert!(device.next_packet(50).await.unwrap().is_some());
+        }
+        let before = uart.now();
+        assert_eq!(device.run(&tools::Settings::apply(1, Mode::FAST, 1)).await, Ok(()));
+        assert_eq!(uart.now(), before);
+        // Commands that may take different times.
+        let slow = tools::Status::new(1);
+        let (ping, _) = device
+            .send_all(tools::SET, |request| Ok((request.add(&tools::Ping)?, request.add(&slow)?)))
+            .await
+            .unwrap();
+        assert_eq!((uart.now() - before, device.answer(&ping)), (2500, Answer::TimedOut));
+        uart.0.borrow_mut().closed = true;
+        assert_eq!(device.run(&tools::Ping).await, Err(DeviceError::Closed));
+        assert_eq!(device.next_packet(50).await.unwrap_err(), DeviceError::Closed);
+    });
+}
+
+#[test]
+fn a_future_that_is_dropped() {
+    let mut answer = ack(5, AckCode::OK);
+    answer.push(&BIAS).unwrap();
+    let uart = Uart::answering(&[vec![], answer.bytes().to_vec()]);
+    let clock = uart.clone();
+    let client = Client::with_timeout(100);
+    let mut device: AsyncDevice<_, _, 1, 600> =
+        AsyncDevice::with_client(uart.clone(), |ms| sleep(&clock, ms), client);
+    {
+        let read = tools::Bias::read();
+        let waker = Waker::from(Arc::new(Nobody));
+        let mut request = pin!(device.request(&read));
+        assert!(request.as_mut().poll(&mut Context::from_waker(&waker)).is_pending());
+    }
+    assert_eq!(block_on(&uart, device.request(&tools::Bias::read())), Ok(BIAS));
+    // Its answer comes late: it is nobody's.
+    uart.0.borrow_mut().coming.extend(answer.bytes());
+    let packet = block_on(&uart, device.next_packet(50)).unwrap().map(|p| p.bytes().to_vec());
+    assert_eq!(packet.as_deref(), Some(answer.bytes()));
+    assert_eq!(tools::BiasVector::SET, tools::SET);
+}
