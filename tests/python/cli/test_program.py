@@ -143,6 +143,10 @@ def test_bandwidth(capsys: pytest.CaptureFixture[str]) -> None:
     assert "\nUART 1: 115200 (" in out
     many = [f"gnss_1.llh_position@{rate}" for rate in (3, 2)]  # not in step: each in a packet of its own
     out = run(capsys, "bandwidth", *many)[1]
+    out = run(capsys, "bandwidth", "sensor.scaled_accel@500", "sensor.scaled_gyro@333.3", "--device", DEVICE)[1]
+    # Decimations 2 and 3 of 1000 Hz: four moments of six have a packet.
+    assert "\nsensor: packets            6  666.667     4000\n" in out
+    out = run(capsys, "bandwidth", *many)[1]
     size = int(next(line.split()[1] for line in out.splitlines() if "llh_position" in line))
     assert f"least baud rate: {10 * (6 + size) * 5}\n" in out
 

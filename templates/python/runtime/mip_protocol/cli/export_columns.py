@@ -67,6 +67,7 @@ class Job:
                 return
             out = stack.enter_context(outputs.whole(path))
             writer: Any = None
+            schema: Any = None
             tables = Tables(self._options, self._clock, types, self._aligned, self._selection)
             for table in tables.of(log):
                 if writer is None:
