@@ -78,7 +78,7 @@ def compare(folder: Path) -> None:
     table = pq.read_table(folder / "t.parquet")
     assert table.num_rows == len(rows) - 1 > 10
     names = [name.partition(" [")[0] for name in rows[0]]
-    lists = {n for n in table.schema.names if pa.types.is_fixed_size_list(table.schema.field(n).type)}
+    lists = {n for n in table.schema.names if f"{n}.0" in names}
     expected = [n for n in names if n.rpartition(".")[0] not in lists]
     assert [n for n in table.schema.names if n not in lists] == expected
     for name in expected:
@@ -110,7 +110,7 @@ def same(text: str, value: Any) -> bool:
 
 def test_align(path: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
     """In one part and in many, as from objects."""
-    words = ["sensor.scaled_accel", "filter_data", "--align", "sensor.scaled_accel"]
+    words = ["sensor.scaled_accel", "filter_data", "scaled_mag", "--align", "sensor.scaled_accel"]
     assert run(capsys, "export", path, *words, "-o", tmp_path / "t.csv")[0] == 0
     for size in (1 << 25, 1000):
         monkeypatch.setattr(export_columns, "PART", size)

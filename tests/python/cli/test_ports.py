@@ -274,8 +274,8 @@ def test_values_on_a_terminal(place: str) -> None:
         assert process.wait(PATIENCE) == 0
     os.close(master)
     assert seen.startswith(b"\x1b[?1049h\x1b[?25l") and b"\x1b[H" in seen
-    last = seen.rpartition(b"\x1b[?25h\x1b[?1049l")[2]
-    assert b"scaled_accel = (x=" in last and b"Traceback" not in seen
+    _, restored, last = seen.rpartition(b"\x1b[?25h\x1b[?1049l")
+    assert restored and b"scaled_accel = (x=" in last and b"Traceback" not in seen
 
 
 def test_a_device_on_a_terminal(tmp_path: Path) -> None:

@@ -264,7 +264,12 @@ class Tables:
         for kind, table in tables.items():
             for field in table.schema:
                 if field.name not in _PLACES:
-                    columns.append(table[field.name].take(indices[kind]))
+                    column = table[field.name]
+                    if pa.types.is_fixed_size_list(field.type):
+                        # Of lists of fixed size, Parquet loses those that are missing.
+                        field = field.with_type(pa.list_(field.type.value_field))
+                        column = column.cast(field.type)
+                    columns.append(column.take(indices[kind]))
                     name = heading(kind, field.name, len(tables) == 1)
                     fields.append(field.with_name(name))
         return pa.Table.from_arrays(columns, schema=pa.schema(fields))

@@ -28,6 +28,8 @@ line. Leave room for answers to commands: 80 % of the line is a good limit.
 COMMON = (9600, 19200, 38400, 57600, 115200, 230400, 460800, 921600, 1_000_000, 3_000_000)
 #: Bits on the line for a byte: a start bit and a stop bit come with it.
 BITS = 10
+#: Moments after which a pattern of packets must repeat itself to be counted.
+MOST = 100_000
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -72,10 +74,11 @@ def run(options: argparse.Namespace) -> int:
 
         profile = device_named(options.device)
         streams = [_adjusted(stream, profile) for stream in streams]
-    need = math.ceil(sum(load(n, streams).bytes for n in {s.set for s in streams}) * BITS)
+    bases = profile.base_rates if profile else {}
+    loads = [load(n, streams, bases.get(n, 0)) for n in dict.fromkeys(s.set for s in streams)]
+    need = math.ceil(sum(one.bytes for one in loads) * BITS)
     if options.baud is not None and need > options.baud:
         raise Failure(f"{options.baud:.0f} Bd are not enough; {need} are needed")
-    loads = [load(number, streams) for number in dict.fromkeys(s.set for s in streams)]
     rows = [("", "bytes", "Hz", "bytes/s")]
     for one in loads:
         rows += [
@@ -108,21 +111,23 @@ def run(options: argparse.Namespace) -> int:
     return 0
 
 
-def load(number: int, streams: list[Stream]) -> Load:
-    """What a set sends: the fields of one moment share packets as far as they fit."""
+def load(number: int, streams: list[Stream], base: float = 0) -> Load:
+    """What a set sends: the fields of one moment share packets as far as they fit.
+
+    `base` is the rate of the moments; 0: that of the fastest field.
+    """
     own = [s for s in streams if s.set == number]
     packets = 0.0
     rates = sorted({s.rate for s in own}, reverse=True)
-    base = rates[0]
-    whole = all(abs(base / r - round(base / r)) < 1e-6 for r in rates)
-    if whole:
-        period = math.lcm(*(round(base / r) for r in rates)) if len(rates) < 9 else 0
-    if whole and 0 < period <= 100_000:
+    base = base or rates[0]
+    steps = [round(base / rate) for rate in rates]
+    period = math.lcm(*steps)
+    if all(abs(base / rate - step) < 1e-6 for rate, step in zip(rates, steps)) and period <= MOST:
         for tick in range(period):
             due = sum(s.size for s in own if tick % round(base / s.rate) == 0)
             packets += math.ceil(due / MAX_PAYLOAD)
         packets *= base / period
-    else:  # rates that do not divide one another: at worst, each field comes alone
+    else:  # rates that are not in step: at worst, the fields of each come in packets of their own
         packets = sum(rates)
     return Load(number, own, packets, packets * OVERHEAD + sum(s.size * s.rate for s in own))
 
