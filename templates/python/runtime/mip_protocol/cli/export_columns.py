@@ -76,9 +76,9 @@ class Job:
                 writer.write_table(table.cast(schema) if table.schema != schema else table)
 
     def _write_npz(self, path: str, log: Log, types: Sequence[type[Field]]) -> None:
-        import numpy as np
-
         from ..columns import Ragged
+
+        np: Any = import_module("numpy")  # its masked arrays are not typed in all versions
 
         arrays: dict[str, Any] = {}
         for column in log.columns(list(types)):
@@ -136,7 +136,7 @@ def kept(column: Column[Any], selection: Selection, invalid: str) -> Any:
     import numpy as np
 
     wanted = [n for n in column.sets if selection.has(n, column.type.DESCRIPTOR)]
-    rows = np.ones(len(column), bool)
+    rows: Any = np.ones(len(column), bool)
     if len(wanted) < len(column.sets):
         rows = np.isin(column.set, wanted)
     if invalid == "drop":

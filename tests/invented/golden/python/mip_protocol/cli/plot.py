@@ -167,8 +167,7 @@ def draw(
     pyplot: Any, log: Log, curves: Sequence[Curve], clock: str | None, options: argparse.Namespace
 ) -> Any:
     """A figure with a diagram for each parameter, one above another, or with a single one."""
-    import numpy as np
-
+    np: Any = import_module("numpy")  # its masked arrays are not typed in all versions
     kinds: list[type[Field] | str] = list(dict.fromkeys(c.kind for c in curves))
     columns = dict(zip(kinds, log.columns(kinds)))
     for column in columns.values():
