@@ -239,7 +239,10 @@ def test_a_picture(path: Path, tmp_path: Path) -> None:
     [
         (["sensor.scaled_accel"], "there is no screen for a window; write a picture with -o FILE.png"),
         (["sensor.scaled_accel", "-o", "t.gif"], "what format is 'gif'? name a file that ends in .png, .svg or .pdf"),
-        (["sensor.scaled_accel.w", "-o", "t.png"], "sensor.scaled_accel.scaled_accel has no element 'w'; it has x, y, z"),
+        (
+            ["sensor.scaled_accel.w", "-o", "t.png"],
+            "sensor.scaled_accel.scaled_accel has no element 'w'; it has x, y, z",
+        ),
         (
             ["sensor.scaled_accel.scaled_accel.w", "-o", "t.png"],
             "sensor.scaled_accel.scaled_accel has no element 'w'; it has x, ",

@@ -116,7 +116,11 @@ code = main(["info", "-"])
 sys.exit(code or (int(most) > 60_000 and f"{most} kB"))
 """
     with subprocess.Popen(
-        [sys.executable, "-c", code], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=ENVIRONMENT
+        [sys.executable, "-c", code],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        env=ENVIRONMENT,
     ) as process:
         assert process.stdin is not None and process.stdout is not None and process.stderr is not None
         for _ in range(100):
