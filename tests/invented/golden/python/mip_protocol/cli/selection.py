@@ -42,7 +42,7 @@ def fields(name: str) -> list[type[Field]]:
     except UnknownName as error:
         if error.kind == "ambiguous":
             return [registry.by_name(near) for near in error.near]
-        raise Failure(f"{error}; `mip fields` lists them") from None
+        raise Failure(f"{error}; `mip fields --search {name}` finds more") from None
 
 
 def field(name: str) -> type[Field]:
