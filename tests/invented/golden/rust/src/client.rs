@@ -28,6 +28,10 @@ use crate::registry::AnyField;
 /// Events that are not taken are kept: the next call returns them, or [`Client::events`] or
 /// [`Client::take`] do. For that, each of the `N` slots has room for the longest response. The
 /// packet to send is in the client too, so that none has to be moved.
+///
+/// A client is `Send` and not `Sync`: taking an event marks it as taken although it is only lent.
+/// Threads, tasks or interrupts that share one need a mutex, as for everything that takes
+/// `&mut self`.
 #[derive(Clone, Debug)]
 pub struct Client<const N: usize = 8> {
     table: Table<[Slot; N]>,
@@ -167,6 +171,7 @@ impl<C> fmt::Debug for Ticket<C> {
 /// Why a command could not be added to a request.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum RequestError {
     /// The command does not encode, or the packet is full.
     Encode(EncodeError),
@@ -192,12 +197,12 @@ impl fmt::Display for RequestError {
     }
 }
 
-#[cfg(feature = "std")]
-impl std::error::Error for RequestError {}
+error!(RequestError);
 
 /// The result of a command.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum Answer<R> {
     /// The device carried it out; with the response, if the command asks for one.
     Acknowledged(Option<R>),
@@ -271,6 +276,7 @@ error!(CommandError);
 /// The result of a command of any type.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum Outcome {
     /// The device carried it out, and the response is present, if the command asks for one.
     Acknowledged,
