@@ -116,7 +116,7 @@ def _parameters(column: Column[Any], invalid: str, prefix: str) -> list[Series]:
         facts = {"frame": p.frame} if p.frame else {}
         if p.type is not None:
             facts["type"] = p.type.__name__
-        bad = ~column.valid(name) if invalid == "mask" and p.valid else None
+        bad = ~column.valid(name) if invalid == "mask" and p.flags else None
         single = {"unit": p.units[0]} if len(set(p.units)) == 1 else {}
         if isinstance(values, Ragged):
             found.append(Series(full, values, values.mask, facts | single))
