@@ -101,7 +101,7 @@ def project(
     files: dict[str, bytes] | None = None,
     default: bool = True,
 ) -> Path:
-    """A package that uses the crate."""
+    """A package that uses the crate; for tests of its documentation, cargo wants it without other dependencies."""
     manifest = f"""[package]
 name = "{name}"
 version = "0.0.0"
@@ -110,7 +110,7 @@ publish = false
 autotests = false
 
 [dependencies]
-mip-protocol = {{ path = "../mip-protocol", features = [{features}], default-features = {str(default).lower()} }}
+mip-protocol = {{ path = "../bare", features = [{features}], default-features = {str(default).lower()} }}
 
 {targets}
 [profile.release]
@@ -120,7 +120,7 @@ panic = "abort"
 
 [workspace]
 """
-    crate(spec)
+    bare(spec)
     folder = WORK / spec / name
     with locked(WORK / f"{spec}-{name}"):
         write({"Cargo.toml": manifest.encode(), "src/lib.rs": b"#![no_std]\n", **(files or {})}, folder)
