@@ -101,7 +101,7 @@ def project(
     files: dict[str, bytes] | None = None,
     default: bool = True,
 ) -> Path:
-    """A package that uses the crate."""
+    """A package that uses the crate; for tests of its documentation, cargo wants it without other dependencies."""
     manifest = f"""[package]
 name = "{name}"
 version = "0.0.0"
@@ -110,7 +110,7 @@ publish = false
 autotests = false
 
 [dependencies]
-mip-protocol = {{ path = "../mip-protocol", features = [{features}], default-features = {str(default).lower()} }}
+mip-protocol = {{ path = "../bare", features = [{features}], default-features = {str(default).lower()} }}
 
 {targets}
 [profile.release]
@@ -120,7 +120,7 @@ panic = "abort"
 
 [workspace]
 """
-    crate(spec)
+    bare(spec)
     folder = WORK / spec / name
     with locked(WORK / f"{spec}-{name}"):
         write({"Cargo.toml": manifest.encode(), "src/lib.rs": b"#![no_std]\n", **(files or {})}, folder)
@@ -241,14 +241,21 @@ members = ["mip-protocol"]
 def test_serde_defmt_and_embedded_io() -> None:
     with with_dependencies() as folder:
         passes(folder, "test", "--quiet")
-        passes(folder, "clippy", "--quiet", "-p", "mip-protocol", "--all-features", "--", "-D", "warnings")
+        manifest = (folder / "mip-protocol/Cargo.toml").read_text("utf-8")
+        sets = {names.feature(s) for s in specification("awkward").sets} - {"tools"}
+        own = set(re.findall(r"^([\w-]+) = \[", manifest.partition("[features]")[2], re.MULTILINE)) - sets - {"default"}
+        assert {"serde", "defmt", "embedded-io", "std", "tools"} < own
+        lint = ("clippy", "--quiet", "-p", "mip-protocol", "--no-default-features", "--features", ",".join(sorted(own)))
+        passes(folder, *lint, "--", "-D", "warnings")
 
 
 @heavy(LONG)
-@pytest.mark.parametrize("features", ["embedded-io", "embedded-io-async,core-error"])
-def test_lints_of_one_dependency(features: str) -> None:
+@pytest.mark.parametrize(
+    "features", ["--all-features", "--features=embedded-io", "--features=embedded-io-async,core-error"]
+)
+def test_lints_of_dependencies(features: str) -> None:
     with with_dependencies() as folder:
-        passes(folder, "clippy", "--quiet", "-p", "mip-protocol", "--features", features, "--", "-D", "warnings")
+        passes(folder, "clippy", "--quiet", "-p", "mip-protocol", features, "--", "-D", "warnings")
 
 
 @heavy(EMBEDDED)
