@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import fcntl
 import os
 import queue
+import resource
+import socket
 import subprocess
 import sys
 import threading
@@ -17,7 +20,7 @@ from typing import Any
 import mip_protocol as mip
 import pytest
 import serial
-from both import PATIENCE, Kind, acknowledge, packet
+from both import PATIENCE, Kind, Peer, acknowledge, packet
 from mip_protocol import aiding, base, mip_3dm, sensor, types
 from mip_protocol.baud import rates
 from mip_protocol.simulator.device import VirtualDevice
@@ -165,7 +168,7 @@ def test_the_loop_of_the_readme_at_a_serial_port(options: str, answers: bool, tm
             [sys.executable, "-c", program], capture_output=True, text=True, timeout=15, env=environment
         )
     assert done.returncode == 0, done.stderr
-    assert done.stdout.startswith("GetDeviceInfoResponse(" if answers else "no answer to GetDeviceInfo()")
+    assert done.stdout.startswith("base.get_device_info_response: " if answers else "no answer to base.get_device_info")
 
 
 def test_a_terminal_that_goes_away_and_comes_back(kind: Kind, tmp_path: Path) -> None:
@@ -357,3 +360,20 @@ def test_a_port_that_cannot_write(kind: Kind) -> None:
             device.request(PING)
         with pytest.raises(mip.PortClosed):
             device.send(PING)
+
+
+def test_a_socket_beyond_the_thousandth_file() -> None:
+    """`select` takes no file whose number is 1024 or more; a program with many devices has such."""
+    peer = Peer()
+    limits = resource.getrlimit(resource.RLIMIT_NOFILE)
+    resource.setrlimit(resource.RLIMIT_NOFILE, (max(limits[0], min(2048, limits[1])), limits[1]))
+    near = socket.socket(fileno=fcntl.fcntl(peer.near, fcntl.F_DUPFD, 1024))
+    try:
+        peer.answering(acknowledge(0x01, 0x01))
+        with mip.Device(near, timeout=PATIENCE) as device:
+            assert device.request(PING) is None
+    finally:
+        near.close()
+        peer.near.close()
+        peer.close()
+        resource.setrlimit(resource.RLIMIT_NOFILE, limits)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import select
+import selectors
 import socket
 import threading
 import time
@@ -23,6 +23,12 @@ CONNECT_TIMEOUT = 10.0
 AT_ONCE = 4096
 #: Seconds until a port that returns at once, with nothing, is read again.
 PAUSE = 0.002
+
+
+#: Not `select`, which takes no files beyond the 1024th; and without a file of its own, unlike epoll.
+_Selector: type[selectors.BaseSelector] = getattr(
+    selectors, "PollSelector", selectors.SelectSelector
+)
 
 
 class Port(Protocol):
@@ -46,7 +52,7 @@ class SocketPort:
 
     def read(self, size: int) -> bytes:
         """What has come; nothing after a moment. Raises ConnectionError when the other end is gone."""
-        if not select.select([self._socket], [], [], READ_TIMEOUT)[0]:
+        if not self._ready(selectors.EVENT_READ, READ_TIMEOUT):
             return b""
         data = self._socket.recv(size)
         if not data:
@@ -54,12 +60,17 @@ class SocketPort:
         return data
 
     def write(self, data: bytes) -> int:
-        if not select.select([], [self._socket], [], WRITE_TIMEOUT)[1]:
+        if not self._ready(selectors.EVENT_WRITE, WRITE_TIMEOUT):
             raise TimeoutError("the other end takes nothing")
         return self._socket.send(data)
 
     def close(self) -> None:
         self._socket.close()
+
+    def _ready(self, event: int, seconds: float) -> bool:
+        with _Selector() as selector:  # one for each call: threads read and write at once
+            selector.register(self._socket, event)
+            return bool(selector.select(seconds))
 
 
 def open_url(url: str, baud: int) -> Any:
