@@ -541,6 +541,13 @@ def cell_kind(values: Any) -> str:
     return str(np.asarray(values).dtype.kind)
 
 
+def none_or_numbers(cell: Any) -> Any:
+    """Lists of one size have null elements instead of being null."""
+    if cell is None or (isinstance(cell, list) and cell and all(item is None for item in cell)):
+        return None
+    return np.asarray(cell).tolist()
+
+
 @pytest.mark.parametrize("spec", sorted(SPECS))
 @pytest.mark.parametrize("library", ["pandas", "polars", "pyarrow"])
 def test_a_frame_of_every_type(spec: str, library: str) -> None:
@@ -559,7 +566,7 @@ def test_a_frame_of_every_type(spec: str, library: str) -> None:
                     np.asarray(getattr(values, "values", values)).dtype.kind in "iu"
                     and not column.parameters[name].valid
                 ):
-                    assert [None if v is None else np.asarray(v).tolist() for v in again[name]] == numbers
+                    assert [none_or_numbers(v) for v in again[name]] == numbers
     kinds = [column.type for column in log.columns()]
     assert len(log.frame(kinds, library=library)) >= max(map(len, log.columns()))
 
