@@ -116,3 +116,7 @@ class MissingExtra(ImportError):
 
 class Failure(Exception):
     """What a command line says in one line before it gives up: what is wrong, and the remedy."""
+
+    def __init__(self, text: str, status: int = 1) -> None:
+        super().__init__(text)
+        self.status = status
