@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import selectors
 import socket
 import threading
@@ -23,6 +24,8 @@ CONNECT_TIMEOUT = 10.0
 AT_ONCE = 4096
 #: Seconds until a port that returns at once, with nothing, is read again.
 PAUSE = 0.002
+
+_HOST = re.compile(r"(\[[0-9A-Fa-f:]+\]|[\w.-]+):\d{1,5}")
 
 
 #: Not `select`, which takes no files beyond the 1024th; and without a file of its own, unlike epoll.
@@ -74,7 +77,7 @@ class SocketPort:
 
 
 def open_url(url: str, baud: int) -> Any:
-    """A port by its name: a path, COM3, socket://HOST:PORT, or another URL that pyserial knows.
+    """A port by its name: a path, COM3, HOST:PORT, socket://HOST:PORT, or another URL that pyserial knows.
 
     Raises OSError if it cannot be opened, ValueError if the URL is wrong, MissingExtra without
     pyserial, which TCP connections do not need.
@@ -94,8 +97,10 @@ def open_url(url: str, baud: int) -> Any:
 
 
 def address(url: str) -> tuple[str, int] | None:
-    """Host and number of socket://HOST:PORT, also tcp://…; None for other URLs. Raises ValueError."""
+    """Host and number of HOST:PORT, socket://… and tcp://…; None for other URLs. Raises ValueError."""
     scheme, separator, rest = url.partition("://")
+    if not separator and _HOST.fullmatch(url):
+        scheme, separator, rest = "socket", "://", url
     if not separator or scheme.lower() not in ("socket", "tcp"):
         return None
     parts = urlsplit(f"//{rest}")
@@ -104,7 +109,7 @@ def address(url: str) -> tuple[str, int] | None:
     except ValueError:
         number = None
     if not parts.hostname or not number:
-        raise ValueError(f"{url!r} is no TCP port; write socket://HOST:PORT")
+        raise ValueError(f"{url!r} is no TCP port; write HOST:PORT")
     return parts.hostname, number
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import fcntl
+import io
 import os
 import queue
 import resource
@@ -319,6 +320,29 @@ class Blocking:
         self.queue.put(None)
 
 
+class Changing(Answering):
+    """Has a rate; notes when it is written to."""
+
+    baudrate = 115200
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.written: list[float] = []
+
+    def write(self, data: bytes) -> None:
+        self.written.append(time.monotonic())
+        super().write(data)
+
+
+def test_a_device_has_time_to_change_its_rate(kind: Kind) -> None:
+    """As the manuals ask: nothing is sent meanwhile."""
+    port = Changing()
+    with kind.at(port) as device:
+        assert device.change_baud(mip_3dm.UartBaudRate.write(921600)) == 921600 == port.baudrate
+    command, ping = port.written
+    assert ping - command >= 0.25
+
+
 @pytest.mark.parametrize("port", [Answering, WithoutWaiting, Slowly, Blocking])
 def test_ports_of_ones_own(kind: Kind, port: Any) -> None:
     with kind.at(port()) as device:
@@ -333,11 +357,22 @@ def test_a_port_that_waits_for_ever(kind: Kind) -> None:
         device.request(base.SetIdle())
 
 
-def test_files(kind: Kind) -> None:
-    """A terminal opened with `open`, whose buffer would wait for all bytes."""
+class Buffered:
+    """Reads through a buffer."""
+
+    def __init__(self, file: Any) -> None:
+        reader = io.BufferedReader(file)
+        self.read, self.read1, self.write, self.close = reader.read, reader.read1, file.write, file.close
+
+
+@pytest.mark.parametrize("buffered", [False, True])
+def test_files(kind: Kind, buffered: bool) -> None:
+    """A terminal opened with `open`; a buffer must not wait for all bytes."""
     master, slave = os.openpty()
     tty.setraw(slave)
-    file = open(os.ttyname(slave), "r+b", buffering=0)  # noqa: SIM115  # the device closes it
+    file: Any = open(os.ttyname(slave), "r+b", buffering=0)  # noqa: SIM115  # the device closes it
+    if buffered:
+        file = Buffered(file)
     with kind.at(file) as device:
         thread = threading.Thread(target=lambda: os.read(master, 100) and os.write(master, DATA + acknowledge(1, 1)))
         thread.start()
