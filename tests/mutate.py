@@ -74,6 +74,16 @@ PARTS = {
         ("kaitai",),
         (("tests/kaitai",), ("tests/conformance", "-k", "kaitai")),
     ),
+    "json": Part(
+        ("templates/json/*.j2", "generator/mipgen/targets/json/*.py"),
+        ("json",),
+        (("tests/json",), ("tests/conformance", "-k", "json")),
+    ),
+    "javascript": Part(
+        ("templates/javascript/runtime/*/*.mjs", "generator/mipgen/targets/javascript/*.py"),
+        ("javascript",),
+        (("tests/javascript",), ("tests/conformance", "-k", "javascript")),
+    ),
     "docs": Part(
         ("generated/c/src/mip/*.h", "generated/python/mip_protocol/*.py", "generated/rust/src/**/*.rs",
          "generated/markdown/docs/**/*.md"),

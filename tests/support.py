@@ -42,10 +42,17 @@ SPECS = {
 def offering(*operations: str) -> list[Any]:
     """The targets whose drivers offer all of these, as parameters of a test; heavy if a driver needs more tools."""
     return [
-        pytest.param(name, marks=heavy(needs) if (needs := getattr(SOURCES[name].load(), "NEEDS", "")) else ())
+        pytest.param(name, marks=heavy(needs) if (needs := needed(name)) else ())
         for name, offered in OFFERS.items()
         if set(operations) <= set(offered)
     ]
+
+
+def needed(target: str) -> str:
+    """What `make test` leaves the driver of a target out for: tools of `make test-all`, or a missing program."""
+    module = SOURCES[target].load()
+    program = getattr(module, "PROGRAM", "")
+    return getattr(module, "NEEDS", "") or (program if program and shutil.which(program) is None else "")
 
 
 def each(*operations: str) -> Any:

@@ -89,6 +89,7 @@ command_or arduino-builder "install it (Debian: apt-get install arduino-builder)
     lacks "the core of Arduino's AVR boards" "install it (Debian: apt-get install arduino-core-avr)"
 command_or doxygen "install it (Debian: apt-get install doxygen)"
 command_or node "install it (Debian: apt-get install nodejs)"
+command_or chromium "install it (Debian: apt-get install chromium)"
 command_or npm "install it (Debian: apt-get install npm)"
 target=thumbv7m-none-eabi
 if ! rustup target list --installed 2>/dev/null | grep -qx $target; then

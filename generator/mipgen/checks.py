@@ -137,10 +137,11 @@ def clocks(model: m.Model, problems: Problems) -> None:
             f = model.field(name)
             if f is None or f.role != m.DATA:
                 problems.add(clock.position, f"no data field '{name}'{nearest(name, names)}")
-            elif not any(set(p.units) & TIME_UNITS for p in f.parameters):
-                problems.add(clock.position, f"'{name}' has no parameter in {', '.join(sorted(TIME_UNITS))}")
             elif name in seen:
-                problems.add(clock.position, f"'{name}' already has the time of the clock '{seen[name]}'")
+                problems.add(clock.position, f"'{name}' already has the time of the clock '{seen[name]}'; remove one")
+            elif not any(set(p.units) & TIME_UNITS for p in f.parameters):
+                units = ", ".join(sorted(TIME_UNITS))
+                problems.add(clock.position, f"'{name}' is no timestamp: none of its parameters is in {units}")
             seen.setdefault(name, clock.name)
 
 

@@ -65,6 +65,8 @@ def _declared(module: Any, place: str) -> Any:
         raise Failure(f"CONFORMANCE must be a tuple of {', '.join(map(repr, OPERATIONS))}, not {unknown[0]!r}", place)
     if not isinstance(getattr(module, "NEEDS", ""), str):
         raise Failure("NEEDS must be text: the tools of the driver, in few words", place)
+    if not isinstance(getattr(module, "PROGRAM", ""), str):
+        raise Failure("PROGRAM must be text: the name of a program that runs the driver", place)
     return module
 
 

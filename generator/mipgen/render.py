@@ -36,8 +36,8 @@ class Target(Protocol):
     """The interface of a target's module.
 
     It may also have FORMATTER, a `formatting.Formatter`, and MAX_IDENTIFIER, how many characters of a name its
-    language looks at; and for its conformance driver CONFORMANCE, the operations that it offers, and NEEDS, tools other
-    than Python, a C compiler and cargo.
+    language looks at; and for its conformance driver CONFORMANCE, the operations that it offers, NEEDS, tools other
+    than Python, a C compiler and cargo, and PROGRAM, a program without which it does not run.
     """
 
     TITLE: str  # "C99", shown by `mipgen generate`

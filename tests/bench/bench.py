@@ -79,6 +79,7 @@ def main() -> None:
         return
     print(bench_c.report())
     print(bench_rust.report())
+    subprocess.run([sys.executable, str(HERE / "bench_columns.py")], check=True)
     BUILD.mkdir(parents=True, exist_ok=True)
     log = BUILD / "stream.bin"
     log.write_bytes(stream())

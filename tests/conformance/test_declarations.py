@@ -102,6 +102,17 @@ def test_other_tools_are_named(tmp_path: Path) -> None:
     assert re.search("left out, for `make test-all`: .*punched cards", said), said
 
 
+def test_a_driver_runs_where_its_program_is(tmp_path: Path) -> None:
+    said = suite(mine(tmp_path, needs='PROGRAM = "sh"'))
+    assert "tests run: conformance 6; " in said, said
+
+
+def test_a_missing_program_is_named(tmp_path: Path) -> None:
+    said = suite(mine(tmp_path, needs='PROGRAM = "no-such-program"'))
+    assert "tests run: none; " in said, said
+    assert re.search("left out, for `make test-all`: .*no-such-program", said), said
+
+
 @pytest.mark.parametrize(
     ("line", "error"),
     [
@@ -111,6 +122,7 @@ def test_other_tools_are_named(tmp_path: Path) -> None:
         ),
         ('CONFORMANCE = "decode"', "CONFORMANCE must be a tuple of"),
         ("NEEDS = ['tshark']", "NEEDS must be text"),
+        ("PROGRAM = ['node']", "PROGRAM must be text"),
     ],
 )
 def test_a_wrong_declaration_is_named(line: str, error: str, tmp_path: Path) -> None:

@@ -135,6 +135,7 @@ def test_counts_agree(first: Path) -> None:
     assert count(r"^const struct mip_codec mip_\w+_codec = ", "c/src/mip", "*.c") == len(of.fields) + 1
     assert count(r"^field! \{", "rust/src/", "*.rs") == len(of.fields) + 1
     assert count(r"^    -orig-id: ", "kaitai", "mip.ksy") == each
+    assert count(r"^\{\"set\":", "json", "mip.json") == len(of.fields) + 1
     anchors = "|".join(re.escape(f'<a id="{f.full_name}">') for f in all_fields(of))
     assert count(anchors, "markdown/docs", "*.md") == len(all_fields(of)) == len(of.fields) + 1
     assert len(all_fields(of)) - each == sum(f.definition is not None for f in of.fields)

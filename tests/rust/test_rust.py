@@ -30,7 +30,10 @@ from support import driver as conformance_driver
 HERE = Path(__file__).parent
 WORK = BUILD / "rust"
 EMBEDDED = "thumbv7m-none-eabi"
+LONG = "the Rust crate in many more builds"
 each = pytest.mark.parametrize("spec", ["awkward", "invented", "real"])
+#: Nothing here is debugged, or built again after a small change: that would cost a third of the time.
+PROFILE = {"CARGO_INCREMENTAL": "0", "CARGO_PROFILE_DEV_DEBUG": "0", "CARGO_TERM_COLOR": "never"}
 
 
 # --------------------------------------------------------------------------- crates and projects
@@ -98,7 +101,7 @@ def project(
     files: dict[str, bytes] | None = None,
     default: bool = True,
 ) -> Path:
-    """A package that uses the crate."""
+    """A package that uses the crate; for tests of its documentation, cargo wants it without other dependencies."""
     manifest = f"""[package]
 name = "{name}"
 version = "0.0.0"
@@ -107,7 +110,7 @@ publish = false
 autotests = false
 
 [dependencies]
-mip-protocol = {{ path = "../mip-protocol", features = [{features}], default-features = {str(default).lower()} }}
+mip-protocol = {{ path = "../bare", features = [{features}], default-features = {str(default).lower()} }}
 
 {targets}
 [profile.release]
@@ -117,7 +120,7 @@ panic = "abort"
 
 [workspace]
 """
-    crate(spec)
+    bare(spec)
     folder = WORK / spec / name
     with locked(WORK / f"{spec}-{name}"):
         write({"Cargo.toml": manifest.encode(), "src/lib.rs": b"#![no_std]\n", **(files or {})}, folder)
@@ -129,7 +132,7 @@ def cargo(folder: Path, *arguments: str, **environment: str) -> subprocess.Compl
     with locked(WORK / "cargo"):
         return subprocess.run(
             [need("cargo"), *arguments], cwd=folder, capture_output=True, text=True,
-            env={**os.environ, "CARGO_TARGET_DIR": str(WORK / "target"), "CARGO_TERM_COLOR": "never", **environment},
+            env={**os.environ, "CARGO_TARGET_DIR": str(WORK / "target"), **PROFILE, **environment},
         )  # fmt: skip
 
 
@@ -163,13 +166,17 @@ def test_cases() -> None:
     assert out.count("test result: ok") >= len(names)
 
 
+def with_everything(spec: str) -> Path:
+    source = everything.source(specification(spec))
+    target = '[[test]]\nname = "everything"\npath = "everything.rs"\n'
+    return project(spec, "everything", target, files={"everything.rs": source.encode()})
+
+
 @each
 def test_everything(spec: str) -> None:
     """Every constructor, accessor, constant, default, link and truncation of a specification."""
     source = everything.source(specification(spec))
-    target = '[[test]]\nname = "everything"\npath = "everything.rs"\n'
-    folder = project(spec, "everything", target, files={"everything.rs": source.encode()})
-    out = passes(folder, "test", "--offline", "--quiet", "--test", "everything")
+    out = passes(with_everything(spec), "test", "--offline", "--quiet", "--test", "everything")
     count = sum(1 for line in source.splitlines() if line == "#[test]")
     assert f"test result: ok. {count} passed" in out
     own = [f for s in specification(spec).sets for f in s.fields]
@@ -234,8 +241,21 @@ members = ["mip-protocol"]
 def test_serde_defmt_and_embedded_io() -> None:
     with with_dependencies() as folder:
         passes(folder, "test", "--quiet")
-        for features in ("--all-features", "--features=embedded-io", "--features=embedded-io-async,core-error"):
-            passes(folder, "clippy", "--quiet", "-p", "mip-protocol", features, "--", "-D", "warnings")
+        manifest = (folder / "mip-protocol/Cargo.toml").read_text("utf-8")
+        sets = {names.feature(s) for s in specification("awkward").sets} - {"tools"}
+        own = set(re.findall(r"^([\w-]+) = \[", manifest.partition("[features]")[2], re.MULTILINE)) - sets - {"default"}
+        assert {"serde", "defmt", "embedded-io", "std", "tools"} < own
+        lint = ("clippy", "--quiet", "-p", "mip-protocol", "--no-default-features", "--features", ",".join(sorted(own)))
+        passes(folder, *lint, "--", "-D", "warnings")
+
+
+@heavy(LONG)
+@pytest.mark.parametrize(
+    "features", ["--all-features", "--features=embedded-io", "--features=embedded-io-async,core-error"]
+)
+def test_lints_of_dependencies(features: str) -> None:
+    with with_dependencies() as folder:
+        passes(folder, "clippy", "--quiet", "-p", "mip-protocol", features, "--", "-D", "warnings")
 
 
 @heavy(EMBEDDED)
@@ -279,23 +299,42 @@ def test_formatted(spec: str) -> None:
     assert done.returncode == 0, done.stdout[-4000:] + done.stderr
 
 
+LINTS = {
+    "invented": ("", "alloc", "std", "dynamic", "std,dynamic", "core-error,dynamic"),
+    "awkward": ("std,dynamic",),
+    "real": ("std,dynamic",),
+}
+
+
+def lints(spec: str, *features: str) -> None:
+    passes(bare(spec), "clippy", "--quiet", "--offline", *features, "--", "-D", "warnings")
+
+
 @each
 def test_lints(spec: str) -> None:
     """clippy also says where something is newer than the oldest Rust that the manifest promises."""
-    for features in (
-        ("", "alloc", "std", "dynamic", "std,dynamic", "core-error,dynamic")
-        if spec == "invented"
-        else ("", "std,dynamic")
-    ):
-        passes(bare(spec), "clippy", "--quiet", "--offline", "--features", features, "--", "-D", "warnings")
+    for features in LINTS[spec]:
+        lints(spec, "--features", features)
+
+
+@heavy(LONG)
+@pytest.mark.parametrize("spec", [spec for spec, features in LINTS.items() if "" not in features])
+def test_lints_without_features(spec: str) -> None:
+    lints(spec)
+
+
+@pytest.mark.parametrize("spec", ["awkward", "invented", pytest.param("real", marks=heavy(LONG))])
+def test_each_set_alone_builds(spec: str) -> None:
+    """A descriptor set is a feature that brings the sets whose types it needs, and nothing warns without the others."""
+    same = {s.name for s in specification("invented").sets} if spec == "awkward" else set()
+    sets = [names.feature(s) for s in specification(spec).sets if s.name not in same]
+    assert sets
+    for name in ("", *sets):
+        lints(spec, "--no-default-features", "--features", name)
 
 
 @each
-def test_each_set_alone_builds(spec: str) -> None:
-    """A descriptor set is a feature that brings the sets whose types it needs, and nothing warns without the others."""
-    lint = ("clippy", "--quiet", "--offline", "--no-default-features")
-    for name in ("", *(names.feature(s) for s in specification(spec).sets)):
-        passes(bare(spec), *lint, "--features", name, "--", "-D", "warnings")
+def test_all_sets_are_there_by_default(spec: str) -> None:
     manifest = rendered(spec)["Cargo.toml"].decode("utf-8")
     default = manifest.partition("default = [\n")[2].partition("]")[0]
     assert default.split() == [f'"{names.feature(s)}",' for s in specification(spec).sets]
@@ -326,6 +365,11 @@ pub fn all() {
     error::<mip_protocol::DecodeError>();
     error::<mip_protocol::EncodeErrorKind>();
     error::<mip_protocol::list::CapacityError>();
+    error::<mip_protocol::RequestError>();
+    error::<mip_protocol::PacketError>();
+    error::<mip_protocol::FieldLengthError>();
+    error::<mip_protocol::client::CommandError>();
+    error::<mip_protocol::device::DeviceError<mip_protocol::PacketError>>();
 }
 """
     folder = project("invented", "core-error", "", '"core-error"', {"src/lib.rs": code})
@@ -364,11 +408,14 @@ def test_the_front_page_lists_the_modules(spec: str) -> None:
 
 @each
 def test_documentation(spec: str) -> None:
-    """The README and the examples in the documentation run; links lead somewhere."""
-    out = passes(bare(spec), "test", "--quiet", "--offline", "--doc", "--features", "std,dynamic")
+    """The README and the examples in the documentation run; links lead somewhere.
+
+    Of the crate as a dependency of another test, for which it is built anyway.
+    """
+    folder, package = with_everything(spec), ("--quiet", "--offline", "-p", "mip-protocol")
+    out = passes(folder, "test", "--doc", *package)
     assert re.search(r"test result: ok\. [1-9]", out)
-    doc = ("doc", "--quiet", "--offline", "--no-deps", "--features", "std,dynamic")
-    passes(bare(spec), *doc, RUSTDOCFLAGS="-D warnings")
+    passes(folder, "doc", "--no-deps", *package, RUSTDOCFLAGS="-D warnings")
 
 
 @each

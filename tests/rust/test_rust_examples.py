@@ -20,7 +20,7 @@ from mipgen.targets import rust as target
 from mipgen.targets.rust import names as rust
 from mipgen.targets.rust.records import Records
 from support import PATIENCE, SPECS, heavy, locked, model, need, simulated
-from test_rust import EMBEDDED, HERE, WORK, embedded, passes, project, rendered, write
+from test_rust import EMBEDDED, HERE, LONG, WORK, embedded, passes, project, rendered, write
 
 HEAD = """//! Made by test_rust_examples.py.
 
@@ -180,6 +180,7 @@ def test_the_examples_are_these() -> None:
     assert "dev-dependencies" not in rendered("invented")["Cargo.toml"].decode()
 
 
+@heavy(LONG)
 def test_lints_of_examples() -> None:
     lint = ("clippy", "--quiet", "--locked", "--examples", "--features", FEATURES)
     passes(crate(), *lint, "--", "-D", "warnings")

@@ -14,11 +14,14 @@ from typing import Any
 
 import pytest
 from mipgen.targets.rust import OLDEST, names
-from support import SPECS, heavy, locked, need
+from support import ROOT, SPECS, heavy, locked, need
 from test_rust import EMBEDDED, WORK, bare, crate, embedded, passes, rendered, specification, with_dependencies
 
-#: Rust that is needed by features which the table of the README leaves to their dependencies, as locked for the tests.
+#: Rust that is needed by features that bring dependencies, as locked for the tests.
 DEPENDENCIES = {"serde": "1.81", "defmt": "1.81", "embedded-io": "1.81", "embedded-io-async": "1.81"}
+
+#: Those whose dependencies may be of versions that demand less or more, so that the README leaves it to them.
+LEFT_OPEN = {"serde", "defmt"}
 
 
 @cache
@@ -63,12 +66,16 @@ def test_each_feature_has_an_oldest_compiler() -> None:
     sets = {names.feature(s) for s in specification("invented").sets}
     own = manifest("invented")["features"].keys() - sets - {"default"}
     table = promised()
+    manifest_text = rendered("invented")["Cargo.toml"].decode("utf-8")
     assert table.keys() == own | {"none", "one for each descriptor set"}
     assert table["none"] == OLDEST == manifest("invented")["rust_version"]
     for feature, version in table.items():
-        assert (
-            version == f"that of the crate `{feature}`" if feature in DEPENDENCIES else re.fullmatch(r"1\.\d+", version)
-        )
+        if feature in LEFT_OPEN:
+            assert version == f"that of the crate `{feature}`"
+        else:
+            assert re.fullmatch(r"1\.\d+", version) and version == DEPENDENCIES.get(feature, version)
+            text = manifest_text.partition(f"\n{feature} = ")[0].rpartition("\n")[2]  # the comment before it
+            assert version == OLDEST or text.endswith(f" needs Rust {version}."), feature
 
 
 @heavy("other Rust compilers")
@@ -112,8 +119,8 @@ def combinations(spec: str) -> list[str]:
 
 def test_each_combination_of_features() -> None:
     for features in combinations("invented"):
-        lint = ("clippy", "--quiet", "--offline", "--no-default-features", "--features", features)
-        passes(bare("invented"), *lint, "--", "-D", "warnings")
+        check = ("check", "--quiet", "--offline", "--no-default-features", "--features", features)
+        passes(bare("invented"), *check, RUSTFLAGS="-D warnings")
 
 
 @heavy(EMBEDDED)
@@ -129,6 +136,33 @@ def test_documentation_of_one_set() -> None:
     name = names.feature(specification("invented").sets[0])
     doc = ("doc", "--quiet", "--offline", "--no-deps", "--no-default-features", "--features", name)
     passes(bare("invented"), *doc, RUSTDOCFLAGS="-D warnings")
+
+
+# --------------------------------------------------------------------------- what may grow
+
+#: Their members are all there can be: docs/versions.md.
+COMPLETE = {"Value"}
+
+
+def growing(files: dict[str, bytes]) -> dict[str, bool]:
+    """Public enumerations and errors of the runtime -> are they marked as such that may grow?"""
+    found = {}
+    for path, data in files.items():
+        text = data.decode("utf-8") if re.fullmatch(r"src/(?!sets/|types)[\w/]+\.rs", path) else ""
+        for attributes, kind, name in re.findall(r"((?:^#\[.*\]\n)*)^pub (enum|struct) (\w+)", text, re.MULTILINE):
+            if kind == "enum" or name.endswith("Error"):
+                found[name] = "#[non_exhaustive]\n" in attributes
+    return found
+
+
+def test_what_may_grow_is_not_exhaustive() -> None:
+    found = growing(rendered("invented"))
+    assert len(found) > 12
+    assert {name for name, grows in found.items() if not grows} == COMPLETE
+    text = " ".join((ROOT / "docs/versions.md").read_text("utf-8").split())
+    promise = text.partition("- `#[non_exhaustive]`: ")[2].partition(" A `match`")[0]
+    others = {name for name in found if "Error" not in name} - COMPLETE
+    assert [name for name in others if f"`{name}`" not in promise] == []
 
 
 # --------------------------------------------------------------------------- the package

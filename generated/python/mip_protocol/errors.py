@@ -110,9 +110,13 @@ class MissingExtra(ImportError):
     """A package that only an extra of this one brings is not installed."""
 
     def __init__(self, package: str, extra: str) -> None:
-        super().__init__(f"{package} is missing; pip install 'mip-protocol[{extra}]'")
+        super().__init__(f"{package} is missing; pip install 'mip-protocol[{extra}]'", name=package)
         self.args = (package, extra)
 
 
 class Failure(Exception):
     """What a command line says in one line before it gives up: what is wrong, and the remedy."""
+
+    def __init__(self, text: str, status: int = 1) -> None:
+        super().__init__(text)
+        self.status = status

@@ -28,6 +28,10 @@ use crate::registry::AnyField;
 /// Events that are not taken are kept: the next call returns them, or [`Client::events`] or
 /// [`Client::take`] do. For that, each of the `N` slots has room for the longest response. The
 /// packet to send is in the client too, so that none has to be moved.
+///
+/// A client is `Send` and not `Sync`: taking an event marks it as taken although it is only lent.
+/// Threads, tasks or interrupts that share one need a mutex, as for everything that takes
+/// `&mut self`.
 #[derive(Clone, Debug)]
 pub struct Client<const N: usize = 8> {
     table: Table<[Slot; N]>,
@@ -167,6 +171,7 @@ impl<C> fmt::Debug for Ticket<C> {
 /// Why a command could not be added to a request.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum RequestError {
     /// The command does not encode, or the packet is full.
     Encode(EncodeError),
@@ -192,12 +197,12 @@ impl fmt::Display for RequestError {
     }
 }
 
-#[cfg(feature = "std")]
-impl std::error::Error for RequestError {}
+error!(RequestError);
 
 /// The result of a command.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum Answer<R> {
     /// The device carried it out; with the response, if the command asks for one.
     Acknowledged(Option<R>),
@@ -271,6 +276,7 @@ error!(CommandError);
 /// The result of a command of any type.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum Outcome {
     /// The device carried it out, and the response is present, if the command asks for one.
     Acknowledged,
@@ -567,7 +573,8 @@ impl Slots {
         let (mut at, mut next) = (0, fields.next());
         while let Some(Ok(field)) = next {
             next = fields.next();
-            if let Some(whole) = self.answers(&field, next.as_ref()) {
+            let behind = next.as_ref().and_then(|field| field.as_ref().ok());
+            if let Some(whole) = self.answers(&field, behind) {
                 self.take_field(at);
                 if whole {
                     at = at.wrapping_add(1);
@@ -590,18 +597,17 @@ impl Slots {
     ///
     /// A response never answers a command that does not ask for it, because it may be the late
     /// answer to another one; an acknowledge without a response first answers commands that ask for none.
-    fn answers(
-        &mut self,
-        field: &RawField<'_>,
-        behind: Option<&Result<RawField<'_>, FieldLengthError>>,
-    ) -> Option<bool> {
+    fn answers(&mut self, field: &RawField<'_>, behind: Option<&RawField<'_>>) -> Option<bool> {
         const FITS: u32 = 1 << 31;
-        let ack = field.get::<Acknowledge>()?.ok()?;
-        let behind = behind.and_then(|field| field.as_ref().ok());
+        // Not decoded as a whole, which is 100 bytes of code.
+        let (command, code) = match *field.data {
+            [command, code, ..] if field.is::<Acknowledge>() => (command, AckCode(code)),
+            _ => return None,
+        };
         let (mut best, mut found) = (0, None);
         for slot in &mut self.slots {
             let Some(kind) = slot.kind else { continue };
-            if !slot.is(State::Waiting) || (kind.set, kind.descriptor) != (field.set, ack.command) {
+            if !slot.is(State::Waiting) || (kind.set, kind.descriptor) != (field.set, command) {
                 continue;
             }
             // Not `contains`, which is 180 bytes of code on a microcontroller.
@@ -609,7 +615,7 @@ impl Slots {
                 kind.responses.iter().fold(false, |is, known| is | (*known == field.descriptor))
             };
             let outcome = match (slot.wanted, behind.filter(is_response)) {
-                _ if ack.code.0 != 0 => Outcome::Refused(ack.code),
+                _ if code.0 != 0 => Outcome::Refused(code),
                 (None, None) => Outcome::Acknowledged,
                 (None, Some(_)) => continue,
                 (Some(_), None) => Outcome::MissingResponse,

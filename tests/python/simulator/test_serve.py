@@ -27,6 +27,7 @@ from mip_protocol.simulator.device import VirtualDevice
 from mip_protocol.simulator.endpoints import Endpoint, pty_at, tcp_at
 from mip_protocol.simulator.faults import Faults
 from mip_protocol.simulator.serve import Server
+from setuptools import find_packages
 from support import ROOT
 
 DEVICE = "3dm-cv7-gnss-ins"
@@ -540,7 +541,7 @@ def test_an_incomplete_profile_is_said_to_be_so(capsys: pytest.CaptureFixture[st
 
 def test_help(capsys: pytest.CaptureFixture[str]) -> None:
     code, out, _ = run(capsys)
-    assert code == 0 and all(f"    {name} " in out and text in out for name, (_, text) in __main__.COMMANDS.items())
+    assert code == 0 and all(f"  {name} " in out and text in out for name, (_, text) in __main__.COMMANDS.items())
     assert run(capsys, "--version")[1] == f"mip {__main__.VERSION}\n"
     code, out, _ = run(capsys, "simulate", "--help")
     assert code == 0 and "lose_answer" in out and "--strict-baud" in out
@@ -664,12 +665,12 @@ assert main(["simulate", "{DEVICE}", "--tcp", "0", "--duration", "0.01"]) == 0
 
 
 def test_what_is_installed() -> None:
-    """The build takes the packages that are listed, and no others; the program is there."""
+    """The build finds every folder with modules; the program is there."""
     root = ROOT / "generated/python"
     project = (root / "pyproject.toml").read_text()
-    listed = re.search(r"^packages = \[(.*?)\]", project, re.M)
+    include = re.search(r"^\[tool.setuptools.packages.find\]\ninclude = \[\"(.*?)\"\]", project, re.M)
     program = re.search(r'^mip = "(.*?):(.*?)"', project, re.M)
-    assert listed is not None and program is not None
-    found = {".".join(p.parent.relative_to(root).parts) for p in (root / "mip_protocol").rglob("__init__.py")}
-    assert set(re.findall(r'"(.*?)"', listed[1])) == found
+    assert include is not None and program is not None
+    wanted = {".".join(p.parent.relative_to(root).parts) for p in (root / "mip_protocol").rglob("*.py")}
+    assert set(find_packages(str(root), include=[include[1]])) == wanted
     assert getattr(sys.modules[program[1]], program[2]) is __main__.main

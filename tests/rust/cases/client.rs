@@ -440,3 +440,11 @@ fn a_full_client_or_packet_refuses() {
     drop(request);
     assert_eq!(client.pending(), 1);
 }
+
+#[test]
+fn a_client_may_be_shared_by_a_mutex() {
+    fn shared<T: Sync>(_: &T) {}
+    static CLIENT: std::sync::Mutex<Client<1>> = std::sync::Mutex::new(Client::new());
+    shared(&CLIENT);
+    assert_eq!(CLIENT.lock().unwrap().pending(), 0);
+}

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar
 import numpy as np
 
 from ..field import Field, Structure
-from ..parameter import Parameter
+from ..parameter import Flag, Parameter
 from ..reflection import PARAMETERS
 from .general import Ragged, Values
 from .piece import Where
@@ -84,7 +84,9 @@ class Column(Generic[F]):
     @cached_property
     def parameters(self) -> Mapping[str, Parameter]:
         """What is known of each column: type, unit, frame, range, flags."""
-        return dict(described(PARAMETERS[self.type], ""))
+        device = self._log.device
+        known = described(PARAMETERS[self.type], "")
+        return {name: p if device is None else p.on(device) for name, p in known}
 
     def time(self, clock: str | None = None) -> Times:
         """The time of each row, by its packet's own timestamp or the last one before it."""
@@ -96,7 +98,7 @@ class Column(Generic[F]):
         Without a flag, every value is. Values that are absent are not.
         """
         values = self[name]
-        flags = [self._flag(name, entry) for entry in self.parameters[name].valid]
+        flags = [self._holds(name, flag) for flag in self.parameters[name].flags]
         if isinstance(values, Ragged):
             there = np.ones(len(values), bool) if values.mask is None else ~values.mask
         else:
@@ -107,18 +109,13 @@ class Column(Generic[F]):
             there &= flags[0]
         return np.asarray(there)
 
-    def _flag(self, name: str, entry: str) -> Array:
-        """The rows in which a flag is set that vouches for a column: a bit of a bitfield, or a bool."""
-        flags, _, bit = entry.partition(".")
-        beside = name.rpartition(".")[0]
-        flags = f"{beside}.{flags}" if beside else flags
-        if isinstance(self._values[flags], Ragged):  # of structures in an array
+    def _holds(self, name: str, flag: Flag) -> Array:
+        """The rows in which a flag is set that vouches for a column."""
+        record = name.rpartition(".")[0]
+        flags = self._values[f"{record}.{flag.attribute}" if record else flag.attribute]
+        if isinstance(flags, Ragged):  # of structures in an array
             return np.ones(len(self), bool)
-        column = np.asarray(self._values[flags])
-        if not bit:
-            return np.asarray(column != 0)
-        mask = int(getattr(self.parameters[flags].type, bit.upper()))
-        return np.asarray((column & column.dtype.type(mask)) == mask)
+        return np.asarray(flag.holds(np.asarray(flags)))
 
     def objects(self) -> Iterator[F]:
         """The same rows as objects."""

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from typing import Any, TypeVar, overload
 
 from ..field import Field
+from ..lookup import device_id
 from . import contents, frames, scan, times, walk
 from .column import Column
 from .contents import TypeCount
@@ -16,7 +17,7 @@ from .times import Stamps, Times
 
 F = TypeVar("F", bound=Field)
 
-_PIECE = 1 << 22  # bytes that are looked at together
+_PIECE = 1 << 20  # bytes that are looked at together
 #: Packets whose places are kept, so that they are found only once: some 250 MB. Those behind them
 #: are found again for each request.
 _KEPT = 10_000_000
@@ -30,12 +31,12 @@ class Log:
     for the columns that are asked for; the file itself is not read into memory.
     """
 
-    def __init__(self, source: Any, begin: int = 0, end: int | None = None) -> None:
-        """`source` is a path, a binary file or bytes; `begin` and `end` are in bytes.
-
-        Raises OSError, TypeError if `source` is something else, ValueError if `begin` is negative or
-        behind `end`.
-        """
+    def __init__(
+        self, source: Any, begin: int = 0, end: int | None = None, device: str | None = None
+    ) -> None:
+        """See `read_log`."""
+        #: The device that sent it, if that is known.
+        self.device = None if device is None else device_id(device)
         if begin < 0 or (end is not None and end < begin):
             raise ValueError(f"bytes {begin} to {end}: `begin` is 0 or more, and not behind `end`")
         self._source = source if isinstance(source, Source) else Source(source)
@@ -66,7 +67,7 @@ class Log:
         if size < 1:
             raise ValueError(f"a part has 1 byte or more, not {size}")
         for begin in range(self.begin, self.end, size):
-            yield Log(self._source, begin, min(begin + size, self.end))
+            yield Log(self._source, begin, min(begin + size, self.end), self.device)
 
     # ----------------------------------------------------------------- packets
 
@@ -103,7 +104,9 @@ class Log:
                 if number < _KEPT:
                     self._kept[begin] = piece
             else:
-                found = scan.Found(piece.at, piece.end, [])
+                again = fields and piece.runs is None
+                groups = scan.grouped(data, piece.at) if again else []
+                found = scan.Found(piece.at, piece.end, groups)
             if fields and piece.runs is None:
                 piece.runs = walk.runs(data, found)
             piece.data = data
@@ -137,7 +140,7 @@ class Log:
         """The fields of a type, also by its name ("sensor.scaled_accel"); a shared one of all sets.
 
         They are those that `registry.decode_packet` gives: well formed, and long enough. Raises
-        KeyError if the specification has no such type.
+        LookupError if the specification has no such type.
         """
         return self.column(kind)
 
@@ -193,7 +196,7 @@ class Log:
         whether their units are there, in the names or in the metadata of Arrow. `position` adds
         the number of the packet, its descriptor set and its place in the file.
 
-        Raises KeyError for unknown types, ValueError for other choices, ImportError if the library
+        Raises LookupError for unknown types, ValueError for other choices, MissingExtra if the library
         is missing.
         """
         chosen = [kinds] if isinstance(kinds, (str, type)) else list(kinds)
@@ -208,17 +211,20 @@ class Log:
         """For `times`: the part of so many bytes before this one, if there is any."""
         if not self.begin:
             return None
-        return Log(self._source, max(0, self.begin - size), self.begin)
+        return Log(self._source, max(0, self.begin - size), self.begin, self.device)
 
     def times(self, column: Column[Any], clock: str | None = None) -> Times:
         """The time of each row of a column; see `Column.time`."""
         return times.of(self, column, clock)
 
 
-def read_log(source: Any, begin: int = 0, end: int | None = None) -> Log:
+def read_log(source: Any, begin: int = 0, end: int | None = None, device: str | None = None) -> Log:
     """The log in a file (a path or a binary file, which is mapped into memory) or in bytes.
 
-    With `begin` and `end`, in bytes, only the packets that begin there. Raises OSError, TypeError if
-    `source` is something else, ValueError if `begin` is negative or behind `end`.
+    With `begin` and `end`, in bytes, only the packets that begin there. `device` is the one that sent
+    it, by its id or name, as devices differ in which flags say that values are valid.
+
+    Raises OSError, TypeError if `source` is something else, ValueError if `begin` is negative or
+    behind `end`, LookupError if there is no such device.
     """
-    return Log(source, begin, end)
+    return Log(source, begin, end, device)

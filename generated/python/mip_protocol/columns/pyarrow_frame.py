@@ -46,9 +46,10 @@ def _lists(arrow: Any, ragged: Ragged) -> Any:
 
 
 def _fixed(arrow: Any, values: Any, mask: Any) -> Any:
-    items = arrow.array(np.ascontiguousarray(values).reshape(-1))
+    """Lists of one size. Where there is no value, the elements are null: Parquet has no lists of one size that are null."""
+    if mask is not None:
+        mask = np.broadcast_to(mask.reshape(-1, *[1] * (values.ndim - 1)), values.shape).reshape(-1)
+    items = arrow.array(np.ascontiguousarray(values).reshape(-1), mask=mask)
     for width in reversed(values.shape[1:]):
         items = arrow.FixedSizeListArray.from_arrays(items, width)
-    if mask is None:
-        return items
-    return items.take(arrow.array(np.arange(len(values)), mask=mask))
+    return items

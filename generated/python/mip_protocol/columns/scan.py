@@ -16,7 +16,7 @@ REACH = MAX_PAYLOAD + OVERHEAD - 1
 #: Bytes behind a piece that must be there, for packets and for whole words of the last of them.
 AHEAD = REACH + 8
 
-_PART = 1 << 19  # bytes that are searched at once: what is computed of them stays in the cache
+_PART = 1 << 18  # bytes that are searched at once: what is computed of them stays in the cache
 _ROWS = 1 << 14  # packets whose checksum is computed at once, for the same reason
 _MANY = 64  # packets of one set and length that are worth a group of their own
 _NONE = np.zeros(0, np.intp)
@@ -126,6 +126,16 @@ def _forms(data: Array, first: int, limit: int, length: int) -> tuple[Array, Arr
     return at, end, key
 
 
+def grouped(data: Array, at: Array) -> list[Group]:
+    """The groups of packets that are known already."""
+    key = data[at + 2].astype(np.uint16) << 8 | data[at + 3]
+    return [
+        Group(what, some, gather(data, at[some], (what & 0xFF) + OVERHEAD - 2))
+        for what, some in groups_of(key)
+        if len(some) >= _MANY
+    ]
+
+
 def groups_of(key: Array) -> Iterator[tuple[int, Array]]:
     """Each key of a packet, and the numbers of the packets that have it."""
     order = np.argsort(key, kind="stable")
@@ -178,7 +188,7 @@ def _right(
     word has its own sums, modulo 256, which are put together at last.
     """
     rows = gather(data, at, 8 * width)
-    words = np.ascontiguousarray(rows.view("<u8").T)
+    words = np.array(rows.view("<u8").T, order="C")  # always a copy: it is changed
     words[-1] &= _KEEP[size - 8 * (width - 1)]
     first = words[0]
     second = first.copy()

@@ -101,6 +101,7 @@ impl Session {
                     RequestError::Encode(error) => encode_error(error),
                     RequestError::NoCommand => "unknown",
                     RequestError::Busy => panic!("more commands than any scenario sends"),
+                    error => panic!("{error:?}"),
                 })
             });
             match added {
@@ -227,6 +228,7 @@ impl Session {
                 ]);
                 self.happens("undecodable", [command, ("response", response)]);
             }
+            (outcome, _) => panic!("{outcome:?}"),
         }
     }
 }

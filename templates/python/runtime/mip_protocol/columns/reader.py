@@ -25,9 +25,9 @@ class Reader:
     """Collects the rows of a column."""
 
     def __init__(self, log: Log, kind: type[Field] | str, set: int | None) -> None:
-        """Raises KeyError if the specification has no such type in that set."""
+        """Raises LookupError if the specification has no such type in that set."""
         self._log = log
-        self._kind = named(kind) if isinstance(kind, str) else kind
+        self._kind = registry.by_name(kind) if isinstance(kind, str) else kind
         self._set = set
         own = self._kind.SET if self._kind.SET not in (0, registry.SHARED_SET) else set
         if not self._in(own if own is not None else 0x80 if self._kind.SET else 1):
@@ -106,11 +106,3 @@ class Reader:
             found = self._fields(piece)
             if found is not None:
                 yield from (v for v in self._decoded(piece, *found) if v is not None)
-
-
-def named(name: str) -> type[Field]:
-    """A type by its name in the specification."""
-    for _, kind in registry.all_types():
-        if name == kind.NAME:
-            return kind
-    raise KeyError(f"the specification has no field {name!r}")

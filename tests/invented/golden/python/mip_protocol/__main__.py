@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import argparse
+import os
 import sys
+from collections.abc import Generator
 from importlib import import_module
 from typing import Any
 
@@ -11,35 +13,77 @@ from .errors import Failure
 from .protocol import VERSION
 
 #: Command -> its module, with `add_arguments(parser)` and `run(options)`, and what it does.
-COMMANDS = {"simulate": ("simulator.command", "run a virtual device, on a pseudo-terminal or TCP")}
+COMMANDS = {
+    "dump": ("cli.dump", "show packets with names, values and units"),
+    "info": ("cli.info", "say what is in a log: types, rates, gaps, damage"),
+    "export": ("cli.export", "write a log as a table: csv, jsonl, npz, parquet, arrow"),
+    "plot": ("cli.plot", "draw values of a log over time"),
+    "cut": ("cli.cut", "copy a part of a log"),
+    "record": ("cli.record", "write what a device sends to a file"),
+    "monitor": ("cli.monitor", "show the latest values of a device, live"),
+    "send": ("cli.send", "send a command and show the answer"),
+    "fields": ("cli.fields", "look up fields: bytes, values, units, devices"),
+    "bandwidth": ("cli.bandwidth", "compute the baud rate that streams need"),
+    "simulate": ("simulator.command", "run a virtual device, on a pseudo-terminal or TCP"),
+    "completion": ("cli.completion", "print a script that completes commands in a shell"),
+}
+
+EPILOG = """\
+`mip COMMAND --help` says more.
+
+exit status: 0 done, 1 failed (one line says why), 2 the command line is wrong, 3 the device
+refused a command, 4 it did not answer, 130 interrupted, 141 the reader of the output has stopped
+"""
 
 
 def main(arguments: list[str] | None = None) -> int:
     try:
-        return _run(sys.argv[1:] if arguments is None else arguments)
+        code = _run(sys.argv[1:] if arguments is None else arguments)
+        sys.stdout.flush()
+        return code
     except KeyboardInterrupt:
         return 130  # as shells say it
     except BrokenPipeError:  # the reader has stopped, as `head` does
-        sys.stderr.close()
-        return 1
+        # What is still in the buffer would be written, and complained about, at the end.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 141
+
+
+class _Layout(argparse.RawDescriptionHelpFormatter):
+    """Keeps the lines of examples; the commands are in one column, without a line before them."""
+
+    def _iter_indented_subactions(
+        self, action: argparse.Action
+    ) -> Generator[argparse.Action, None, None]:
+        yield from getattr(action, "_get_subactions", list)()
+
+    def _format_action(self, action: argparse.Action) -> str:
+        text = super()._format_action(action)
+        return text.partition("\n")[2] if action.nargs == argparse.PARSER else text
 
 
 def _run(given: list[str]) -> int:
-    parser = argparse.ArgumentParser(prog="mip", description="Tools for devices that speak MIP.")
+    parser = argparse.ArgumentParser(
+        prog="mip",
+        description="Tools for devices that speak MIP.",
+        epilog=EPILOG,
+        formatter_class=_Layout,
+    )
     parser.add_argument("--version", action="version", version=f"mip {VERSION}")
+    used = parser
     commands = parser.add_subparsers(metavar="COMMAND", title="commands", dest="command")
     chosen: Any = None
     for name, (module, text) in COMMANDS.items():
         added = commands.add_parser(
-            name,
-            help=text,
-            description=f"{text[0].upper()}{text[1:]}.",
-            formatter_class=argparse.RawDescriptionHelpFormatter,
+            name, help=text, description=f"{text[0].upper()}{text[1:]}.", formatter_class=_Layout
         )
         if given[:1] == [name]:  # only the one that is wanted is imported
             chosen = import_module(f".{module}", __package__)
             chosen.add_arguments(added)
-    options = parser.parse_args(given)
+            used = added
+    options, unknown = parser.parse_known_args(given)
+    if unknown:
+        used.error(f"{' '.join(unknown)} is not understood; see --help")
     if options.command is None:
         parser.print_help()
         return 0
@@ -47,7 +91,7 @@ def _run(given: list[str]) -> int:
         return int(chosen.run(options))
     except Failure as failure:
         print(f"mip {options.command}: {failure}", file=sys.stderr)
-        return 1
+        return failure.status
 
 
 if __name__ == "__main__":

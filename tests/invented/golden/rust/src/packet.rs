@@ -59,6 +59,7 @@ impl fmt::Display for PacketError {
 /// A field inside a packet whose length is below 2 or runs past the payload.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub struct FieldLengthError;
 
 impl fmt::Display for FieldLengthError {
@@ -67,11 +68,7 @@ impl fmt::Display for FieldLengthError {
     }
 }
 
-#[cfg(feature = "std")]
-impl std::error::Error for PacketError {}
-
-#[cfg(feature = "std")]
-impl std::error::Error for FieldLengthError {}
+error!(PacketError FieldLengthError);
 
 /// A complete packet with a correct checksum, borrowed from the memory that holds its bytes.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from .._clocks import CLOCKS
+from ..errors import MissingExtra
 from . import times
 from .column import Column, absent
 from .general import Ragged, Values
@@ -116,7 +117,7 @@ def _parameters(column: Column[Any], invalid: str, prefix: str) -> list[Series]:
         facts = {"frame": p.frame} if p.frame else {}
         if p.type is not None:
             facts["type"] = p.type.__name__
-        bad = ~column.valid(name) if invalid == "mask" and p.valid else None
+        bad = ~column.valid(name) if invalid == "mask" and p.flags else None
         single = {"unit": p.units[0]} if len(set(p.units)) == 1 else {}
         if isinstance(values, Ragged):
             found.append(Series(full, values, values.mask, facts | single))
@@ -164,9 +165,7 @@ def library(name: str) -> Any:
     try:
         return import_module(name)
     except ImportError as error:
-        raise ImportError(
-            f"this frame needs {name}: pip install mip-protocol[{name}]", name=name
-        ) from error
+        raise MissingExtra(name, name) from error
 
 
 def objects(one: Series) -> list[Any]:

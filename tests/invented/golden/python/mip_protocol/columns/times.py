@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import cache, partial
+from functools import cache, cached_property, partial
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 REACH = 1 << 20
 
 _NONE = np.iinfo(np.int64).min  # what NumPy calls NaT
+_LACKING = _NONE + 1
 _UNITS = {"week": 604_800_000_000_000, "s": 1_000_000_000, "ms": 1_000_000, "us": 1000, "ns": 1}
 _MOST = 4e18  # nanoseconds of which two fit into 64 bits
 
@@ -39,13 +40,27 @@ class Times(NamedTuple):
     own: Array
 
 
-class Stamps(NamedTuple):
-    """The first timestamp of each packet that has one."""
+class Stamps:
+    """The first timestamp of each packet of a set that has one."""
 
-    packet: Array
-    offset: Array
-    value: Array  # nanoseconds
-    some: bool  # is any of them valid?
+    def __init__(self, packet: Array, value: Array, offset: Callable[[], Array]) -> None:
+        self.packet = packet  # numbers in the log, negative for those before a part of it
+        self.value = value  # nanoseconds
+        self._offset = offset
+        #: Is any of them valid?
+        self.some = bool(len(value)) and bool((value != _NONE).any())
+
+    @cached_property
+    def offset(self) -> Array:
+        """Where the packets begin in the file."""
+        return self._offset()
+
+    @cached_property
+    def by_packet(self) -> Array:
+        """The value of each packet from the first to the last one; `_LACKING` where there is none."""
+        table = np.full(int(self.packet[-1] - self.packet[0]) + 1, _LACKING, np.int64)
+        table[self.packet - self.packet[0]] = self.value
+        return table
 
 
 def of(log: Log, column: Column[Any], clock: str | None) -> Times:
@@ -98,27 +113,20 @@ def at(
     known = stamps(log, set, clock)
     if not len(known.packet) or not len(packet):
         return np.full(len(packet), _NONE, np.int64), np.zeros(len(packet), bool)
-    if len(known.packet) == len(packet) and (known.packet == packet).all():
-        return known.value, np.ones(len(packet), bool)
-    where = _before(known.packet, packet)
-    own = known.packet[where] == packet
-    values = known.value[where]
-    if not own.all():
-        missing = where < 0
-        missing |= offset() - known.offset[where] > REACH
-        values[missing] = _NONE
-        own &= where >= 0
+    first = int(known.packet[0])
+    inside = int(packet[0]) >= first and int(packet[-1]) <= int(known.packet[-1])
+    if inside and len(known.by_packet) < 16 * len(packet):
+        values = known.by_packet[packet - first if first else packet]
+        own = values != _LACKING
+        if own.all():
+            return values, own
+    where = np.searchsorted(known.packet, packet, side="right") - 1
+    values, own = known.value[where], known.packet[where] == packet
+    missing = where < 0
+    missing |= offset() - known.offset[where] > REACH
+    values[missing] = _NONE
+    own &= where >= 0
     return values, own
-
-
-def _before(known: Array, packet: Array) -> Array:
-    """The number of the last of some sorted numbers that is not above each of others; -1 for none."""
-    low, high = int(min(known[0], packet[0])), int(max(known[-1], packet[-1]))
-    if high - low > 16 * len(packet):
-        return np.asarray(np.searchsorted(known, packet, side="right") - 1)
-    steps = np.zeros(high - low + 1, np.int64)
-    steps[known - low] = 1
-    return np.asarray(np.cumsum(steps)[packet - low] - 1)
 
 
 def stamps(log: Log, set: int, clock: str) -> Stamps:
@@ -136,29 +144,26 @@ def _joined(log: Log, set: int, clock: str) -> Stamps:
     earlier = _read(before, set, clock)
     return Stamps(
         np.concatenate((earlier.packet - before.packets, own.packet)),
-        np.concatenate((earlier.offset, own.offset)),
         np.concatenate((earlier.value, own.value)),
-        own.some,
+        lambda: np.concatenate((earlier.offset, own.offset)),
     )
 
 
 def _read(log: Log, set: int, clock: str) -> Stamps:
-    columns = log.columns(list(_kinds(set, clock)), set)
-    columns = [column for column in columns if len(column)]
-    if not columns:
-        nothing = np.zeros(0, np.int64)
-        return Stamps(nothing, nothing, nothing, False)
-    packet, offset, value = (
-        parts[0] if len(parts) == 1 else np.concatenate(parts)
-        for parts in zip(*((c.packet, c.offset, nanoseconds(c, clock)) for c in columns))
-    )
-    if not (packet[1:] > packet[:-1]).all():  # of several in a packet the first by descriptor
-        order = np.argsort(packet, kind="stable")
-        packet, offset, value = packet[order], offset[order], value[order]
-        first = np.ones(len(packet), bool)
-        first[1:] = packet[1:] != packet[:-1]
-        packet, offset, value = packet[first], offset[first], value[first]
-    return Stamps(packet, offset, value, bool((value != _NONE).any()))
+    columns = [column for column in log.columns(_kinds(set, clock), set) if len(column)]
+    packet = _whole([column.packet for column in columns])
+    value = _whole([nanoseconds(column, clock) for column in columns])
+    if (packet[1:] > packet[:-1]).all():
+        return Stamps(packet, value, lambda: _whole([column.offset for column in columns]))
+    order = np.argsort(packet, kind="stable")  # of several in a packet the first by descriptor
+    first = np.ones(len(packet), bool)
+    first[1:] = packet[order[1:]] != packet[order[:-1]]
+    order = order[first]
+    return Stamps(packet[order], value[order], lambda: _whole([c.offset for c in columns])[order])
+
+
+def _whole(parts: list[Array]) -> Array:
+    return parts[0] if len(parts) == 1 else np.concatenate([np.zeros(0, np.int64), *parts])
 
 
 def _kinds(set: int, clock: str) -> list[type[Field]]:
@@ -185,7 +190,7 @@ def nanoseconds(column: Column[Any], clock: str) -> Array:
                 if len(values) and max(int(values.max()), -int(values.min())) * scale >= _MOST:
                     bad |= np.abs(values.astype(np.float64)) * scale >= _MOST
                 total += values.astype(np.int64) * scale
-        if p.valid:
+        if p.flags:
             bad |= ~column.valid(name)
     if CLOCKS[clock]:
         total[bad] = 0

@@ -1,0 +1,172 @@
+// Finds fields by what people know of them: a descriptor, a name, a symbol, a word.
+
+import { hexByte } from "./words.mjs";
+
+// Where a word is found counts: the smaller, the better.
+const EXACT = 0;
+const BEGINNING = 1;
+const TITLE = 2;
+const WORDS = 3;
+const PARTS = 4;
+const TEXT = 5;
+const PLACES = [TITLE, WORDS, PARTS, TEXT];
+
+/** An index of all fields, for `find`. */
+export function indexOf(protocol) {
+    const synonyms = synonymsOf(protocol.model.vocabulary);
+    const commands = new Map();
+    for (const field of protocol.model.fields) for (const name of field.responses ?? []) commands.set(name, field);
+    return { protocol, synonyms, entries: protocol.model.fields.map((field) => entryOf(protocol, field, commands)) };
+}
+
+/**
+ * The fields that a text may mean, the best first, at most `limit` of them. A text is a descriptor in any form ("0x0D13",
+ * "82 10", "(0x82,0x10)", "0x82"), a name, a symbol of C, Python or Rust, a name of the vendor, or words.
+ */
+export function find(index, text, limit = 20) {
+    const query = text.trim();
+    if (!query) return [];
+    const ranks = new Map();
+    for (const { field, rank } of byDescriptor(index, query)) ranks.set(field, rank);
+    const squashed = squash(query);
+    const words = [...new Set(wordsOf(query))];
+    for (const entry of index.entries) {
+        const rank = Math.min(rankOfSymbol(entry, squashed), rankOfWords(entry, words, index.synonyms));
+        if (rank < Infinity && !ranks.has(entry.field)) ranks.set(entry.field, rank);
+    }
+    const order = ({ field, rank }) => (rank < EXACT ? [rank] : [rank, entryRank(field), field.name.length]);
+    const found = [...ranks].map(([field, rank]) => ({ field, rank }));
+    return found.sort((a, b) => compared(order(a), order(b))).slice(0, limit);
+}
+
+function compared(a, b) {
+    const i = a.findIndex((value, at) => value !== b[at]);
+    return i < 0 ? 0 : a[i] - b[i];
+}
+
+/** Commands and data before responses, and fields before those that repeat them. */
+function entryRank(field) {
+    return (field.role === "response" && field.set ? 1 : 0) + (field.definition ? 2 : 0) + (field.deprecated ? 1 : 0);
+}
+
+// ------------------------------------------------------------------------------------------------ descriptors
+
+const PAIR = /^[([{]*\s*(?:0x)?([0-9a-f]{2})(?:\s*[\s,:;/.-]\s*(?:0x)?|(?:0x)?)([0-9a-f]{2})h?\s*[)\]}]*$/i;
+const SINGLE = /^[([{]*\s*(?:0x([0-9a-f]{1,2})|([0-9a-f]{2})h?)\s*[)\]}]*$/i;
+
+function byDescriptor({ protocol }, query) {
+    const pair = PAIR.exec(query);
+    if (pair) {
+        const [set, descriptor] = [pair[1], pair[2]].map((digits) => Number.parseInt(digits, 16));
+        return protocol.candidates(set, descriptor).map((field) => ({ field, rank: EXACT - 3 }));
+    }
+    const single = SINGLE.exec(query);
+    if (!single) return [];
+    const number = Number.parseInt(single[1] ?? single[2], 16);
+    return protocol.model.fields
+        .filter((field) => field.set === number || field.descriptor === number)
+        .map((field) => ({ field, rank: field.set === number ? EXACT - 2 : EXACT - 1 }));
+}
+
+// ------------------------------------------------------------------------------------------------ names
+
+/** Letters and digits alone: symbols of all languages look alike then. */
+function squash(text) {
+    return text.toLowerCase().replace(/[^a-z0-9]+/g, "");
+}
+
+function wordsOf(text) {
+    return text.toLowerCase().match(/[a-z0-9]+/g) ?? [];
+}
+
+/** All words of some texts, with a space before and behind each. */
+function spaced(...texts) {
+    return ` ${[...new Set(wordsOf(texts.join(" ")))].join(" ")} `;
+}
+
+function entryOf(protocol, field, commands) {
+    const [set, name] = field.name.split(".");
+    const also = field.also ?? [];
+    const symbols = Object.values(field.symbols);
+    const short = symbols.map((symbol) => symbol.replace(/^mip_protocol(\.|::)/, ""));
+    const names = [field.name, name, field.title, ...also, ...also.flatMap((one) => [`${set}.${one}`, `mip.${set}.${one}`]), ...symbols, ...short];
+    const types = field.parameters.flatMap((parameter) => partsOf(protocol, parameter));
+    const sections = field.sources.map((source) => source.section);
+    const asked = commands.get(field.name);
+    return {
+        field,
+        squashed: [...new Set(names.map(squash))],
+        words: {
+            [TITLE]: spaced(field.title, name, ...also),
+            [WORDS]: spaced(set, protocol.sets.get(field.set)?.title ?? "", field.title, name, ...also, ...sections),
+            [PARTS]: spaced(...types.map((one) => one.name)),
+            [TEXT]: spaced(field.description, asked?.description ?? "", ...types.map((one) => one.description ?? "")),
+        },
+    };
+}
+
+/** What has a name inside a parameter: itself, values, bits and members. */
+function partsOf(protocol, parameter) {
+    const types = [parameter.type, ...(parameter.variants ?? []).map((variant) => variant.type)];
+    const inner = types.flatMap((name) => {
+        const type = protocol.types.get(name);
+        if (type?.kind === "struct") return type.parameters.flatMap((one) => partsOf(protocol, one));
+        return name === protocol.model.function_selector ? [] : (type?.values ?? type?.bits ?? []);
+    });
+    const cases = (parameter.cases ?? []).flatMap((one) => (one.parameter ? partsOf(protocol, one.parameter) : []));
+    return [parameter, ...inner, ...cases];
+}
+
+function rankOfSymbol(entry, query) {
+    if (query.length < 2) return Infinity;
+    let rank = Infinity;
+    for (const name of entry.squashed) {
+        if (name === query) return EXACT;
+        // A symbol with more behind it: mip_base_ping_encode, PpsSourceControl::write. The longest name is meant.
+        if (name.length > 6 && query.startsWith(name)) rank = Math.min(rank, BEGINNING + 1 / name.length);
+        else if (name.startsWith(query)) rank = Math.min(rank, BEGINNING + 0.9);
+    }
+    return rank;
+}
+
+/** The best place that has all words, or words that mean the same. */
+function rankOfWords(entry, words, synonyms) {
+    if (!words.length) return Infinity;
+    let [worst, sum] = [0, 0];
+    for (const word of words) {
+        const wanted = synonyms.get(stem(word)) ?? [word];
+        const place = PLACES.find((one) => wanted.some((each) => holds(entry.words[one], each)));
+        if (place === undefined) return Infinity;
+        worst = Math.max(worst, place);
+        sum += place;
+    }
+    return worst + (sum / words.length) * 0.1;
+}
+
+/** Is a word there, or one that begins with it? Short words must be whole. */
+function holds(words, wanted) {
+    return words.includes(wanted.length < 3 ? ` ${wanted} ` : ` ${stem(wanted)}`);
+}
+
+/** A word without its plural. */
+function stem(word) {
+    return word.length > 3 ? word.replace(/s$/, "") : word;
+}
+
+/** Word -> the words of the specification that mean the same, itself among them. */
+function synonymsOf(vocabulary) {
+    const synonyms = new Map();
+    for (const { word, instead_of: others } of vocabulary) {
+        if (word.includes("_")) continue;
+        for (const other of others.filter((one) => !one.includes("_"))) {
+            synonyms.set(stem(other), [...(synonyms.get(stem(other)) ?? [other]), word]);
+            synonyms.set(stem(word), [...(synonyms.get(stem(word)) ?? [word]), other]);
+        }
+    }
+    return synonyms;
+}
+
+/** "command 0x0C,0x28", for lists. */
+export function kindOf(field) {
+    return `${field.role} ${field.set ? `${hexByte(field.set)},` : ""}${hexByte(field.descriptor)}`;
+}

@@ -1,0 +1,93 @@
+// What bytes mean: packets, fields and values, with names, units and verdicts. The inspector shows it.
+
+import { fromHex, sameBytes } from "../mip/bytes.mjs";
+import { namedType, parametersAt, valueAt } from "../mip/names.mjs";
+import { Packet } from "../mip/packet.mjs";
+import { segments } from "../mip/parser.mjs";
+import { bytesOfText } from "./input.mjs";
+import { pathText, shown } from "./words.mjs";
+
+/**
+ * What a text of bytes consists of, each part as `segments` gives it; packets also have `set`, `fields`, `misprints`, and
+ * the checksum that is right.
+ *
+ * @param device the id of a device, whose readings are used where they differ
+ */
+export function inspect(protocol, text, device = undefined) {
+    const { bytes, ignored } = bytesOfText(text);
+    return { bytes, ignored, parts: segments(protocol, bytes).map((part) => inspectPart(protocol, part, device)) };
+}
+
+function inspectPart(protocol, part, device) {
+    if (part.kind === "other") return part;
+    const packet = new Packet(protocol, part.kind === "incomplete" ? completed(part.bytes) : part.bytes);
+    const set = protocol.sets.get(part.bytes[2]);
+    const fields = packet.decode().map((raw) => inspectField(protocol, raw, packet, part, device));
+    const verdict =
+        part.kind === "incomplete" ? {} : { sound: packet.sound, checksum: packet.checksum, rightChecksum: packet.rightChecksum };
+    return { ...part, set, fields: fields.filter(Boolean), misprints: misprintsOf(protocol, part.bytes), ...verdict };
+}
+
+/** The beginning of a packet with zeros in place of what is missing. */
+function completed(bytes) {
+    const whole = new Uint8Array(Math.max((bytes[3] ?? 0) + 6, bytes.length));
+    whole.set(bytes);
+    return whole;
+}
+
+function inspectField(protocol, raw, packet, part, device) {
+    if (raw.offset === undefined) return part.kind === "incomplete" ? undefined : { error: raw.error };
+    const end = raw.offset + 2 + raw.data.length;
+    if (part.kind === "incomplete" && end > part.bytes.length) return undefined;
+    const found = { ...raw, bytes: packet.bytes.subarray(raw.offset, end) };
+    if (!raw.field) return found;
+    const rows = (raw.parts ?? []).map((one) => inspectValue(protocol, raw, one, device));
+    return { ...found, rows, errata: errataOf(protocol, raw.field) };
+}
+
+function inspectValue(protocol, { field, values, data }, part, device) {
+    const parameters = parametersAt(protocol, field, part.path);
+    const { parameter } = parameters.at(-1);
+    const names = part.path.length - 1 - [...part.path].reverse().findIndex((step) => typeof step !== "number");
+    const siblings = valueAt(values, part.path.slice(0, names));
+    const type = namedType(protocol, parameter, siblings, device);
+    const index = part.path.slice(names + 1).at(-1);
+    return {
+        path: pathText(protocol, parameters, part.path),
+        bytes: data.subarray(part.offset, part.offset + part.size),
+        value: part.value,
+        parameter,
+        type,
+        ...shown(protocol, part, parameter, type, index),
+    };
+}
+
+// ------------------------------------------------------------------------------------------------ errata
+
+/** The mistakes of the manuals about a field: in the sections that it cites, and in its lengths. */
+export function errataOf(protocol, field) {
+    const places = new Set(field.sources.map((source) => `${source.manual}\n${source.section}`));
+    return protocol.model.errata.filter(
+        (erratum) =>
+            (field.role !== "response" && places.has(`${erratum.manual}\n${erratum.section}`)) ||
+            erratum.claims.some((claim) => claim.kind === "length" && claim.subject === field.name),
+    );
+}
+
+/** The examples of manuals that are printed with exactly these bytes although others are right. */
+export function misprintsOf(protocol, bytes) {
+    const { examples, errata } = protocol.model;
+    return examples
+        .filter((example) => printedAs(example, bytes) && !sameBytes(fromHex(example.packet), bytes))
+        .map((example) => ({
+            example,
+            right: fromHex(example.packet),
+            errata: errata.filter((one) => one.claims.some((claim) => claim.kind === "example" && claim.subject === example.id)),
+        }));
+}
+
+function printedAs({ string, table }, bytes) {
+    const digits = string?.replace(/[^0-9a-f]/gi, "");
+    if (digits && digits.length % 2 === 0 && sameBytes(fromHex(digits), bytes)) return true;
+    return Boolean(table) && table.length === bytes.length && table.every((byte, i) => byte === null || byte === bytes[i]);
+}

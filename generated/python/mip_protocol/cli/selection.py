@@ -1,0 +1,99 @@
+"""The fields that names on the command line mean."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+
+from .. import registry
+from ..errors import Failure, UnknownName
+from ..field import Field
+
+_NUMBERS = re.compile(r"(0[xX][0-9A-Fa-f]{1,2}|\d{1,3})(?:[:,](0[xX][0-9A-Fa-f]{1,2}|\d{1,3}))?")
+
+#: (set, descriptor) of fields; without a descriptor, all fields of the set.
+Key = tuple[int, int | None]
+
+
+def keys(name: str) -> list[Key]:
+    """What a name means: a field, a set, or numbers such as 0x80 and 0x80:0x04. Raises Failure."""
+    numbers = _NUMBERS.fullmatch(name)
+    if numbers is not None:
+        set, descriptor = (None if n is None else int(n, 0) for n in numbers.groups())
+        if set is None or set > 255 or (descriptor or 0) > 255:
+            raise Failure(f"'{name}' has a number above 255; use 0 to 255")
+        return [(set, descriptor)]
+    try:
+        return [(registry.set_by_name(name), None)]
+    except UnknownName:
+        return [(kind.SET, kind.DESCRIPTOR) for kind in fields(name)]
+
+
+def fields(name: str) -> list[type[Field]]:
+    """The fields of a name; several if it leaves open which. Raises Failure."""
+    numbers = _NUMBERS.fullmatch(name)
+    if numbers is not None and numbers[2]:
+        found = registry.types(int(numbers[1], 0), int(numbers[2], 0))
+        if not found:
+            raise Failure(f"{name} is not a field; `mip fields` lists them")
+        return list(found)
+    try:
+        return [registry.by_name(name)]
+    except UnknownName as error:
+        if error.kind == "ambiguous":
+            return [registry.by_name(near) for near in error.near]
+        raise Failure(f"{error}; `mip fields --search {name}` finds more") from None
+
+
+def field(name: str) -> type[Field]:
+    """The one field of this name. Raises Failure if several sets have one."""
+    found = fields(name)
+    if len(found) > 1:
+        raise Failure(f"'{name}' is in several sets; write {' or '.join(k.NAME for k in found)}")
+    return found[0]
+
+
+class Selection:
+    """The fields that are wanted: all, or those of `only`, and none of `without`."""
+
+    def __init__(self, only: Iterable[str] = (), without: Iterable[str] = ()) -> None:
+        self._only = _all(only)
+        self._without = _all(without)
+        self._known: dict[tuple[int, int], bool] = {}
+
+    @property
+    def everything(self) -> bool:
+        return not self._only and not self._without
+
+    def has(self, set: int, descriptor: int) -> bool:
+        """Is this field of a packet of this set wanted?"""
+        known = self._known.get((set, descriptor))
+        if known is None:
+            known = not self._only or _within(self._only, set, descriptor)
+            known = known and not _within(self._without, set, descriptor)
+            self._known[set, descriptor] = known
+        return known
+
+
+def _all(names: Iterable[str]) -> set[Key]:
+    """The keys of names, each perhaps several with commas between."""
+    found: set[Key] = set()
+    for text in names:
+        if _NUMBERS.fullmatch(text):
+            found.update(keys(text))
+            continue
+        for name in filter(None, (part.strip() for part in text.split(","))):
+            found.update(keys(name))
+    return found
+
+
+def _within(wanted: set[Key], number: int, descriptor: int) -> bool:
+    if (number, None) in wanted or (number, descriptor) in wanted:
+        return True
+    if number < 0x80:  # the acknowledge is of no set
+        return (0, descriptor) in wanted
+    shared = not any(t.SET == number for t in registry.types(number, descriptor))
+    return shared and ((0xFF, descriptor) in wanted or (0xFF, None) in wanted)
+
+
+__all__ = ["Key", "Selection", "field", "fields", "keys"]

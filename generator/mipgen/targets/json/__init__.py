@@ -1,0 +1,39 @@
+"""The whole specification as one JSON file, for tools in any language."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any
+
+from ... import model as m
+from ...naming import Identifier
+from ...render import File
+from . import document, names
+
+TITLE = "the specification as JSON, with a JSON Schema"
+CONFORMANCE = ("decode", "encode")
+
+
+def files(model: m.Model) -> Iterator[File]:
+    yield File("mip.json", "mip.json.j2", {"text": document.text(model)})
+    yield File("README.md", "README.md.j2", {"format": document.FORMAT, "shown": shown(model)})
+
+
+def shown(model: m.Model) -> m.Field:
+    """A field that shows much in few lines: a command with a selector and an enumeration."""
+    commands = [f for f in model.fields if f.functions and any(isinstance(p.element, m.Enum) for p in f.counted)]
+    return min(commands or model.fields, key=lambda f: len(f.parameters))
+
+
+def identifiers(model: m.Model) -> Iterator[Identifier]:
+    """Fields and types are referred to by name. Scalars are types too."""
+    for f in (model.protocol.acknowledge, *model.fields):
+        yield Identifier("fields", f.full_name, f"field {f.full_name}", f.position)
+    for name in m.SCALARS:
+        yield Identifier("types", name, f"scalar {name}", None)
+    for t in document.types(model):
+        yield Identifier("types", names.type_name(t), f"type {t.name}", getattr(t, "position", None))
+
+
+def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
+    return {"lines": document.lines}

@@ -1,0 +1,201 @@
+"""The model as values of JSON. What the model holds by reference is referred to by name.
+
+An attribute is left out where it has its default: nothing, false, or an empty text or list. All attributes of the
+model's classes are written, so that nothing is forgotten; the exceptions are listed here.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+from collections.abc import Iterable
+from typing import Any
+
+from ... import model as m
+from .names import symbols, type_name
+
+#: The version of the form of the document, as the README explains it; the schema states it too.
+FORMAT = "1.0"
+
+#: Attributes that are not written: positions in the sources, and what is written in another place or form.
+LEFT_OUT: dict[type, tuple[str, ...]] = {
+    m.Parameter: ("element", "operation", "cases"),
+    m.Field: ("set_name", "functions"),
+    m.Struct: ("owner",),
+    m.Enum: ("owner",),
+    m.Bitfield: ("owner",),
+    m.Device: ("variants",),  # each is with its parameter
+    m.Support: ("functions",),
+    m.Variant: ("only",),
+}
+
+
+def text(model: m.Model) -> str:
+    """The document: one line for each item of a list."""
+    parts = ",\n".join(f"{json.dumps(key)}: {_laid_out(value)}" for key, value in document(model).items())
+    return f"{{\n{parts}\n}}"
+
+
+def _laid_out(value: Any) -> str:
+    if isinstance(value, list) and value:
+        return "[\n" + ",\n".join(map(line, value)) + "\n]"
+    if isinstance(value, dict) and value and all(isinstance(v, (dict, list)) for v in value.values()):
+        return "{\n" + ",\n".join(f"{json.dumps(k)}: {_laid_out(v)}" for k, v in value.items()) + "\n}"
+    return line(value)
+
+
+def lines(f: m.Field) -> str:
+    """A field, one line for each attribute."""
+    return "{\n" + ",\n".join(f"  {json.dumps(k)}: {line(v)}" for k, v in _attributes(f).items()) + "\n}"
+
+
+def line(value: Any) -> str:
+    return json.dumps(value, ensure_ascii=False, separators=(",", ":"))
+
+
+def document(model: m.Model) -> dict[str, Any]:
+    p = model.protocol
+    return {
+        "$schema": "mip.schema.json",
+        "format": FORMAT,
+        "name": p.name,
+        "version": p.version,
+        "packet": {"sync": list(p.sync), "max_payload": p.max_payload, "max_field_data": m.MAX_FIELD_DATA},
+        "acknowledge": p.acknowledge.full_name,
+        "ack_code": type_name(p.ack_code),
+        "function_selector": type_name(p.function_selector),
+        "scalars": {s.name: {"size": s.size, "kind": s.kind} for s in m.SCALARS.values()},
+        "functions": [_attributes(f) for f in p.functions],
+        "units": plain(p.units),
+        "frames": plain(p.frames),
+        "manuals": plain(p.manuals),
+        "notes": plain(p.notes),
+        "vocabulary": plain(p.vocabulary),
+        "types": [_attributes(t) for t in types(model)],
+        "sets": [_attributes(s) for s in model.sets],
+        "fields": [_attributes(f) for f in (p.acknowledge, *model.fields)],
+        "devices": [_attributes(d) for d in model.devices],
+        "examples": plain(model.examples),
+        "errata": plain(model.errata),
+        "simulation": _attributes(model.simulation),
+    }
+
+
+def types(model: m.Model) -> list[m.Type]:
+    """All of them, those that others use before these."""
+    selector, *rest = model.protocol.function_selector, *model.all_types
+    codes = [] if model.protocol.ack_code in rest else [model.protocol.ack_code]
+    return [selector, *codes, *rest]
+
+
+# --------------------------------------------------------------------------- values
+
+
+def plain(value: Any) -> Any:
+    """A value inside another: what has a place of its own is named."""
+    if type(value) in (str, int, float, bool):
+        return value
+    match value:
+        case m.Field():
+            return value.full_name
+        case m.Scalar() | m.Enum() | m.Bitfield() | m.Vector() | m.Struct():
+            return type_name(value)
+        case m.Function() | m.Set():
+            return value.name
+        case m.Device():
+            return value.id
+        case m.Support():
+            return _support(value)
+        case bytes():
+            return value.hex()
+        case tuple() | list():
+            return [plain(v) for v in value]
+        case dict():
+            return {key: plain(v) for key, v in value.items()}
+    if isinstance(value, m.Operation):
+        return operation(value)
+    return _attributes(value) if dataclasses.is_dataclass(value) else value
+
+
+def _attributes(thing: Any) -> dict[str, Any]:
+    """The attributes of an object of the model, and what is added to them."""
+    found = {name: plain(v) for name, default in _written(type(thing)) if _said(v := getattr(thing, name), default)}
+    match thing:
+        case m.Parameter():
+            return _parameter(thing, found)
+        case m.Field():
+            return _field(thing, found)
+        case m.Variant() if thing.only:
+            return {**found, "only": [x.name for x in thing.only]}
+        case m.Vector():
+            return {"kind": thing.kind, **found}
+        case m.Enum() | m.Bitfield() | m.Struct():
+            return {"kind": thing.kind, **found, "name": type_name(thing), "symbols": symbols(thing)}
+    return found
+
+
+#: Class -> the attributes that are written, and their defaults.
+_WRITTEN: dict[type, list[tuple[str, Any]]] = {}
+
+
+def _written(kind: type) -> list[tuple[str, Any]]:
+    if kind not in _WRITTEN:
+        left_out = ("position", *LEFT_OUT.get(kind, ()))
+        _WRITTEN[kind] = [(f.name, f.default) for f in dataclasses.fields(kind) if f.name not in left_out]
+    return _WRITTEN[kind]
+
+
+def _said(value: Any, default: Any) -> bool:
+    return value is not None and not (type(value) is type(default) and value == default)
+
+
+def _parameter(p: m.Parameter, found: dict[str, Any]) -> dict[str, Any]:
+    head = {"name": found.pop("name"), **({"type": type_name(p.element)} if p.element is not None else {})}
+    cases = [{"tag": c.tag.name, **({"parameter": plain(c.parameter)} if c.parameter else {})} for c in p.cases]
+    return {**head, **found, **({"cases": cases} if cases else {})}
+
+
+def _field(f: m.Field, found: dict[str, Any]) -> dict[str, Any]:
+    """Names are full: those of responses, and of the command that owns a response."""
+    found |= {"name": f.full_name, "symbols": symbols(f)}
+    if f.functions:
+        found["calls"] = [
+            {"function": c.function.name, "required": _names(c.required), "optional": _names(c.optional)}
+            for c in f.calls
+            if c.function is not None
+        ]
+    if f.responses:
+        found["responses"] = [f"{f.set_name}.{name}" for name in f.responses]
+    if f.command:
+        found["command"] = f"{f.set_name}.{f.command}"
+    if f.constants:
+        found["constants"] = [{"offset": at, "size": op.size, "value": op.value} for at, op in f.constants]
+    return found
+
+
+def _support(s: m.Support) -> dict[str, Any]:
+    found = _attributes(s)
+    return {**found, "functions": _names(s.functions)} if s.differs else found
+
+
+def _names(things: Iterable[m.Parameter | m.Function]) -> list[str]:
+    return [x.name for x in things]
+
+
+# --------------------------------------------------------------------------- operations
+
+
+def operation(op: m.Operation) -> dict[str, Any]:
+    """The size of a number is that of its scalar."""
+    found: dict[str, Any] = {"kind": op.kind}
+    for name, default in _written(type(op)):
+        value = getattr(op, name)
+        if name not in ("kind", "cases") and not (name == "size" and hasattr(op, "scalar")) and _said(value, default):
+            found[name] = plain(value)
+    if isinstance(op, m.SwitchOp):
+        found["cases"] = [_case(c) for c in op.cases]
+    return found
+
+
+def _case(c: m.Case) -> dict[str, Any]:
+    return {"value": c.tag.value, **({"operation": operation(c.operation)} if c.operation else {})}

@@ -1,0 +1,130 @@
+// Bytes: hexadecimal text, the checksum, and big-endian numbers.
+
+/** What is wrong, in words; `kind` is one word for programs: "truncated", "count", "range", … */
+export class MipError extends Error {
+    constructor(kind, message) {
+        super(message);
+        this.name = "MipError";
+        this.kind = kind;
+    }
+}
+
+/** The two bytes that end a packet, of all bytes before them. */
+export function checksum(bytes) {
+    let a = 0;
+    let b = 0;
+    for (const byte of bytes) {
+        a = (a + byte) & 0xff;
+        b = (b + a) & 0xff;
+    }
+    return Uint8Array.of(a, b);
+}
+
+/** "7565", or with a separator "75 65". */
+export function toHex(bytes, between = "") {
+    return Array.from(bytes, (byte) => byte.toString(16).padStart(2, "0")).join(between);
+}
+
+/** The bytes of hexadecimal digits without anything between them. */
+export function fromHex(text) {
+    if (!/^([0-9a-f]{2})*$/i.test(text)) throw new MipError("hex", "the text is not an even number of hexadecimal digits");
+    return Uint8Array.from(text.match(/../g) ?? [], (pair) => Number.parseInt(pair, 16));
+}
+
+export function concatenated(...parts) {
+    const whole = new Uint8Array(parts.reduce((size, part) => size + part.length, 0));
+    let at = 0;
+    for (const part of parts) {
+        whole.set(part, at);
+        at += part.length;
+    }
+    return whole;
+}
+
+export function sameBytes(a, b) {
+    return a.length === b.length && a.every((byte, i) => byte === b[i]);
+}
+
+/** An unsigned or signed number; of eight bytes a BigInt. */
+export function readInteger(bytes, signed) {
+    const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
+    switch (bytes.length) {
+        case 1:
+            return signed ? view.getInt8(0) : view.getUint8(0);
+        case 2:
+            return signed ? view.getInt16(0) : view.getUint16(0);
+        case 4:
+            return signed ? view.getInt32(0) : view.getUint32(0);
+        default:
+            return signed ? view.getBigInt64(0) : view.getBigUint64(0);
+    }
+}
+
+/** The bytes of a number, a BigInt or a Boolean. */
+export function writeInteger(value, size, signed, what) {
+    let number;
+    try {
+        number = BigInt(value);
+    } catch {
+        throw new MipError("range", `${what}: ${value} is not a whole number`);
+    }
+    const width = BigInt(8 * size);
+    const least = signed ? -(1n << (width - 1n)) : 0n;
+    if (number < least || number >= least + (1n << width)) {
+        throw new MipError("range", `${what}: ${value} does not fit in ${size} byte${size > 1 ? "s" : ""}`);
+    }
+    const bytes = new Uint8Array(size);
+    for (let i = size - 1; i >= 0; i--) {
+        bytes[i] = Number(number & 0xffn);
+        number >>= 8n;
+    }
+    return bytes;
+}
+
+/**
+ * The number of a float. A NaN with other bits than the usual one is the text of its bits, "0x7fe5bf7f", because numbers
+ * of JavaScript do not keep them.
+ */
+export function readFloat(bytes) {
+    const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
+    const number = bytes.length === 4 ? view.getFloat32(0) : view.getFloat64(0);
+    return Number.isNaN(number) && !sameBytes(bytes, writeFloat(NaN, bytes.length)) ? floatBits(bytes) : number;
+}
+
+/** The text of the bits of a float: "0x3e7a63a0". */
+export function floatBits(bytes) {
+    return `0x${toHex(bytes)}`;
+}
+
+/** The bytes of a number, or of the text of its bits. */
+export function writeFloat(value, size, what) {
+    if (typeof value === "string") {
+        if (!/^0x[0-9a-f]+$/i.test(value) || value.length !== 2 + 2 * size) {
+            throw new MipError("range", `${what}: "${value}" is not 0x and ${2 * size} hexadecimal digits`);
+        }
+        return fromHex(value.slice(2));
+    }
+    if (typeof value !== "number") throw new MipError("range", `${what}: ${value} is not a number`);
+    const view = new DataView(new ArrayBuffer(size));
+    if (Number.isNaN(value)) {
+        view.setUint16(0, size === 4 ? 0x7fc0 : 0x7ff8);
+    } else if (size === 4) {
+        view.setFloat32(0, value);
+    } else {
+        view.setFloat64(0, value);
+    }
+    return new Uint8Array(view.buffer);
+}
+
+/** Characters of Latin-1, one for each byte. */
+export function readText(bytes) {
+    return Array.from(bytes, (byte) => String.fromCharCode(byte)).join("");
+}
+
+export function writeText(text, what) {
+    return Uint8Array.from(text, (character) => {
+        const code = character.codePointAt(0);
+        if (code > 0xff) throw new MipError("range", `${what}: "${character}" is not a character of Latin-1`);
+        return code;
+    });
+}

@@ -1,0 +1,11 @@
+// The tools for the browser.
+
+export { bandwidth } from "./bandwidth.mjs";
+export { answerOf, initialValues, packetOf } from "./build.mjs";
+export { builder } from "./builder.mjs";
+export { find, indexOf } from "./find.mjs";
+export { finder } from "./finder.mjs";
+export { bytesOfText } from "./input.mjs";
+export { inspect } from "./inspect.mjs";
+export { inspector } from "./inspector.mjs";
+export { needOf, portsFor, streamsOf } from "./stream.mjs";

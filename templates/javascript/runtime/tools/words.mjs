@@ -1,0 +1,87 @@
+// How things of the protocol are shown: numbers, names and places.
+
+import { toHex } from "../mip/bytes.mjs";
+import { bitsOf, enumValue, unitOf } from "../mip/names.mjs";
+
+export function hexByte(number) {
+    return `0x${number.toString(16).toUpperCase().padStart(2, "0")}`;
+}
+
+export function spacedHex(bytes) {
+    return toHex(bytes, " ").toUpperCase();
+}
+
+/** "(0x0C,0x28)"; a field of all sets has its descriptor alone. */
+export function descriptorOf(field) {
+    return field.set ? `(${hexByte(field.set)},${hexByte(field.descriptor)})` : `(${hexByte(field.descriptor)})`;
+}
+
+/** The shortest decimal number that has the same bits as a float of this size. */
+export function decimal(value, size) {
+    if (typeof value === "string") return `NaN (${value})`;
+    if (size !== 4 || !Number.isFinite(value)) {
+        return Object.is(value, -0) ? "-0" : String(value);
+    }
+    for (let digits = 1; digits < 9; digits++) {
+        const short = Number(value.toPrecision(digits));
+        if (Object.is(Math.fround(short), value)) return Object.is(short, -0) ? "-0" : String(short);
+    }
+    return String(Number(value.toPrecision(9)));
+}
+
+/** The path of a value: "descriptors[0].rate"; elements of vectors have names. */
+export function pathText(protocol, parameters, path) {
+    let text = "";
+    let next = 0;
+    let items; // of the last parameter: its length, and the names of its elements
+    for (const step of path) {
+        if (typeof step !== "number") {
+            const { parameter } = parameters[next++] ?? {};
+            const type = protocol.types.get(parameter?.type);
+            items = { array: parameter?.length !== undefined, elements: type?.kind === "vector" ? type.elements : undefined };
+            text += text ? `.${step}` : step;
+        } else if (items.elements && !items.array) {
+            text += `.${items.elements[step]}`;
+        } else {
+            text += `[${step}]`;
+            items = { ...items, array: false };
+        }
+    }
+    return text;
+}
+
+/**
+ * What a value is, for readers: `text`, `unit`, and of an enumeration `name` and `meaning`, of a bitfield `flags`.
+ *
+ * @param type the enumeration or bitfield of the value, if it has one
+ */
+export function shown(protocol, part, parameter, type, index) {
+    const { operation, value, size } = part;
+    const unit = unitOf(parameter, index);
+    const kind = protocol.scalar(operation.scalar)?.kind;
+    if (operation.kind === "text") return { text: JSON.stringify(value.replace(/[\0 ]+$/, "")), unit };
+    if (kind === "float") return { text: decimal(value, size), unit };
+    if (kind === "bool") return { text: `${value}`, name: value ? "true" : "false", unit };
+    if (type?.kind === "enum") {
+        const known = enumValue(type, value);
+        return { text: `${value}`, name: known?.name ?? "unknown", meaning: known?.description, unit };
+    }
+    if (type?.kind === "bitfield") {
+        const { found, rest } = bitsOf(protocol, type, value);
+        const flags = found.filter(({ flag, value: held }) => !flag || held);
+        const text = Array.isArray(value) ? spacedHex(value) : `0x${value.toString(16).toUpperCase().padStart(2 * size, "0")}`;
+        return { text, flags: rest ? [...flags, { rest }] : flags, unit };
+    }
+    return { text: `${value}`, unit };
+}
+
+/** "fix_valid", "quality = 3", or "state = ready". */
+export function flagText({ bits, value, flag, named, rest }) {
+    if (rest !== undefined) return `0x${rest.toString(16).toUpperCase()} has no name`;
+    return flag && !named ? bits.name : `${bits.name} = ${named?.name ?? value}`;
+}
+
+/** "mode is fast"; of another command, "mode of base.echo_control is fast". */
+export function conditionText({ parameter, label, command }) {
+    return `${parameter}${command ? ` of ${command}` : ""} is ${label}`;
+}

@@ -1,0 +1,236 @@
+"""CSV and JSON lines, on the standard library, field by field in bounded memory."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import math
+from collections.abc import Callable, Iterator, Sequence
+from typing import IO, Any
+
+from ..errors import Failure
+from ..field import Field
+from . import clocks, outputs, values
+from .selection import Selection
+from .table import Column, Sample, cell, columns, heading, samples, survey
+
+
+def require(form: str) -> None:
+    """Nothing: these formats need the standard library only."""
+
+
+class Job:
+    """What is to be written of a log."""
+
+    def __init__(
+        self,
+        name: str,
+        form: str,
+        options: argparse.Namespace,
+        selection: Selection,
+        aligned: type[Field] | None,
+    ) -> None:
+        self._name, self._form, self._options, self._aligned = name, form, options, aligned
+        self._selection = selection
+        self.types, clock = survey(name, selection)
+        self._clock = None if options.time == "none" else clock
+        self._time = time_of(options.time, self._clock)
+
+    def write(self, path: str, types: Sequence[type[Field]]) -> None:
+        """Writes fields of these types into a file."""
+        rows = samples(self._name, types, self._selection, self._clock)
+        with outputs.whole(path) as out:
+            if self._form == "csv":
+                write_csv(out, types, self._kept(rows), self._time, self._options, self._aligned)
+            else:
+                write_jsonl(out, self._kept(rows), self._time, self._options)
+
+    def _kept(self, packets: Iterator[list[Sample]]) -> Iterator[list[Sample]]:
+        """Without fields of which a value is not valid, if these are to be dropped."""
+        if self._options.invalid != "drop":
+            return packets
+        known: dict[type[Field], list[Column]] = {}
+
+        def whole(sample: Sample) -> bool:
+            kind = type(sample.value)
+            own = known.setdefault(kind, columns(kind)) if kind not in known else known[kind]
+            return all(c.valid is None or c.valid(sample.value) for c in own)
+
+        return (kept for p in packets if (kept := [s for s in p if whole(s)]))
+
+
+def time_of(wanted: str | None, clock: str | None) -> Callable[[Sample], str | None] | None:
+    """How the time of a sample is written; None if it is not."""
+    if wanted == "none" or (clock is None and wanted is None):
+        return None
+    if clock is None:
+        raise Failure("the log has no valid times; use --time none")
+    if wanted in ("utc", "unix") and not clocks.dated(clock):
+        raise Failure("the log has no dates; use --time clock, --time start or --time none")
+    first: list[int] = []
+
+    def said(sample: Sample) -> str | None:
+        time = sample.time
+        if time is None:
+            return None
+        if wanted in (None, "utc"):
+            return clocks.stamp(clock, time)
+        if wanted == "start":
+            first[:] = first or [time]
+            time -= first[0]
+        return clocks.seconds(time)
+
+    return said
+
+
+# --------------------------------------------------------------------------- csv
+
+
+def write_csv(
+    out: IO[bytes],
+    types: Sequence[type[Field]],
+    packets: Iterator[list[Sample]],
+    time: Callable[[Sample], str | None] | None,
+    options: argparse.Namespace,
+    aligned: type[Field] | None,
+) -> None:
+    """A row for each packet; more, if a packet has several fields of one type."""
+    own = {kind: columns(kind) for kind in types}
+    head = [] if time is None else ["time", "time_own"]
+    for kind, found in own.items():
+        head += [label(kind, c, len(types) == 1) for c in found]
+    out.write(line(head))
+    writers = {kind: _texts(found, options) for kind, found in own.items()}
+    empty = {kind: [""] * len(found) for kind, found in own.items()}
+    last = dict(empty)
+    for packet in packets:
+        if aligned is None:
+            for row in _rows(packet):
+                cells = [
+                    text
+                    for kind in types
+                    for text in (writers[kind](row[kind]) if kind in row else empty[kind])
+                ]
+                out.write(line([*_times(next(iter(row.values())), packet, time), *cells]))
+            continue
+        for sample in sorted(packet, key=lambda s: type(s.value) is aligned):
+            last[type(sample.value)] = writers[type(sample.value)](sample.value)
+            if type(sample.value) is aligned:
+                cells = [text for kind in types for text in last[kind]]
+                out.write(line([*_times(sample.value, packet, time), *cells]))
+
+
+def label(kind: type[Field], column: Column, single: bool) -> str:
+    """The heading of a column, with its unit."""
+    unit = f" [{column.unit}]" if column.unit else ""
+    return heading(kind, column.name, single) + unit
+
+
+def _rows(packet: list[Sample]) -> Iterator[dict[type[Field], Field]]:
+    """The fields of a packet; a type that it has already begins another row."""
+    row: dict[type[Field], Field] = {}
+    for sample in packet:
+        if type(sample.value) in row:
+            yield row
+            row = {}
+        row[type(sample.value)] = sample.value
+    yield row
+
+
+def _times(
+    value: Field, packet: list[Sample], time: Callable[[Sample], str | None] | None
+) -> list[str]:
+    if time is None:
+        return []
+    return [time(packet[0]) or "", str(int(packet[0].own))]
+
+
+def _texts(found: list[Column], options: argparse.Namespace) -> Callable[[Any], list[str]]:
+    mask, named = options.invalid == "mask", options.named
+
+    def texts(field: Any) -> list[str]:
+        return [
+            ""
+            if mask and c.valid is not None and not c.valid(field)
+            else _text(cell(c, field, named), c)
+            for c in found
+        ]
+
+    return texts
+
+
+def _text(value: Any, column: Column) -> str:
+    if value is None:
+        return ""
+    if isinstance(value, float):
+        return values.number(value, column.parameter.scalar)
+    if isinstance(value, (list, dict)):
+        return json.dumps(value, separators=(",", ":"), default=str)
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    return str(value)
+
+
+def line(cells: list[str]) -> bytes:
+    """A line of CSV (RFC 4180, but with a plain line feed)."""
+    return (",".join(map(_quoted, cells)) + "\n").encode()
+
+
+def _quoted(text: str) -> str:
+    if text.isalnum() or not any(c in text for c in ',"\r\n'):
+        return text
+    return '"' + text.replace('"', '""') + '"'
+
+
+# --------------------------------------------------------------------------- jsonl
+
+
+def write_jsonl(
+    out: IO[bytes],
+    packets: Iterator[list[Sample]],
+    time: Callable[[Sample], str | None] | None,
+    options: argparse.Namespace,
+) -> None:
+    """A line for each field."""
+    known: dict[type[Field], list[Column]] = {}
+    for packet in packets:
+        for sample in packet:
+            kind = type(sample.value)
+            found: dict[str, Any] = {}
+            if time is not None:
+                said = time(sample)
+                found["time"] = said if said is None or said.endswith("Z") else float(said)
+                found["time_own"] = sample.own
+            found |= {"packet": sample.packet, "offset": sample.offset, "field": kind.NAME}
+            held = values.plain(sample.value, options.named)
+            if options.invalid == "mask":
+                if kind not in known:
+                    known[kind] = columns(kind)
+                _mask(held, known[kind], sample.value)
+            found["values"] = _strict(held)
+            out.write(json.dumps(found, separators=(",", ":"), allow_nan=False).encode() + b"\n")
+
+
+def _mask(held: dict[str, Any], found: list[Column], field: Any) -> None:
+    """Puts null in place of values that are not valid."""
+    for c in found:
+        if c.valid is None or c.valid(field):
+            continue
+        *path, last = c.name.split(".")
+        place: Any = held
+        for name in path:
+            place = place[name]
+        if isinstance(place, dict):
+            place[last] = None
+        elif place is not None:
+            labels = c.parameter.elements or tuple(map(str, range(len(place))))
+            place[labels.index(last)] = None
+
+
+def _strict(value: Any) -> Any:
+    """Without numbers that JSON does not have."""
+    if isinstance(value, float) and not math.isfinite(value):
+        return None
+    if isinstance(value, dict):
+        return {k: _strict(v) for k, v in value.items()}
+    return [_strict(v) for v in value] if isinstance(value, list) else value

@@ -1,0 +1,73 @@
+"""Files that are whole or not there."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from pathlib import Path
+from typing import IO
+
+from ..errors import Failure
+
+
+@contextmanager
+def whole(name: str, keep_on_interrupt: bool = False) -> Iterator[IO[bytes]]:
+    """A file to write, or standard output for `-`. It takes its name when all of it is written.
+
+    An interrupt ends a recording, which is kept; other files are dropped then. Raises Failure.
+    """
+    if name == "-":
+        yield sys.stdout.buffer
+        sys.stdout.buffer.flush()
+        return
+    with whole_path(name, keep_on_interrupt) as part:
+        try:
+            file = open(part, "wb")
+        except OSError as error:
+            raise Failure(f"{name} cannot be written: {error.strerror}") from None
+        with file:
+            yield file
+
+
+@contextmanager
+def whole_path(name: str, keep_on_interrupt: bool = False) -> Iterator[Path]:
+    """A path beside a file, which replaces the file at the end. Raises Failure."""
+    path = Path(name)
+    if path.is_dir():
+        raise Failure(f"{name} is a folder; name a file in it")
+    if path.exists() and not path.is_file():  # such as /dev/null, which must not be replaced
+        yield path
+        return
+    part = path.with_name(f"{path.name}.{os.getpid()}.part")
+    try:
+        yield part
+    except BaseException as error:
+        if not (keep_on_interrupt and isinstance(error, KeyboardInterrupt)):
+            with suppress(OSError):
+                part.unlink()
+            if isinstance(error, OSError) and not isinstance(error, BrokenPipeError):
+                raise Failure(f"{name} cannot be written: {error.strerror or error}") from None
+        else:
+            _rename(part, path)
+        raise
+    _rename(part, path)
+
+
+def _rename(part: Path, path: Path) -> None:
+    try:
+        os.replace(part, path)
+    except OSError as error:
+        with suppress(OSError):
+            part.unlink()
+        raise Failure(f"{path} cannot be written: {error.strerror}") from None
+
+
+def note(text: str) -> None:
+    """Says what was done, to a person at a terminal only."""
+    if sys.stderr.isatty():
+        print(text, file=sys.stderr)
+
+
+__all__ = ["note", "whole", "whole_path"]

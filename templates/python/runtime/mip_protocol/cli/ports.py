@@ -1,0 +1,124 @@
+"""Ports on the command line."""
+
+from __future__ import annotations
+
+import argparse
+import queue
+import signal
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any, overload
+
+from ..errors import Failure, MipError
+from .scan import Piece, Scanner
+
+if TYPE_CHECKING:
+    from ..device import Device
+
+#: Seconds without a byte until an incomplete packet is given up.
+SILENCE = 0.5
+_TURN = 0.1
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--baud",
+        type=_baud,
+        default=115200,
+        metavar="BD",
+        help="baud rate of a serial port; `auto` finds it (default: 115200)",
+    )
+
+
+def _baud(text: str) -> int | None:
+    if text == "auto":
+        return None
+    if not text.isascii() or not text.isdigit() or not 0 < int(text) < 10**8:
+        raise argparse.ArgumentTypeError(f"'{text}' is not a baud rate; use a number or `auto`")
+    return int(text)
+
+
+@contextmanager
+def opened(name: str, options: argparse.Namespace, **more: Any) -> Iterator[Device]:
+    """A device at a port. Raises Failure if it cannot be opened."""
+    from .. import open_port
+
+    try:
+        device = open_port(name, options.baud, **more)
+    except (OSError, ImportError, MipError, ValueError) as error:
+        raise Failure(f"{name} cannot be opened: {reason(error)}") from None
+    with device:
+        yield device
+
+
+def reason(error: BaseException) -> str:
+    """What an exception says, in one line."""
+    said = getattr(error, "strerror", None) or str(error) or type(error).__name__
+    return " ".join(str(said).split())
+
+
+@contextmanager
+def stopping() -> Iterator[None]:
+    """An ordinary kill and the end of the terminal are an interrupt, too."""
+
+    def interrupt(number: int, frame: object) -> None:
+        raise KeyboardInterrupt
+
+    before = {}
+    for name in ("SIGTERM", "SIGHUP"):
+        number = getattr(signal, name, None)
+        if number is not None:
+            before[number] = signal.signal(number, interrupt)
+    try:
+        yield
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
+
+
+def received(
+    name: str, options: argparse.Namespace, seconds: float | None = None
+) -> Iterator[bytes]:
+    """What comes in at a port, as it comes, until it closes or the time is over; empty after a pause."""
+    came: queue.SimpleQueue[bytes] = queue.SimpleQueue()
+    end = None if seconds is None else time.monotonic() + seconds
+    with opened(name, options, capacity=1, on_bytes=lambda data: came.put(bytes(data))) as device:
+        while True:
+            left = _TURN if end is None else min(_TURN, end - time.monotonic())
+            if left <= 0:
+                return
+            try:
+                yield came.get(timeout=left)
+            except queue.Empty:
+                if device.closed:
+                    return
+                yield b""
+
+
+@overload
+def pieces(
+    name: str, options: argparse.Namespace, seconds: float | None = None
+) -> Iterator[Piece]: ...
+@overload
+def pieces(
+    name: str, options: argparse.Namespace, seconds: float | None, idle: bool
+) -> Iterator[Piece | None]: ...
+def pieces(
+    name: str, options: argparse.Namespace, seconds: float | None = None, idle: bool = False
+) -> Iterator[Any]:
+    """The packets that come in at a port, and what is between them; `idle`: None after pauses."""
+    scanner = Scanner()
+    last = time.monotonic()
+    for data in received(name, options, seconds):
+        if data:
+            last = time.monotonic()
+            yield from scanner.feed(data)
+        elif time.monotonic() - last > SILENCE:
+            yield from scanner.flush()
+        if idle and not data:
+            yield None
+    yield from scanner.flush()
+
+
+__all__ = ["add_arguments", "opened", "pieces", "reason", "received", "stopping", "url"]

@@ -1,0 +1,108 @@
+"""`mip record`: what a device sends, into a file."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import time
+from typing import IO
+
+from ..errors import Failure
+from . import inputs, outputs, ports
+from .arguments import positive, seconds
+from .scan import Scanner
+
+EPILOG = """\
+examples:
+  mip record /dev/ttyACM0 -o log.bin          until Ctrl-C
+  mip record localhost:5000 -o log.bin --duration 60
+  mip record /dev/ttyACM0 -o - | mip dump -
+
+Every byte is written as it comes, NMEA sentences and damaged packets too; `mip cut` removes them.
+The file has its name when the recording ends, by Ctrl-C too, and FILE.NUMBER.part until then.
+"""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.epilog = EPILOG
+    add = parser.add_argument
+    add("port", metavar="PORT", help="such as /dev/ttyACM0, COM3, HOST:PORT, rfc2217://HOST:PORT")
+    add(
+        "-o",
+        "--output",
+        required=True,
+        metavar="FILE",
+        help="where to write; - for standard output",
+    )
+    add("--duration", type=seconds, metavar="S", help="end after S seconds")
+    add("--packets", type=positive, metavar="N", help="end after N packets")
+    ports.add_arguments(parser)
+
+
+def run(options: argparse.Namespace) -> int:
+    recording = _Recording(options)
+    with ports.stopping(), outputs.whole(options.output) as out:
+        try:
+            recording.write(out)
+        except KeyboardInterrupt:  # the usual way to end it
+            pass
+        finally:
+            recording.clear()
+    outputs.note(recording.status())
+    if recording.closed:
+        raise Failure(
+            f"{options.port} was closed after {inputs.readable(recording.size)}, which are kept"
+        )
+    return 0
+
+
+class _Recording:
+    def __init__(self, options: argparse.Namespace) -> None:
+        self._options = options
+        self._scanner = Scanner()
+        self.size = 0
+        self.packets = 0
+        self.skipped = 0
+        self.closed = False
+        self._shown = self._start = time.monotonic()
+
+    def write(self, out: IO[bytes]) -> None:
+        """Writes what comes until there is enough of it."""
+        options = self._options
+        for data in ports.received(options.port, options, options.duration):
+            keep = len(data)
+            for piece in self._scanner.feed(data):
+                self.packets += piece.packet is not None
+                self.skipped += len(piece.data) * (piece.packet is None)
+                if self.packets == options.packets:
+                    keep = piece.offset + len(piece.data) - self.size
+                    break
+            out.write(data[:keep])
+            out.flush()  # what is written is safe, whatever happens to this program
+            self.size += keep
+            self._show()
+            if self.packets == options.packets:
+                return
+        spent = time.monotonic() - self._start
+        self.closed = options.duration is None or spent < options.duration
+
+    def status(self) -> str:
+        """What has been recorded."""
+        spent = max(time.monotonic() - self._start, 1e-9)
+        return (
+            f"{spent:.0f} s, {inputs.readable(self.size)}, {self.packets} packets, "
+            f"{self.packets / spent:.0f} a second, {self.skipped} bytes of none"
+        )
+
+    def _show(self) -> None:
+        now = time.monotonic()
+        if sys.stderr.isatty() and now - self._shown > 0.5:
+            self._shown = now
+            sys.stderr.write(f"\r\x1b[K{self.status()}")
+            sys.stderr.flush()
+
+    def clear(self) -> None:
+        """Removes the progress from the terminal."""
+        if sys.stderr.isatty():
+            sys.stderr.write("\r\x1b[K")
+            sys.stderr.flush()

@@ -1,0 +1,132 @@
+"""Chromium without a window, driven over its pipe of the DevTools protocol: pages from disk, scripts, screenshots."""
+
+from __future__ import annotations
+
+import base64
+import json
+import os
+import shutil
+import subprocess
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+from support import need
+
+FLAGS = (
+    "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-sync",
+    "--disable-background-networking", "--disable-component-update", "--disable-extensions", "--remote-debugging-pipe",
+)  # fmt: skip
+
+
+def installed() -> bool:
+    return shutil.which("chromium") is not None
+
+
+class Page:
+    """A tab. `complaints` are errors of its scripts and of the browser, `asked` the addresses of what it has loaded."""
+
+    def __init__(self, browser: Browser, session: str) -> None:
+        self.browser, self.session = browser, session
+        self.complaints: list[str] = []
+        self.asked: list[str] = []
+        for domain in ("Page", "Runtime", "Network", "Log"):
+            self.call(f"{domain}.enable")
+
+    def call(self, method: str, **parameters: Any) -> Any:
+        return self.browser.call(method, self.session, **parameters)
+
+    def open(self, url: str | Path) -> None:
+        self.call("Page.navigate", url=url.as_uri() if isinstance(url, Path) else url)
+        self.browser.wait_for("Page.loadEventFired")
+
+    def run(self, script: str) -> Any:
+        """The value of an expression; a promise is waited for."""
+        done = self.call("Runtime.evaluate", expression=script, returnByValue=True, awaitPromise=True)
+        assert "exceptionDetails" not in done, done["exceptionDetails"]
+        return done["result"].get("value")
+
+    def size(self, width: int, height: int = 900) -> None:
+        self.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=False)
+
+    def screenshot(self, path: Path) -> None:
+        path.write_bytes(base64.b64decode(self.call("Page.captureScreenshot", captureBeyondViewport=True)["data"]))
+
+
+class Browser:
+    def __init__(self, process: subprocess.Popen[bytes], reading: int, writing: int) -> None:
+        self.process, self.writing = process, writing
+        self.answers = os.fdopen(reading, "rb")
+        self.last = 0
+        self.page: Page | None = None
+
+    def call(self, method: str, session: str | None = None, **parameters: Any) -> Any:
+        self.last += 1
+        request = {
+            "id": self.last,
+            "method": method,
+            "params": parameters,
+            **({"sessionId": session} if session else {}),
+        }
+        os.write(self.writing, json.dumps(request).encode() + b"\0")
+        while (message := self.message()).get("id") != self.last:
+            pass
+        assert "error" not in message, (method, message["error"])
+        return message["result"]
+
+    def wait_for(self, event: str) -> None:
+        while self.message().get("method") != event:
+            pass
+
+    def message(self) -> Any:
+        data = bytearray()
+        while (byte := self.answers.read(1)) != b"\0":
+            assert byte, f"chromium has ended with status {self.process.wait()}"
+            data += byte
+        message = json.loads(data)
+        self.note(message)
+        return message
+
+    def note(self, message: Any) -> None:
+        of, parameters = message.get("method"), message.get("params", {})
+        if self.page is None:
+            return
+        if of == "Runtime.exceptionThrown":
+            details = parameters["exceptionDetails"]
+            self.page.complaints.append(details.get("exception", {}).get("description", details["text"]))
+        elif of == "Log.entryAdded" and parameters["entry"]["level"] == "error":
+            self.page.complaints.append(parameters["entry"]["text"] + " " + parameters["entry"].get("url", ""))
+        elif of == "Network.requestWillBeSent":
+            self.page.asked.append(parameters["request"]["url"])
+
+
+@contextmanager
+def page() -> Iterator[Page]:
+    """A new tab of a new browser, which has a profile of its own."""
+    to_browser, from_browser = os.pipe(), os.pipe()
+    with tempfile.TemporaryDirectory() as profile:
+        # The browser reads from descriptor 3 and writes to 4.
+        command = f'exec "$0" "$@" 3<&{to_browser[0]} 4>&{from_browser[1]}'
+        process = subprocess.Popen(
+            ["bash", "-c", command, need("chromium"), *FLAGS, f"--user-data-dir={profile}", "about:blank"],
+            pass_fds=(to_browser[0], from_browser[1]), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+        )  # fmt: skip
+        os.close(to_browser[0])
+        os.close(from_browser[1])
+        browser = Browser(process, from_browser[0], to_browser[1])
+        try:
+            target = browser.call("Target.createTarget", url="about:blank")["targetId"]
+            session = browser.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
+            browser.page = Page(browser, session)
+            yield browser.page
+            browser.call("Browser.close")
+        finally:
+            os.close(to_browser[1])
+            browser.answers.close()
+            try:
+                process.wait(10)
+            except subprocess.TimeoutExpired:
+                process.kill()
+                process.wait()

@@ -1,0 +1,139 @@
+// What the builder knows of a packet with one field: values to begin with, bytes, source code, and the answer.
+
+import { FIRST_DATA_SET, SHARED_SET } from "../mip/protocol.mjs";
+import { buildPacket } from "../mip/packet.mjs";
+import { namedType, parameterOf } from "../mip/names.mjs";
+import { conditionText, hexByte } from "./words.mjs";
+
+/** The sets in whose packets a field can be. */
+export function setsOf(protocol, field) {
+    if (field.set && field.set !== SHARED_SET) return [field.set];
+    const numbers = protocol.model.sets.map((set) => set.number).filter((number) => number !== SHARED_SET);
+    return numbers.filter((number) => number >= FIRST_DATA_SET === (field.set === SHARED_SET));
+}
+
+/** The operations of a field that a function requires; all that are required where there is no selector. */
+export function requiredOperations(protocol, field, selector) {
+    const required = protocol.required(field, selector);
+    return field.operations.flatMap((op) => (op.kind !== "group" ? [op] : op.last <= required ? op.body : []));
+}
+
+/** Values to begin with: the function selector, then factory defaults and reserved values where there are any, else 0. */
+export function initialValues(protocol, field, selector) {
+    const values = {};
+    for (const op of requiredOperations(protocol, field, selector)) begin(protocol, op, field, values);
+    if (field.calls) values.function = selector;
+    return values;
+}
+
+function begin(protocol, op, record, values) {
+    if (op.kind === "constant") return;
+    values[op.member] = initialValue(protocol, op, record, values);
+}
+
+/** The value to begin with of one operation; that of a union depends on the values before it. */
+export function initialValue(protocol, op, record, values) {
+    const parameter = parameterOf(record, op.member) ?? {};
+    const given = parameter.default ?? parameter.reserved;
+    switch (op.kind) {
+        case "counter":
+            return 0;
+        case "bits":
+            return Array(op.size).fill(0);
+        case "text":
+            return (typeof given === "string" ? given : "").padEnd(op.count ?? 0);
+        case "array": {
+            const count = op.count ?? (Array.isArray(given) ? given.length : 0);
+            const inner = { parameters: [{ name: op.item.member, type: parameter.type }] };
+            return Array.from({ length: count }, (_, i) => {
+                const one = Array.isArray(given) ? given[i] : given;
+                return one === undefined ? initialValue(protocol, op.item, inner, {}) : numberOf(protocol, op.item, parameter, one, {});
+            });
+        }
+        case "struct": {
+            const struct = protocol.type(op.struct);
+            const inner = {};
+            for (const part of struct.operations) begin(protocol, part, struct, inner);
+            return inner;
+        }
+        case "switch": {
+            const selected = op.cases.find((one) => one.value === Number(values[op.tag]))?.operation;
+            return selected ? { [selected.member]: initialValue(protocol, selected, record, {}) } : {};
+        }
+        default:
+            return numberOf(protocol, op, parameter, given ?? firstOf(protocol, op, parameter, values), values);
+    }
+}
+
+function firstOf(protocol, op, parameter, values) {
+    const type = namedType(protocol, parameter, values);
+    if (type?.kind === "enum") return type.values[0].value;
+    return Math.max(0, parameter.minimum ?? 0);
+}
+
+/** A number for a default: it may be the name of a value, or names of bits. */
+function numberOf(protocol, op, parameter, given, values) {
+    const type = namedType(protocol, parameter, values);
+    if (typeof given === "string") return type?.values?.find((one) => one.name === given)?.value ?? 0;
+    if (Array.isArray(given)) {
+        return given.reduce((sum, name) => sum + 2 ** (type?.bits?.find((one) => one.name === name)?.first ?? 0), 0);
+    }
+    return Number(given);
+}
+
+/** The same values, with the number of elements in every counter. */
+export function counted(protocol, operations, values) {
+    const all = { ...values };
+    for (const op of operations.flatMap((one) => (one.kind === "group" ? one.body : [one]))) {
+        if (op.kind === "counter" && all[op.array] !== undefined) all[op.member] = all[op.array].length;
+        if (!Object.hasOwn(all, op.member)) continue;
+        if (op.kind === "struct") all[op.member] = counted(protocol, protocol.type(op.struct).operations, all[op.member]);
+        if (op.kind === "array" && op.item.kind === "struct") {
+            const { operations: inner } = protocol.type(op.item.struct);
+            all[op.member] = all[op.member].map((item) => counted(protocol, inner, item));
+        }
+        if (op.kind === "switch") {
+            const selected = op.cases.map((one) => one.operation).filter((one) => one && Object.hasOwn(all[op.member], one.member));
+            all[op.member] = counted(protocol, selected, all[op.member]);
+        }
+    }
+    return all;
+}
+
+/** The packet of a field with these values; raises a MipError that says what is wrong. */
+export function packetOf(protocol, field, set, values) {
+    const all = counted(protocol, field.operations, values);
+    return buildPacket(protocol, set, [{ descriptor: field.descriptor, name: field.name, values: all }]);
+}
+
+/**
+ * What a command is answered with: `silent`, why there is no answer; `acknowledge`, the packet if nothing else
+ * comes; `responses`, each with the field and the condition under which it is directly behind the acknowledge.
+ */
+export function answerOf(protocol, field, values) {
+    const call = field.calls ? protocol.functions.get(Number(values.function)) : undefined;
+    const conditions = [...(field.silent_when ?? []), ...(field.silenced_by ?? [])].map(conditionText);
+    if (call && !call.reply) return { silent: `The function ${call.name} is not answered.`, conditions, responses: [] };
+    const asked = !call || call.responds ? (field.responses ?? []).map((name) => protocol.field(name)) : [];
+    const { acknowledge } = protocol;
+    const [command, code] = acknowledge.operations.map((op) => op.member);
+    const packet = buildPacket(protocol, field.set, [
+        { descriptor: acknowledge.descriptor, name: acknowledge.name, values: { [command]: field.descriptor, [code]: 0 } },
+    ]);
+    const responses = asked.map((response) => ({
+        field: response,
+        when: response.command === field.name ? (response.when ?? []).map(conditionText).join(" and ") : "",
+    }));
+    return { acknowledge: packet, responses, conditions };
+}
+
+/** The bytes as source code. */
+export function sourceOf(bytes, language) {
+    const list = Array.from(bytes, hexByte).join(", ");
+    const plain = Array.from(bytes, (byte) => `\\x${byte.toString(16).padStart(2, "0")}`).join("");
+    return {
+        c: `static const uint8_t packet[] = {${list}};`,
+        python: `packet = b"${plain}"`,
+        rust: `const PACKET: [u8; ${bytes.length}] = [${list}];`,
+    }[language];
+}

@@ -1,0 +1,187 @@
+"""Where bytes come from: a file, standard input, the command line or a port."""
+
+from __future__ import annotations
+
+import os
+import re
+import sys
+import tempfile
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from itertools import chain
+from pathlib import Path
+from typing import IO
+
+from ..errors import Failure
+from .scan import Piece, Scanner
+
+CHUNK = 1 << 16
+_HEX = re.compile(rb"(?:0[xX])?[0-9A-Fa-f]{2}(?:[\s,:]*(?:0[xX])?[0-9A-Fa-f]{2})*[\s,]*")
+_TEXT = re.compile(rb"[0-9A-Fa-fxX\s,:]*")
+_SEPARATORS = re.compile(rb"0[xX]|[\s,:]")
+_ADDRESS = re.compile(r"(\[[0-9A-Fa-f:]+\]|[\w.-]+):\d{1,5}")
+
+
+def is_port(text: str) -> bool:
+    """Is this a port and not a file: a device, COM3, HOST:PORT, or a URL such as socket://?"""
+    if "://" in text:
+        return True
+    if os.path.exists(text):
+        import stat
+
+        return stat.S_ISCHR(os.stat(text).st_mode) and text != os.devnull
+    return bool(re.fullmatch(r"(?i)com\d+", text) or _ADDRESS.fullmatch(text)) or text.startswith(
+        ("/dev/tty", "/dev/cu.", "/dev/serial/")
+    )
+
+
+def exists(name: str) -> bool:
+    """Is there a file of this name, even if it looks like bytes?"""
+    return name == "-" or os.path.exists(name)
+
+
+def hex_bytes(words: list[str]) -> bytes | None:
+    """The bytes that these words say in hexadecimal digits; None if they are something else."""
+    text = " ".join(words).encode("utf-8", "replace")
+    return _plain(text) if _HEX.fullmatch(text.strip()) else None
+
+
+def _plain(text: bytes) -> bytes:
+    return bytes.fromhex(_SEPARATORS.sub(b"", text).decode("ascii"))
+
+
+def chunks(name: str, progress: bool = True) -> Iterator[bytes]:
+    """The bytes of a file, or of standard input for `-`, as they come. Text of hex digits is converted.
+
+    `progress` of long files is shown on a terminal. Raises Failure if it cannot be read.
+    """
+    try:
+        if name == "-":
+            yield from _converted(_read(sys.stdin.buffer), name)
+        else:
+            with open(name, "rb") as file:
+                yield from _converted(_shown(file) if progress else _read(file), name)
+    except OSError as error:
+        if isinstance(error, BrokenPipeError):
+            raise
+        raise Failure(f"{name} cannot be read: {error.strerror or error}") from None
+
+
+def pieces(name: str, progress: bool = True) -> Iterator[Piece]:
+    """The packets of a file or of standard input, and what is between them."""
+    scanner = Scanner()
+    for chunk in chunks(name, progress):
+        yield from scanner.feed(chunk)
+    yield from scanner.flush()
+
+
+@contextmanager
+def seekable(name: str) -> Iterator[str]:
+    """A file that can be read twice: the file itself, or a temporary one with standard input."""
+    if name != "-":
+        yield name
+        return
+    with tempfile.TemporaryDirectory(prefix="mip-") as folder:
+        path = os.path.join(folder, "input")
+        with open(path, "wb") as file:
+            for chunk in chunks(name):
+                file.write(chunk)
+        yield path
+
+
+def _read(file: IO[bytes]) -> Iterator[bytes]:
+    read = getattr(file, "read1", file.read)  # what has come, without waiting for more
+    while chunk := read(CHUNK):
+        yield chunk
+
+
+def _converted(source: Iterator[bytes], name: str) -> Iterator[bytes]:
+    first = next(source, b"")
+    if not first.strip() or not _TEXT.fullmatch(first):  # a packet has a `u`, which is no digit
+        yield first
+        yield from source
+        return
+    rest = b""
+    for chunk in chain((first,), source):
+        digits = _SEPARATORS.sub(b"", rest + chunk)
+        rest = digits[len(digits) & ~1 :]
+        try:
+            yield bytes.fromhex(digits[: len(digits) & ~1].decode("ascii"))
+        except ValueError:
+            raise Failure(
+                f"{name} begins with hexadecimal digits but has other text, too; remove it"
+            ) from None
+    if rest:
+        raise Failure(f"{name} has an odd number of hexadecimal digits; two make a byte")
+
+
+# --------------------------------------------------------------------------- progress
+
+
+class Progress:
+    """How much of something long is done, on standard error if that is a terminal."""
+
+    def __init__(self, size: int) -> None:
+        self._size = size
+        self._shown = time.monotonic()
+        self._on = size >= 1 << 22 and sys.stderr.isatty()
+
+    def at(self, done: int) -> None:
+        """Shows it, but not too often."""
+        now = time.monotonic()
+        if self._on and now - self._shown > 0.2:
+            self._shown = now
+            sys.stderr.write(f"\r\x1b[K{done / self._size:.0%} of {readable(self._size)}")
+            sys.stderr.flush()
+
+    def clear(self) -> None:
+        """Removes it from the terminal."""
+        if self._on:
+            sys.stderr.write("\r\x1b[K")
+            sys.stderr.flush()
+
+
+def _shown(file: IO[bytes]) -> Iterator[bytes]:
+    progress, done = Progress(os.fstat(file.fileno()).st_size), 0
+    try:
+        for chunk in _read(file):
+            yield chunk
+            done += len(chunk)
+            progress.at(done)
+    finally:
+        progress.clear()
+
+
+def readable(size: float) -> str:
+    """A number of bytes for people."""
+    for unit in ("B", "kB", "MB", "GB"):
+        if size < 1000 or unit == "GB":
+            return f"{size:.0f} {unit}" if unit == "B" else f"{size:.3g} {unit}"
+        size /= 1000
+    raise AssertionError
+
+
+def existing(name: str) -> Path:
+    """A file that can be read. Raises Failure."""
+    path = Path(name)
+    try:
+        with open(path, "rb"):
+            pass
+    except OSError as error:
+        raise Failure(f"{name} cannot be read: {error.strerror or error}") from None
+    return path
+
+
+__all__ = [
+    "CHUNK",
+    "Progress",
+    "chunks",
+    "existing",
+    "exists",
+    "hex_bytes",
+    "is_port",
+    "pieces",
+    "readable",
+    "seekable",
+]

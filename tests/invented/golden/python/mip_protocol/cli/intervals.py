@@ -1,0 +1,98 @@
+"""Rates and gaps of packets that come again and again, in bounded memory."""
+
+from __future__ import annotations
+
+import heapq
+import math
+from collections import Counter
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+from .clocks import SECOND
+
+#: An interval of so many times the usual one is a gap.
+GAP = 1.5
+#: How many gaps and jumps are kept, with their places.
+KEPT = 10
+
+
+class Place(NamedTuple):
+    """Something between two packets: seconds, and where the second one begins."""
+
+    seconds: float
+    offset: int
+    time: int
+
+
+@dataclass
+class Intervals:
+    """The times between packets of one kind, in the order of the log."""
+
+    count: int = 0
+    first: int | None = None
+    last: int | None = None
+    backward: list[Place] = field(default_factory=list)
+    backwards: int = 0
+    _bins: Counter[int] = field(default_factory=Counter)
+    _longest: list[Place] = field(default_factory=list)
+    _sums: Counter[int] = field(default_factory=Counter)
+
+    def add(self, time: int, offset: int) -> None:
+        """One more packet, at a time in ns."""
+        self.count += 1
+        if self.last is None:
+            self.first = time
+        else:
+            step = time - self.last
+            if step < 0:
+                self.backwards += 1
+                if len(self.backward) < KEPT:
+                    self.backward.append(Place(step / SECOND, offset, time))
+            elif step > 0:
+                place_of = round(math.log(step) * 1000)  # 0.1 %
+                self._bins[place_of] += 1
+                self._sums[place_of] += step
+                place = Place(step / SECOND, offset, time)
+                if len(self._longest) < KEPT:
+                    heapq.heappush(self._longest, place)
+                elif place > self._longest[0]:
+                    heapq.heapreplace(self._longest, place)
+        self.last = time
+
+    @property
+    def usual(self) -> float | None:
+        """The middle one of the intervals in seconds."""
+        total = sum(self._bins.values())
+        passed = 0
+        for place in sorted(self._bins):
+            passed += self._bins[place]
+            if passed * 2 >= total:
+                return self._sums[place] / self._bins[place] / SECOND
+        return None
+
+    @property
+    def rate(self) -> float | None:
+        """Hz, without gaps and jumps."""
+        usual = self.usual
+        if usual is None:
+            return None
+        limit = math.log(usual * SECOND * GAP) * 1000
+        near = [place for place in self._bins if place <= limit]
+        spent = sum(self._sums[place] for place in near) / SECOND
+        return sum(self._bins[place] for place in near) / spent if spent else None
+
+    @property
+    def gaps(self) -> tuple[int, float, list[Place]]:
+        """How many gaps there are, the seconds that are missing, and the longest ones in order."""
+        usual = self.usual
+        if usual is None or self.count < 4:
+            return 0, 0.0, []
+        limit = math.log(usual * SECOND * GAP) * 1000
+        wide = [place for place in self._bins if place > limit]
+        count = sum(self._bins[place] for place in wide)
+        missing = sum(self._sums[place] for place in wide) / SECOND - usual * count
+        places = [p for p in self._longest if p.seconds > usual * GAP]
+        return count, missing, sorted(places, key=lambda p: p.offset)
+
+
+__all__ = ["GAP", "Intervals", "Place"]

@@ -1,0 +1,100 @@
+"""The bandwidth of streams in Chromium, from disk, against the formula of the manuals."""
+
+from __future__ import annotations
+
+import math
+import random
+from collections.abc import Iterator
+
+import browser
+import pytest
+from mipgen import model as m
+from support import ROOT, heavy, model
+
+pytestmark = [] if browser.installed() else heavy("chromium")
+
+#: Chooses fields of sets with the numbers beside them: [set, field, number].
+CHOOSE = """
+window.choose = (device, wanted) => {
+    const select = document.querySelector("select");
+    select.value = device;
+    select.dispatchEvent(new Event("input"));
+    for (const [set, field, number] of wanted) {
+        const [box, input] = document.querySelectorAll(`[data-set="${set}"] [data-field="${field}"] input`);
+        input.value = number;
+        box.checked = true;
+        box.dispatchEvent(new Event("input"));
+    }
+    return {
+        need: document.querySelector(".mip-need")?.textContent ?? null,
+        ports: Object.fromEntries(
+            [...document.querySelectorAll("[data-port]")].map((row) => [row.dataset.port, row.cells[1].textContent]),
+        ),
+    };
+};
+"""
+
+
+@pytest.fixture(scope="module")
+def page() -> Iterator[browser.Page]:
+    with browser.page() as opened:
+        opened.open(ROOT / "generated/javascript/tools/bandwidth.html")
+        opened.run(CHOOSE + "0")
+        yield opened
+        assert opened.complaints == []
+
+
+def baud(streams: dict[str, list[tuple[m.Field, float]]]) -> float:
+    """10 * (6 * F + sum of S * f) for each set, as the notes of the protocol say."""
+    return sum(
+        10 * (6 * max(rate for _, rate in fields) + sum((f.max_size + 2) * rate for f, rate in fields))
+        for fields in streams.values()
+    )
+
+
+def test_the_example_of_the_manual(page: browser.Page) -> None:
+    """By the notes of the protocol, these take 34000 Bd."""
+    wanted = [["sensor", "sensor.scaled_accel", 10], ["sensor", "sensor.gps_timestamp", 10]]
+    found = page.run(f"choose('3dm-gx5-15', {wanted})")
+    assert found["need"] == "3400 bytes/s; over a UART at least 34000 Bd."
+    assert found["ports"] == {"UART 1": "115200", "USB": "no baud rate"}
+    assert any("34000 Bd" in text for note in model("real").protocol.notes for text in note.text)
+
+
+def test_what_no_port_carries(page: browser.Page) -> None:
+    of = model("real")
+    device = of.device("3dm-gx5-15")
+    assert device is not None
+    wanted = [["sensor", s.field.full_name, 1] for s in device.supports if s.field.set_name == "sensor"]
+    assert page.run(f"choose({device.id!r}, {wanted})")["ports"]["UART 1"] == "none of its baud rates is enough"
+
+
+def test_nothing_chosen(page: browser.Page) -> None:
+    assert page.run("choose('', [])") == {"need": None, "ports": {}}
+
+
+@pytest.mark.parametrize("device", [d.id for d in model("real").devices if d.base_rates and d.ports])
+def test_random_streams(page: browser.Page, device: str) -> None:
+    of, chance = model("real"), random.Random(device)
+    d = of.device(device)
+    assert d is not None
+    bases = {r.set.name: r.hertz for r in d.base_rates}
+    for _ in range(5):
+        data = [s.field for s in d.supports if s.field.role == m.DATA]
+        places = [(f.set_name, f) for f in data if f.set != m.SHARED_SET]
+        sets = sorted({name for name, _ in places})
+        places += [(name, f) for f in data if f.set == m.SHARED_SET for name in sets]
+        streams: dict[str, list[tuple[m.Field, float]]] = {}
+        wanted = []
+        for name, f in chance.sample(places, min(4, len(places))):
+            number = chance.choice([1, 2, 5, 10, 100])
+            base = bases.get(name) or None
+            streams.setdefault(name, []).append((f, base / number if base else number))
+            wanted.append([name, f.full_name, number])
+        found = page.run(f"choose({device!r}, {wanted})")
+        need = baud(streams)
+        assert found["need"].endswith(f"at least {math.ceil(round(need, 6))} Bd.")
+        for port in d.ports:
+            enough = [r for r in port.baud_rates if r >= need]
+            none = "none of its baud rates is enough" if port.baud_rates else "no baud rate"
+            assert found["ports"][port.name] == (str(min(enough)) if enough else none)

@@ -1,0 +1,279 @@
+"""The inspector in Chromium, from disk: what it shows of every printed packet is what the Python binding decodes."""
+
+from __future__ import annotations
+
+import importlib
+import re
+import struct
+import sys
+from collections.abc import Iterator
+from functools import cache
+from typing import Any
+
+import browser
+import pytest
+from mipgen import codec
+from strategies import drawn
+from support import ROOT, all_fields, heavy, model, set_of
+
+pytestmark = [] if browser.installed() else heavy("chromium")
+TOOLS = ROOT / "generated/javascript/tools"
+
+#: What the page shows, as data.
+READ = """
+(() => [...document.querySelectorAll(".mip-packet")].map((packet) => ({
+    kind: packet.dataset.kind,
+    bytes: packet.dataset.bytes,
+    title: packet.querySelector("h2").textContent,
+    verdict: packet.querySelector(".mip-verdict").textContent,
+    notes: [...packet.querySelectorAll(":scope > .mip-note")].map((note) => note.textContent),
+    fields: [...packet.querySelectorAll(".mip-field")].map((field) => ({
+        name: field.dataset.field,
+        link: field.querySelector("h3 a")?.getAttribute("href") ?? null,
+        wrong: field.querySelector(".mip-wrong")?.textContent ?? null,
+        rows: [...field.querySelectorAll("tbody tr")].map((row) => ({
+            path: row.dataset.path,
+            bytes: row.cells[0].textContent,
+            number: row.cells[2].querySelector(".mip-number").textContent,
+            name: row.cells[2].querySelector("code")?.textContent ?? null,
+            value: row.cells[2].textContent,
+            flags: [...row.cells[3].querySelectorAll(".mip-flag")].map((flag) => flag.textContent),
+        })),
+    })),
+})))()
+"""
+
+
+@pytest.fixture(scope="module")
+def page() -> Iterator[browser.Page]:
+    with browser.page() as opened:
+        opened.open(TOOLS / "inspector.html")
+        yield opened
+        assert opened.complaints == []
+        assert all(url.startswith("file://") for url in opened.asked), opened.asked
+
+
+def inspected(page: browser.Page, text: str, device: str = "") -> list[Any]:
+    """What the page shows of a text that is pasted."""
+    page.run(f"document.querySelector('select').value = {device!r}")
+    page.run(
+        f"(() => {{ const input = document.querySelector('textarea'); input.value = {text!r};"
+        " input.dispatchEvent(new Event('input')); })()"
+    )
+    found: list[Any] = page.run(READ)
+    return found
+
+
+# --------------------------------------------------------------------------- the Python binding
+
+
+@cache
+def binding(name: str) -> Any:
+    path = str(ROOT / "generated/python")
+    sys.path.insert(0, path)
+    try:
+        return importlib.import_module(name)
+    finally:
+        sys.path.remove(path)
+
+
+Row = tuple[str, Any, Any, str]  # path, parameter, value, unit
+
+
+def rows(record: Any, path: str = "") -> Iterator[Row]:
+    """Every value of a field as the Python binding has it."""
+    for p in binding("mip_protocol.reflection").PARAMETERS[type(record)]:
+        name = f"{path}.{p.name}" if path else p.name
+        if p.kind == "constant":
+            yield name, p, p.constant, ""
+        elif p.kind == "counter":
+            items = getattr(record, p.counts)
+            if items is not None:
+                yield name, p, len(items), ""
+        elif p.kind == "switch":
+            case_, held = p.cases.get(getattr(record, p.tag)), getattr(record, p.attribute)
+            if case_ is not None and held is not None:
+                yield from values(case_, held, f"{name}.{case_.name}")
+        elif getattr(record, p.attribute) is not None:
+            yield from values(p, getattr(record, p.attribute), name)
+
+
+def values(p: Any, value: Any, path: str) -> Iterator[Row]:
+    if p.kind == "text":
+        yield path, p, value, ""
+    elif p.length is not None and p.kind in ("array", "struct"):
+        for i, item in enumerate(value):
+            yield from one(p, item, f"{path}[{i}]")
+    else:
+        yield from one(p, value, path)
+
+
+def one(p: Any, value: Any, path: str) -> Iterator[Row]:
+    if p.elements:
+        for i, (name, element) in enumerate(zip(p.elements, value, strict=True)):
+            yield f"{path}.{name}", p, element, unit(p, i)
+    elif p.kind == "struct" or (p.type is not None and type(value) in binding("mip_protocol.reflection").PARAMETERS):
+        yield from rows(value, path)
+    else:
+        yield path, p, value, unit(p, 0)
+
+
+def unit(p: Any, i: int) -> str:
+    """Plain numbers have none."""
+    found = p.units[i if len(p.units) > 1 else 0] if p.units else ""
+    return "" if found == "1" else str(found)
+
+
+def decoded(packet: bytes) -> Iterator[tuple[str, list[Row]]]:
+    mip, registry = binding("mip_protocol"), binding("mip_protocol.registry")
+    chosen = binding("mip_protocol.field").chosen
+    for raw in mip.Packet(packet):
+        kind = chosen(registry.types(raw.set, raw.descriptor), raw)
+        value = kind.decode(raw.data) if kind else None
+        yield (kind.NAME, list(rows(value))) if kind else ("", [])
+
+
+def words(constant: str) -> str:
+    """The name in the specification; one that begins with a digit has an N before it in Python."""
+    return (constant[1:] if re.match(r"N\d", constant) else constant).lower()
+
+
+def check(row: Any, path: str, p: Any, value: Any, unit: str) -> None:
+    """One line of the page against one value of the binding."""
+    assert row["path"] == path
+    raw = bytes.fromhex(row["bytes"].replace(" ", ""))
+    if p.scalar in ("float", "double"):
+        shown = row["number"]
+        form = ">f" if p.scalar == "float" else ">d"
+        if shown.startswith("NaN ("):
+            assert value != value and shown == f"NaN (0x{raw.hex()})"
+        else:
+            assert struct.pack(form, float(shown)) == raw
+            assert float(shown) == pytest.approx(value, rel=1e-6, nan_ok=True)
+    elif p.kind == "text":
+        assert row["number"].strip('"') == value.rstrip("\0 ")
+    elif row["number"].startswith("0x"):
+        assert int(row["number"], 16) == int(value)
+        single = {words(m.name) for m in p.type if m.value & (m.value - 1) == 0 and m.value & value}
+        assert (
+            {flag for flag in row["flags"] if " " not in flag} <= single <= {flag.split()[0] for flag in row["flags"]}
+        )
+    elif p.scalar == "bits":
+        assert int.from_bytes(raw, "little") == int(value)
+    else:
+        assert int(row["number"]) == int(value)
+        if hasattr(value, "name") and p.scalar != "bool" and row["name"] not in (None, "unknown"):
+            assert row["name"] == words(value.name) or value.name.startswith("UNKNOWN"), (row, value)
+    name = f" {row['name']}" if row["name"] else ""
+    assert row["value"] == row["number"] + (f" {unit}" if unit else "") + name
+
+
+def compare(page: browser.Page, packets: list[bytes]) -> None:
+    """All of them in one paste."""
+    found = inspected(page, " ".join(p.hex() for p in packets))
+    for packet, shown in zip(packets, found, strict=True):
+        assert shown["kind"] == "packet" and bytes.fromhex(shown["bytes"]) == packet
+        assert shown["verdict"] == f"Checksum {packet[-2:].hex(' ').upper()} is right."
+        for field, (name, wanted) in zip(shown["fields"], decoded(packet), strict=True):
+            assert field["name"] == name and field["wrong"] is None
+            for row, line in zip(field["rows"], wanted, strict=True):
+                check(row, *line)
+
+
+def test_every_printed_packet(page: browser.Page) -> None:
+    packets = [e.packet for e in model("real").examples if e.role != "field"]
+    assert len(packets) > 100
+    compare(page, packets)
+
+
+def test_every_field(page: browser.Page) -> None:
+    of = model("real")
+    packets = []
+    for f in all_fields(of):
+        (values,) = drawn(f, 1)
+        packets.append(codec.build(of, set_of(f, of), [(f.descriptor, codec.encode(f, values))]))
+    compare(page, packets)
+
+
+def test_all_of_them_at_once_with_anything_between(page: browser.Page) -> None:
+    packets = [e.packet for e in model("real").examples if e.role != "field"]
+    between = ["", "\n-- log --\n", " 75 ", "\n$GPGGA,12\n", " 75 65 80 ff "]
+    text = "".join(p.hex(" ") + between[i % len(between)] for i, p in enumerate(packets))
+    assert [bytes.fromhex(p["bytes"]) for p in inspected(page, text) if p["kind"] == "packet"] == packets
+
+
+PING = codec.checksum(bytes.fromhex("756501020201"))
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "756501020201E0C6",
+        "75 65 01 02 02 01 e0 c6",
+        "0x75, 0x65, 0x01, 0x02, 0x02, 0x01, 0xE0, 0xC6",
+        "0x7565 0x0102 0x0201 0xE0C6",
+        r"\x75\x65\x01\x02\x02\x01\xe0\xc6",
+        "75h 65h 01h 02h 02h 01h E0h C6h",
+        "7565:0102:0201:e0c6",
+        r"b'ue\x01\x02\x02\x01\xe0\xc6'",
+        "uint8_t ping[] = {0x75, 0x65, 0x1, 0x2, 0x2, 0x1, 0xE0, 0xC6};",
+        "00000000  75 65 01 02 02 01 e0 c6                           |ue......|",
+        "00000000: 7565 0102 0201 e0c6                      ue......",
+        "0000   75 65 01 02 02 01 e0 c6   ue......",
+        "sent: 75 65 01 02 02\nthen: 01 e0 c6",
+    ],
+)
+def test_any_form(page: browser.Page, text: str) -> None:
+    (shown,) = inspected(page, text)
+    assert shown["kind"] == "packet" and shown["bytes"] == "75 65 01 02 02 01 E0 C6"
+    assert [f["name"] for f in shown["fields"]] == ["base.ping"]
+
+
+def test_a_wrong_checksum(page: browser.Page) -> None:
+    (shown,) = inspected(page, "75 65 01 02 02 01 E0 C7")
+    assert shown["kind"] == "damaged" and [f["name"] for f in shown["fields"]] == ["base.ping"]
+    assert shown["verdict"] == "Checksum E0 C7 is wrong; right is E0 C6."
+
+
+def test_an_incomplete_packet(page: browser.Page) -> None:
+    (shown,) = inspected(page, "75 65 80 1C 0E 04 3E 7A 63 A0 BB 8E 3B 29 7F E5 BF 7F 0E 05 00")
+    assert shown["kind"] == "incomplete" and shown["verdict"] == "The packet is incomplete: 13 bytes missing."
+    assert [f["name"] for f in shown["fields"]] == ["sensor.scaled_accel"]
+
+
+def test_what_cannot_be_decoded(page: browser.Page) -> None:
+    short = codec.build(model("real"), 0x80, [(0x04, b"\0\0"), (0xEE, b"\1")])
+    (shown,) = inspected(page, short.hex())
+    accel, unknown = shown["fields"]
+    assert accel["wrong"] == "It cannot be decoded: the data are 2 bytes short." and unknown["name"] == ""
+
+
+def test_misprints_are_named(page: browser.Page) -> None:
+    """Each print with wrong bytes that is a whole text of bytes is told from the right one."""
+    known = 0
+    for e in model("real").examples:
+        printed = "".join(e.string.split()).lower() if e.string else ""
+        if e.role == "field" or len(printed) % 2 or printed in ("", e.packet.hex()):
+            continue
+        notes = [note for part in inspected(page, printed) for note in part["notes"]]
+        if notes:
+            known += 1
+            assert e.packet.hex(" ").upper() in notes[0] and " See " in notes[0], e.id
+    assert known > 5
+
+
+def test_links(page: browser.Page) -> None:
+    (shown,) = inspected(page, "756501020201E0C6")
+    assert shown["fields"][0]["link"] == "../fields/base/ping/"
+
+
+def test_the_reading_of_a_device(page: browser.Page) -> None:
+    """Of a parameter that every device reads in its own way, and of one that some do."""
+    of = model("real")
+    f = next(f for f in of.fields if f.name == "status" and f.set_name == "filter_data")
+    packet = codec.build(of, f.set, [(f.descriptor, bytes.fromhex("000400010002"))])
+    found = {}
+    for device in ("", "3dm-gx5-15", "3dm-cv7-gnss-ins"):
+        (shown,) = inspected(page, packet.hex(), device)
+        found[device] = [(row["value"], row["flags"]) for row in shown["fields"][0]["rows"]]
+    assert found["3dm-gx5-15"] != found["3dm-cv7-gnss-ins"]

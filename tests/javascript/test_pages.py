@@ -1,0 +1,48 @@
+"""All tools as pages from disk: at three widths, without a server, and with labels."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import browser
+import pytest
+from support import SPECS, heavy
+
+pytestmark = [] if browser.installed() else heavy("chromium")
+PAGES = sorted((SPECS["real"][1] / "javascript/tools").glob("*.html"))
+
+#: What a page shows at first, if that is little.
+SHOWN = {
+    "finder.html": "#lever%20arm",
+    "builder.html": "#3dm.event_action_config",
+    "bandwidth.html": "#3dm-cv7-gnss-ins",
+}
+
+
+@pytest.fixture(scope="module")
+def page() -> Iterator[browser.Page]:
+    with browser.page() as opened:
+        yield opened
+
+
+@pytest.mark.parametrize("spec", sorted(SPECS))
+@pytest.mark.parametrize("name", [path.name for path in PAGES])
+def test_a_page(page: browser.Page, spec: str, name: str) -> None:
+    page.complaints.clear()
+    page.asked.clear()
+    for width in (390, 1400, 1920):
+        page.size(width)
+        page.open("about:blank")  # another fragment alone loads nothing
+        page.open((SPECS[spec][1] / "javascript/tools" / name).as_uri() + SHOWN.get(name, ""))
+        page.run("document.querySelectorAll('details').forEach((part) => (part.open = true))")
+        assert page.run("document.querySelector('#tool').children.length") > 0
+        assert page.run("document.documentElement.scrollWidth") <= width
+    assert page.complaints == []
+    assert page.asked and all(url.startswith("file://") for url in page.asked)
+    controls = "[...document.querySelectorAll('input, select, textarea')]"
+    unnamed = f"{controls}.filter((one) => !one.labels.length && !one.ariaLabel).length"
+    assert page.run(unnamed) == 0
+    links = page.run("[...document.querySelectorAll('nav a')].map((link) => link.getAttribute('href'))")
+    assert links == [path.name for path in PAGES]
+    assert all((Path(SPECS[spec][1]) / "javascript/tools" / link).is_file() for link in links)

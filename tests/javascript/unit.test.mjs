@@ -1,0 +1,219 @@
+// The modules: value forms, errors and what a stream consists of. Conformance tests the rest.
+//
+//     FOLDER=generated/javascript node --test unit.test.mjs
+import assert from "node:assert/strict";
+import fs from "node:fs";
+import path from "node:path";
+import { test } from "node:test";
+import { pathToFileURL } from "node:url";
+import vm from "node:vm";
+
+const folder = path.resolve(process.env.FOLDER);
+const load = (name) => import(pathToFileURL(path.join(folder, name)));
+const text = (name) => fs.readFileSync(path.join(folder, name), "utf8");
+await load("model.js");
+const mip = await load("mip/index.mjs");
+const tools = await load("tools/index.mjs");
+const { Packet, Protocol, buildPacket, decodeData, encodeData, fromHex, segments, toHex } = mip;
+const protocol = new Protocol(globalThis.mipModel);
+
+/** A protocol with one data field, 0x80,0x01, of these operations. */
+function single(operations) {
+    const parameters = operations.map((op) => ({ name: op.member }));
+    const field = { set: 128, descriptor: 1, name: "a.b", role: "data", parameters, operations, min_size: 0, max_size: 99 };
+    const known = globalThis.mipModel;
+    const acknowledge = known.fields.find((one) => one.name === known.acknowledge);
+    const of = new Protocol({ ...known, fields: [acknowledge, field] });
+    return {
+        decode: (hex, options) => decodeData(of, field, fromHex(hex), options),
+        encode: (values) => toHex(encodeData(of, field, values)),
+    };
+}
+
+test("floats are numbers, and unusual NaNs keep their bits", () => {
+    const { decode, encode } = single([
+        { kind: "scalar", member: "x", scalar: "float" },
+        { kind: "scalar", member: "y", scalar: "double" },
+    ]);
+    for (const [hex, values] of [
+        ["3f800000" + "c000000000000000", { x: 1, y: -2 }],
+        ["80000000" + "7ff8000000000000", { x: -0, y: NaN }],
+        ["7fc00000" + "7ff0000000000001", { x: NaN, y: "0x7ff0000000000001" }],
+        ["7fe5bf7f" + "fff8000000000000", { x: "0x7fe5bf7f", y: "0xfff8000000000000" }],
+        ["7f800000" + "ffefffffffffffff", { x: Infinity, y: -Number.MAX_VALUE }],
+    ]) {
+        assert.deepEqual(decode(hex).values, values);
+        assert.equal(encode(values), hex);
+    }
+    assert.deepEqual(decode("3f800000c000000000000000", { floatBits: true }).values, {
+        x: "0x3f800000",
+        y: "0xc000000000000000",
+    });
+    assert.throws(() => encode({ x: "0x3f80", y: 0 }), { kind: "range" });
+    assert.throws(() => encode({ x: null, y: 0 }), { kind: "range" });
+});
+
+test("integers of eight bytes are BigInts, and all others numbers", () => {
+    const { decode, encode } = single([
+        { kind: "scalar", member: "x", scalar: "u64" },
+        { kind: "scalar", member: "y", scalar: "s32" },
+    ]);
+    const values = { x: 0xffffffffffffffffn, y: -2 };
+    assert.deepEqual(decode("fffffffffffffffffffffffe").values, values);
+    assert.equal(encode(values), "fffffffffffffffffffffffe");
+    assert.equal(encode({ x: 5, y: true }), "000000000000000500000001");
+    for (const wrong of [{ x: -1, y: 0 }, { x: 1n << 64n, y: 0 }, { x: 0, y: 2147483648 }, { x: 0, y: 0.5 }, { x: 0, y: "a" }]) {
+        assert.throws(() => encode(wrong), { kind: "range" });
+    }
+});
+
+test("text is Latin-1", () => {
+    const { decode, encode } = single([{ kind: "text", member: "x", count: 3, capacity: 3 }]);
+    assert.deepEqual(decode("8041ff").values, { x: "\x80A\xff" });
+    assert.equal(encode({ x: "\x80A\xff" }), "8041ff");
+    assert.throws(() => encode({ x: "€uro".slice(0, 3) }), { kind: "range" });
+    assert.throws(() => encode({ x: "ab" }), { kind: "count" });
+});
+
+test("names of prototypes are no values", () => {
+    const { encode } = single([{ kind: "scalar", member: "constructor", scalar: "u8" }]);
+    assert.throws(() => encode({}), { kind: "missing" });
+});
+
+test("what is decoded says where its bytes are", () => {
+    for (const example of globalThis.mipModel.examples) {
+        const bytes = fromHex(example.packet);
+        for (const { descriptor, data } of new Packet(protocol, bytes).fields()) {
+            const field = protocol.choose(bytes[2], descriptor, data);
+            if (!field) continue;
+            const { values, trailing, parts } = decodeData(protocol, field, data);
+            let at = 0;
+            for (const part of parts) {
+                assert.equal(part.offset, at, example.id);
+                at += part.size;
+                const held = part.path.reduce((inner, step) => inner?.[step], values);
+                if (part.operation.kind !== "constant") assert.deepEqual(held, part.value, example.id);
+                assert.ok(mip.parametersAt(protocol, field, part.path).length > 0, example.id);
+            }
+            assert.equal(at + trailing, data.length, example.id);
+        }
+    }
+});
+
+test("units of elements", () => {
+    assert.deepEqual([0, 1, 2].map((i) => mip.unitOf({ units: ["m", "1", "deg"] }, i)), ["m", "", "deg"]);
+    assert.deepEqual([0, 2].map((i) => mip.unitOf({ units: ["m"] }, i)), ["m", "m"]);
+    assert.equal(mip.unitOf({}), "");
+});
+
+test("a model of another form is refused", () => {
+    assert.throws(() => new Protocol({ ...globalThis.mipModel, format: "2.0" }), { kind: "format" });
+    assert.throws(() => new Protocol(undefined), { kind: "format" });
+});
+
+test("no packet has the set of shared fields", () => {
+    assert.throws(() => buildPacket(protocol, 255, []), { kind: "set" });
+});
+
+test("what bytes consist of", () => {
+    const whole = buildPacket(protocol, 1, [{ descriptor: 1, raw: "" }]).bytes;
+    const damaged = whole.slice();
+    damaged[damaged.length - 1] ^= 1;
+    const kinds = (...parts) => {
+        const found = segments(protocol, Uint8Array.from(parts.flatMap((part) => [...part])));
+        assert.deepEqual(found.flatMap((part) => [...part.bytes]), parts.flatMap((part) => [...part]));
+        return found.map((part) => part.kind).join(" ");
+    };
+    assert.equal(kinds(), "");
+    assert.equal(kinds(whole, whole), "packet packet");
+    assert.equal(kinds([1, 2, 0x75], whole, [9, 9]), "other packet other");
+    assert.equal(kinds(damaged, whole), "damaged packet");
+    assert.equal(kinds(whole, whole.slice(0, 5)), "packet incomplete");
+    assert.equal(kinds([0x75, 0x65, 0x80, 0xff], whole), "other packet");
+    // The false packet claims the real one as its payload, whose fields would fit.
+    assert.equal(kinds([0x75, 0x65, 0x80, 10, 10, 1], whole, [0, 0]), "other packet other");
+    assert.equal(kinds([0x75, 0x65, 0x80, 2, 9, 1, 0, 0]), "other");
+});
+
+// ------------------------------------------------------------------------------------------------ the finder
+
+const { find, indexOf } = await load("tools/find.mjs");
+const index = indexOf(protocol);
+const first = (text) => find(index, text, 1)[0]?.field;
+const pair = (field) => [field.set, field.descriptor].map((n) => n.toString(16).padStart(2, "0"));
+
+test("every descriptor is found in every form", () => {
+    const forms = [
+        ([s, d]) => `0x${s}${d}`,
+        ([s, d]) => `${s} ${d}`.toUpperCase(),
+        ([s, d]) => `(0x${s},0x${d})`,
+        ([s, d]) => `0x${s}, 0x${d}`,
+        ([s, d]) => `${s}:${d}`,
+        ([s, d]) => `${s}${d}`.toUpperCase(),
+    ];
+    protocol.model.fields.forEach((field, i) => {
+        if (!field.set) return;
+        const wanted = protocol.candidates(field.set, field.descriptor).map((one) => one.name);
+        const text = forms[i % forms.length](pair(field));
+        assert.deepEqual(find(index, text, wanted.length).map((one) => one.field.name), wanted, text);
+    });
+    for (const form of forms) {
+        const field = protocol.model.fields.at(-1);
+        assert.equal(first(form(pair(field))).descriptor, field.descriptor, form(pair(field)));
+    }
+});
+
+test("a set is found by its number, its own fields first", () => {
+    for (const set of protocol.model.sets) {
+        const found = find(index, `0x${set.number.toString(16)}`, set.fields.length);
+        assert.deepEqual(found.map(({ field }) => field.name), set.fields);
+    }
+});
+
+test("every field is found by its name and its symbols", () => {
+    for (const field of protocol.model.fields) {
+        for (const symbol of [field.name, ...Object.values(field.symbols)]) {
+            assert.equal(first(symbol)?.name, field.name, symbol);
+            assert.equal(first(`${symbol}_encode`)?.name, field.name, symbol);
+        }
+    }
+});
+
+test("every field is found by its other names", () => {
+    for (const field of protocol.model.fields) {
+        for (const name of field.also ?? []) {
+            const found = find(index, `${field.name.split(".")[0]}.${name}`, 2).map((one) => one.field.name);
+            assert.ok(found.includes(field.name), name);
+        }
+    }
+});
+
+test("nothing is found by nothing", () => {
+    assert.deepEqual(find(index, "  "), []);
+    assert.deepEqual(find(index, "0xAB 0xCD"), []);
+    assert.deepEqual(find(index, "xyzzy"), []);
+});
+
+// ------------------------------------------------------------------------------------------------ the bundle
+
+test("the bundle has what the modules export", () => {
+    const context = vm.createContext({ TextEncoder });
+    vm.runInContext(text("model.js"), context);
+    vm.runInContext(text("mip.js"), context);
+    assert.deepEqual(Object.keys(context.mip).sort(), [...Object.keys(mip), ...Object.keys(tools)].sort());
+    context.hex = globalThis.mipModel.examples.map((example) => example.packet);
+    const theirs = vm.runInContext(
+        "(() => { const p = new mip.Protocol(mipModel); return hex.map((h) => mip.Packet.from(p, mip.fromHex(h)).decode({ floatBits: true })); })()",
+        context,
+    );
+    const plain = (value) => JSON.stringify(value, (_, v) => (typeof v === "bigint" ? `${v}` : v));
+    const ours = context.hex.map((hex) => Packet.from(protocol, fromHex(hex)).decode({ floatBits: true }));
+    assert.equal(plain(theirs), plain(ours));
+});
+
+test("nothing is global but `mip`", () => {
+    const context = vm.createContext({ TextEncoder });
+    vm.runInContext(text("mip.js"), context);
+    assert.deepEqual(Object.keys(context), ["TextEncoder", "mip"]);
+    assert.doesNotMatch(text("mip.js"), /^(import|export) /m);
+});

@@ -1,0 +1,216 @@
+"""mip.json: it has the form that its schema says, nothing of the model is missing, and every name leads somewhere."""
+
+from __future__ import annotations
+
+import dataclasses
+import importlib.util
+import json
+import re
+import sys
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import pytest
+from jsonschema import Draft7Validator
+from mipgen import model as m
+from mipgen import simulated
+from mipgen.targets.json import document
+from support import ROOT, SPECS, model
+
+specs = pytest.mark.parametrize("spec", sorted(SPECS))
+MOST = 2_000_000  # bytes
+
+#: The definition of the schema that describes the objects of a class.
+DEFINITIONS: dict[type, str] = {
+    m.Function: "function", m.Word: "word", m.Manual: "manual", m.Chapter: "chapter", m.Usage: "usage", m.Enum: "enum",
+    m.Bitfield: "bitfield", m.Vector: "vector", m.Struct: "struct", m.Parameter: "parameter", m.Variant: "variant",
+    m.Condition: "condition", m.Field: "field", m.Set: "set", m.Device: "device", m.Example: "example",
+    m.Erratum: "erratum", simulated.Simulation: "simulation", m.Source: "source",
+}  # fmt: skip
+
+#: What an object has in another form than as an attribute of the model.
+ADDED = {
+    "parameter": {"type", "cases"}, "field": {"symbols", "calls", "constants"}, "enum": {"symbols"},
+    "bitfield": {"symbols"}, "struct": {"symbols"}, "variant": {"only"},
+}  # fmt: skip
+
+
+@cache
+def schema() -> Any:
+    return json.loads((ROOT / "generated/json/mip.schema.json").read_text("utf-8"))
+
+
+@cache
+def whole(spec: str) -> Any:
+    return json.loads((SPECS[spec][1] / "json/mip.json").read_text("utf-8"))
+
+
+@cache
+def interpreter() -> ModuleType:
+    """The module of the driver, which knows nothing but mip.json."""
+    path = Path(__file__).with_name("interpreter.py")
+    spec = importlib.util.spec_from_file_location("json_interpreter", path)
+    assert spec is not None and spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+# --------------------------------------------------------------------------- form
+
+
+@specs
+def test_it_has_the_form_of_its_schema(spec: str) -> None:
+    Draft7Validator.check_schema(schema())
+    wrong = [f"{list(e.path)}: {e.message[:200]}" for e in Draft7Validator(schema()).iter_errors(whole(spec))]
+    assert not wrong, wrong[:5]
+
+
+def test_the_schema_has_what_the_model_has_and_no_more() -> None:
+    for kind, name in DEFINITIONS.items():
+        properties = set(schema()["definitions"][name]["properties"])
+        attributes = {f.name for f in dataclasses.fields(kind)} - {"position", *document.LEFT_OUT.get(kind, ())}
+        assert properties == attributes | ADDED.get(name, set()), name
+
+
+def test_the_schema_states_the_format() -> None:
+    assert schema()["properties"]["format"]["const"] == document.FORMAT == whole("real")["format"]
+    assert f"now `{document.FORMAT}`" in (ROOT / "generated/json/README.md").read_text("utf-8")
+
+
+def test_everything_that_the_schema_has_is_described() -> None:
+    """Every operation has a title and a row in the README."""
+    readme = (ROOT / "generated/json/README.md").read_text("utf-8")
+    for kind in schema()["definitions"]["operation"]["oneOf"]:
+        name = kind["properties"]["kind"]["const"]
+        assert kind["title"].startswith(f"{name}: ") and f"\n| `{name}` | " in readme
+    for key in schema()["required"]:
+        assert f"`{key}`" in readme or key in ("$schema", "name", "version"), key
+
+
+def test_it_is_not_large() -> None:
+    assert (ROOT / "generated/json/mip.json").stat().st_size <= MOST
+
+
+def test_each_item_is_a_line() -> None:
+    lines = (ROOT / "generated/json/mip.json").read_text("utf-8").splitlines()
+    for f in whole("real")["fields"]:
+        assert sum(line.startswith(f'{{"set":{f["set"]},"name":"{f["name"]}",') for line in lines) == 1
+
+
+# --------------------------------------------------------------------------- references
+
+
+@specs
+def test_everything_is_there(spec: str) -> None:
+    of, d = model(spec), whole(spec)
+    assert [f["name"] for f in d["fields"]] == [f.full_name for f in (of.protocol.acknowledge, *of.fields)]
+    assert len(d["types"]) == len({t["name"] for t in d["types"]}) >= len(of.all_types)
+    assert [s["name"] for s in d["sets"]] == [s.name for s in of.sets]
+    assert [x["id"] for x in d["devices"]] == [x.id for x in of.devices]
+    assert [x["id"] for x in d["examples"]] == [x.id for x in of.examples]
+    assert [x["id"] for x in d["errata"]] == [x.id for x in of.errata]
+
+
+def objects(value: Any, path: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str, ...], dict[str, Any]]]:
+    if isinstance(value, dict):
+        yield path, value
+        for key, inner in value.items():
+            yield from objects(inner, (*path, key))
+    elif isinstance(value, list):
+        for inner in value:
+            yield from objects(inner, path)
+
+
+@specs
+def test_every_name_leads_somewhere(spec: str) -> None:
+    d = whole(spec)
+    fields, types = {f["name"] for f in d["fields"]}, {t["name"] for t in d["types"]}
+    scalars, functions = set(d["scalars"]), {f["name"] for f in d["functions"]}
+    known = {
+        "type": types | scalars, "scalar": scalars, "struct": types, "tag_type": types, "enum": types, "vector": types,
+        "field": fields, "definition": fields, "acknowledge": fields, "ack_code": types, "function_selector": types,
+        "manual": {x["id"] for x in d["manuals"]}, "device": {x["id"] for x in d["devices"]},
+        "like": {x["id"] for x in d["devices"]}, "set": {s["name"] for s in d["sets"]}, "function": functions,
+        "frame": {x["symbol"] for x in d["frames"]},
+    }  # fmt: skip
+    lists = {
+        "responses": fields,
+        "required_for": functions,
+        "units": {x["symbol"] for x in d["units"]} | {"1"},
+    }
+    seen: set[str] = set()
+    for path, thing in objects(d):
+        if {"values", "stated", "functions", "oneOf"} & set(path):
+            continue
+        for key, value in thing.items():
+            if isinstance(value, str) and key in known and not (key == "set" and "fields" in path):
+                assert value in known[key], (path, key, value)
+                seen.add(key)
+            if isinstance(value, list) and key in lists and path:
+                assert set(value) <= lists[key], (path, key, value)
+                seen.add(key)
+    for s in d["sets"]:
+        assert set(s["fields"]) <= fields and set(s["types"]) <= types
+    assert seen >= (set(known) | set(lists)) - {"like"} or spec == "invented"
+
+
+@specs
+def test_types_come_before_what_uses_them(spec: str) -> None:
+    seen: set[str] = set()
+    for t in whole(spec)["types"]:
+        used = {x for _, o in objects(t.get("operations", [])) for k, x in o.items() if k in ("struct", "type")}
+        assert used <= seen, t["name"]
+        seen.add(t["name"])
+
+
+# --------------------------------------------------------------------------- from it alone
+
+
+@specs
+def test_every_example_decodes_and_encodes(spec: str) -> None:
+    """What the document says of its own examples, by a program that reads nothing else."""
+    known = interpreter().Interpreter(whole(spec))
+    for e in whole(spec)["examples"]:
+        packet = bytes.fromhex(e["packet"])
+        decoded = known.decode(packet)["fields"]
+        for wanted, got in zip(e["fields"], decoded, strict=True):
+            assert got.get("name") == wanted.get("field"), e["id"]
+            assert got.get("values") == wanted.get("values"), e["id"]
+            assert got.get("trailing", 0) == wanted["trailing"], e["id"]
+        if not any(f["trailing"] for f in e["fields"]):
+            assert known.encode(packet[2], decoded) == packet, e["id"]
+
+
+# --------------------------------------------------------------------------- symbols
+
+
+def test_symbols_are_those_of_the_bindings() -> None:
+    d, generated = whole("real"), ROOT / "generated"
+    headers = "\n".join(p.read_text("utf-8") for p in sorted((generated / "c/src/mip").glob("*.h")))
+    in_c = set(re.findall(r"^(?:struct|enum|typedef \w+|typedef struct \w+) (mip_\w+)", headers, re.M))
+    in_c |= set(
+        re.findall(r"^MIP_API const char \*(mip_\w+)_name\(", headers, re.M)
+    )  # of an enumeration that C has not
+    rust = {
+        p.stem: set(
+            re.findall(r"^\s*(?:pub (?:struct|enum|type) )?(\w+)(?:: [^{]*)?(?: \{|;| =)", p.read_text("utf-8"), re.M)
+        )
+        for p in (generated / "rust/src").rglob("*.rs")
+    }
+    sys.path.insert(0, str(generated / "python"))
+    try:
+        for thing in (*d["fields"], *d["types"]):
+            if "symbols" not in thing:
+                continue
+            names = thing["symbols"]
+            assert names["c"] in in_c, names
+            module, _, name = names["python"].rpartition(".")
+            assert hasattr(importlib.import_module(module), name), names
+            _, home, name = names["rust"].split("::")
+            assert name in rust[home], names
+    finally:
+        sys.path.remove(str(generated / "python"))

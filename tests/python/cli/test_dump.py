@@ -1,0 +1,142 @@
+"""`mip dump`: packets explained; files, pipes, hexadecimal text, ports; anything else in between."""
+
+from __future__ import annotations
+
+import random
+import subprocess
+from pathlib import Path
+
+import pytest
+from mip_protocol import Packet, PacketBuilder, Parser, registry
+from program import ENVIRONMENT, command, log, mip, run, simulated
+
+ACCEL = "75 65 80 0E 0E 04 3E 7A 63 A0 BB 8E 3B 29 7F E5 BF 7F 84 EE"
+EXPLAINED = """\
+sensor (0x80), 1 field, 20 bytes: 75 65 80 0e … checksum 84 ee
+  sensor.scaled_accel (0x80,0x04), data: 0e 04 3e 7a 63 a0 bb 8e 3b 29 7f e5 bf 7f
+    scaled_accel = (x=0.24452066, y=-0.0043405485, z=nan) g
+"""
+LINE = "sensor: scaled_accel(x=0.24452066, y=-0.0043405485, z=nan) g\n"
+
+
+def test_one_packet_explained() -> None:
+    assert mip("dump", *ACCEL.split(), extras=False) == (0, EXPLAINED, "")
+    assert mip("dump", ACCEL)[1] == EXPLAINED
+    assert mip("dump", ACCEL.replace(" ", "").lower(), "--line")[1] == LINE
+    assert mip("dump", "0x75,0x65,0x01,0x02,0x02,0x01,0xE0,0xC6", "--line", "--raw")[1] == (
+        "base: ping()\n  75 65 01 02 02 01 e0 c6\n"
+    )
+
+
+def test_what_is_wrong_with_a_packet() -> None:
+    code, out, error = mip("dump", ACCEL.replace("84 EE", "84 EF"))
+    assert code == 1 and "20 bytes of no packet, checksum 84ef should be 84ee: 75 65 80" in out
+    assert error == "mip dump: no packet in 20 bytes; packets begin with 75 65\n"
+    assert "2 bytes are missing at the end of a packet" in mip("dump", ACCEL[:-6])[1]
+    broken = PacketBuilder(0x80).build()
+    body = bytes.fromhex("7565800405040102")
+    from mip_protocol import checksum
+
+    broken = Packet(body + checksum(body))
+    code, out, _ = mip("dump", bytes(broken).hex())
+    assert code == 0 and "malformed: a field of length 5 in 4 bytes" in out
+    unknown = bytes(PacketBuilder(0x80).add(0x79, b"\1\2").add(0x04, b"\0").build())
+    code, out, _ = mip("dump", unknown.hex())
+    assert "unknown field (0x80,0x79): 04 79 01 02" in out and "cannot be decoded: 12 bytes wanted, 1 left" in out
+
+
+@pytest.mark.parametrize("way", ["file", "pipe", "hexadecimal file", "hexadecimal pipe"])
+def test_the_same_from_everywhere(way: str, tmp_path: Path) -> None:
+    stream = b"$GPGGA,noise*00\r\n" + log(0.5) + b"\x75\x65\x80"
+    data = stream.hex(" ").encode() if way.startswith("hex") else stream
+    path = tmp_path / "log"
+    path.write_bytes(data)
+    code, out, error = mip("dump", path) if way.endswith("file") else mip("dump", "-", data=data)
+    lines = out.splitlines()
+    assert (code, error) == (0, "")
+    parser = Parser()
+    packets = parser.feed(stream)
+    assert len(lines) == len(packets) > 40
+    at = 0
+    for line, packet in zip(lines, packets, strict=True):
+        at = stream.index(bytes(packet), at)
+        assert line.startswith(f"{at:08x} ") and all(
+            f.NAME.partition(".")[2] in line for f in registry.decode_packet(packet) if not isinstance(f, tuple)
+        )
+
+
+def test_selection_and_bytes_in_between(tmp_path: Path) -> None:
+    path = tmp_path / "log"
+    path.write_bytes(b"$GPGGA,noise*00\r\n" + log(0.5) + b"\x75\x65\x80")
+    code, out, _ = mip("dump", path, "--only", "filter_data,0x80:0x06", "--without", "shared", "--skipped")
+    assert code == 0
+    lines = out.splitlines()
+    assert lines[0] == "00000000 17 bytes of no packet: '$GPGGA,noise*00\\r\\n'"
+    assert lines[-1].endswith("3 bytes of no packet: 75 65 80")
+    assert {line.split()[1] for line in lines[1:-1]} == {"sensor:", "filter_data:"}
+    assert not any("scaled_accel" in line or "timestamp" in line for line in lines)
+    code, out, error = mip("dump", path, "--only", "gnss_2")
+    assert (code, out) == (0, "") and error.endswith("packets, none with these fields\n")
+    assert len(mip("dump", path, "--count", "3")[1].splitlines()) == 3
+
+
+def test_flags_of_a_device(tmp_path: Path) -> None:
+    path = tmp_path / "log"
+    path.write_bytes(log(0.5))
+    plain = mip("dump", path, "--only", "filter_data.status", "--count", "1")[1]
+    named = mip("dump", path, "--only", "filter_data.status", "--count", "1", "--device", "3DM-CV7-GNSS/INS")[1]
+    assert "filter_state=4," in plain and "filter_state=full_nav," in named
+
+
+def test_the_reader_may_stop(tmp_path: Path) -> None:
+    path = tmp_path / "log"
+    path.write_bytes(log())
+    with subprocess.Popen(command("dump", path), stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=ENVIRONMENT) as p:
+        assert p.stdout is not None and p.stderr is not None
+        assert p.stdout.readline().startswith(b"00000000 sensor: ")
+        p.stdout.close()
+        assert p.stderr.read() == b""
+        assert p.wait() == 141
+
+
+def test_a_port() -> None:
+    with simulated() as place:
+        for words in (["write", "sensor", "scaled_accel:10"],):
+            assert mip("send", place, "3dm.message_format", *words)[0] == 0
+        assert mip("send", place, "3dm.data_stream_control", "write", "sensor", "on")[0] == 0
+        code, out, error = mip("dump", place, "--count", "5", extras=False)
+    assert (code, error) == (0, "") and len(out.splitlines()) == 5 and "scaled_accel(x=" in out
+
+
+def test_any_bytes(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Every command that reads logs ends with 0 or 1, and says at most one line."""
+    rng = random.Random(7)
+    base = log(0.3)
+    path = tmp_path / "log"
+    for turn in range(40):
+        data = bytearray(base[: rng.randrange(1, 2000)])
+        for _ in range(rng.randrange(30)):
+            data[rng.randrange(len(data))] = rng.choice((0, 0x75, 0x65, 0xFF, rng.randrange(256)))
+        if turn % 4 == 0:
+            data = bytearray(b"\x75\x65" * rng.randrange(500)) + rng.randbytes(rng.randrange(300))
+        if turn % 4 == 1:  # fields of random lengths and contents, in packets that are in order
+            data = bytearray()
+            for _ in range(20):
+                number = rng.choice(list(registry.MODULES))
+                builder = PacketBuilder(0x80 if number == 0xFF else number)
+                for kind in rng.sample([t for n, t in registry.all_types() if n == number], 2):
+                    builder.add(kind.DESCRIPTOR, rng.randbytes(rng.randrange(90)))
+                data += bytes(builder.build())
+        path.write_bytes(data)
+        for words in (
+            ["dump", path, "--skipped"],
+            ["dump", path, "--tree", "--device", "3dm-gx5-15"],
+            ["info", path],
+            ["info", path, "--json"],
+            ["cut", path, "-o", tmp_path / "part", "--only", "sensor", "--keep-skipped"],
+            ["cut", path, "-o", tmp_path / "part", "--begin", "0.1"],
+            ["export", path, "-o", tmp_path / "out.csv", "--invalid", "mask", "--names"],
+            ["export", path, "-o", tmp_path / "out.jsonl", "--time", "none"],
+        ):
+            code, _, error = run(capsys, *words)
+            assert code in (0, 1) and error.count("\n") <= 1 and (code == 0 or error), words

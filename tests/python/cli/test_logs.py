@@ -1,0 +1,351 @@
+"""`mip info`, `cut` and `export`: what is in a log, parts of it, tables."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import random
+import resource
+import signal
+import subprocess
+import sys
+import time
+from collections import Counter
+from pathlib import Path
+
+import pytest
+from mip_protocol import Packet, PacketBuilder, Parser, filter_data, gnss_1, registry, sensor, shared
+from program import ENVIRONMENT, PATIENCE, RATES, command, log, mip, run, running
+
+NOISE = b"$GPGGA,123519,4807.038,N*47\r\n"
+
+
+@pytest.fixture
+def path(tmp_path: Path) -> Path:
+    """A log with noise, a damaged packet and a packet that has no end."""
+    packets = Parser().feed(log())
+    damaged = bytearray(bytes(packets[7]))
+    damaged[-1] ^= 1
+    data = b"".join(map(bytes, packets[:10])) + NOISE + bytes(damaged) + b"".join(map(bytes, packets[10:]))
+    (tmp_path / "log.bin").write_bytes(data + b"\x75\x65\x80\x20\x04")
+    return tmp_path / "log.bin"
+
+
+def packets(data: bytes) -> list[Packet]:
+    parser = Parser()
+    return [*parser.feed(data), *parser.flush()]
+
+
+def stamped(seconds: float, week: int = 2296, flags: int = 3, *more: tuple[int, bytes]) -> bytes:
+    """A packet of sensor data with a time."""
+    builder = PacketBuilder(0x80).add(
+        0xD3, shared.GpsTimestamp(seconds, week, shared.GpsTimestampFlags(flags)).encode()
+    )
+    builder.add(0x04, sensor.ScaledAccel((seconds, 0.1, -1.0)).encode())
+    for descriptor, data in more:
+        builder.add(descriptor, data)
+    return bytes(builder.build())
+
+
+# --------------------------------------------------------------------------- info
+
+
+def test_what_is_in_a_log(path: Path) -> None:
+    code, out, error = mip("info", path, extras=False)
+    assert (code, error) == (0, "")
+    lines = out.splitlines()
+    count = len(packets(path.read_bytes()))
+    damaged = len(bytes(Parser().feed(log())[7]))
+    assert lines[0] == f"{path}: {path.stat().st_size / 1000:.3g} kB, {count} packets"
+    assert lines[1].startswith("time: 2024-01-06T23:59:42.") and lines[1].endswith("0 s (gps clock, as UTC)")
+    assert lines[2].startswith(f"skipped: {len(NOISE) + damaged + 5} bytes (")
+    assert lines[2].endswith(" in 2 places: 2 damaged packets, 1 NMEA sentence")
+    table = {line.split("  ")[0].strip(): line.split()[-2:] for line in lines[4:] if line}
+    for number, fields in RATES.items():
+        (name,) = (key for key in table if f"(0x{number:02X})" in key)
+        fastest = min(decimation for _, decimation in fields)
+        base = 1000 if number < 0x90 else 5
+        assert float(table[name][1]) == pytest.approx(base / fastest, rel=0.01)
+
+
+def test_the_report_for_programs(path: Path) -> None:
+    code, out, _ = mip("info", "-", "--json", data=path.read_bytes())
+    assert code == 0
+    found = json.loads(out)
+    expected = Counter((p.set, raw.descriptor) for p in packets(path.read_bytes()) for raw in p)
+    assert {(f["set"], f["descriptor"]): f["count"] for f in found["fields"]} == expected
+    assert found["clock"] == "gps" and found["bytes"] == path.stat().st_size
+    assert found["skipped"]["damaged"] == 2 and found["skipped"]["nmea"] == 1
+    assert [s["name"] for s in found["sets"]] == ["sensor", "filter_data", "gnss_1"]
+
+
+def test_gaps_and_jumps(tmp_path: Path) -> None:
+    times = [i * 0.01 for i in range(500)]
+    del times[200:230], times[400]
+    times[300:] = [t - 1000.0 + 1000.5 for t in times[300:]]
+    back = [*times[:100], *(t - 0.25 for t in times[100:])]
+    (tmp_path / "gaps").write_bytes(b"".join(stamped(t) for t in times))
+    (tmp_path / "back").write_bytes(b"".join(stamped(t) for t in back))
+    lines = mip("info", tmp_path / "gaps")[1].splitlines()
+    assert float(lines[5].split()[-1]) == pytest.approx(100, rel=1e-3)
+    (at,) = (i for i, line in enumerate(lines) if line.startswith("sensor: 3 gaps, "))
+    assert lines[at].startswith("sensor: 3 gaps, 0.810 s are missing") and len(lines) == at + 4
+    size = len(stamped(0))
+    assert lines[at + 1] == f"  +0.31 s before 2024-01-06T23:59:44.300Z, byte {200 * size}"
+    lines = mip("info", tmp_path / "back")[1].splitlines()
+    assert "sensor: time goes back 1 time:" in lines
+    assert any(line.startswith("  -0.24 s before ") and line.endswith(f"byte {100 * size}") for line in lines)
+
+
+def test_times_that_are_not_valid_are_no_times(tmp_path: Path) -> None:
+    (tmp_path / "log").write_bytes(b"".join(stamped(i / 10, flags=0) for i in range(5)))
+    assert "time: none in it that is valid\n" in mip("info", tmp_path / "log")[1]
+    code, _, error = mip("cut", tmp_path / "log", "-o", tmp_path / "x", "--begin", "1")
+    assert code == 1 and error.endswith("has no valid times; use --packets or --bytes\n")
+
+
+def test_memory_is_bounded() -> None:
+    """A hundred megabytes in a pipe: noise that looks like packets, packets, zeros."""
+    block = b"\x75\x65\x01\xff" * 1000 + log(0.2) + bytes(1 << 20)
+    code = """
+import re, sys
+from mip_protocol.__main__ import main
+code = main(["info", "-"])
+(most,) = re.findall(r"VmHWM:\\s+(\\d+) kB", open("/proc/self/status").read())
+sys.exit(code or (int(most) > 60_000 and f"{most} kB"))
+"""
+    with subprocess.Popen(
+        [sys.executable, "-c", code],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        env=ENVIRONMENT,
+    ) as process:
+        assert process.stdin is not None and process.stdout is not None and process.stderr is not None
+        for _ in range(100):
+            process.stdin.write(block)
+        process.stdin.close()
+        assert b"standard input: 105 MB, " in process.stdout.read()
+        assert process.stderr.read() == b"" and process.wait(PATIENCE) == 0
+
+
+# --------------------------------------------------------------------------- cut
+
+
+def test_without_noise(path: Path, tmp_path: Path) -> None:
+    assert mip("cut", path, "-o", tmp_path / "part", extras=False) == (0, "", "")
+    assert (tmp_path / "part").read_bytes() == log()
+    assert mip("cut", path, "-o", tmp_path / "all", "--keep-skipped")[0] == 0
+    assert (tmp_path / "all").read_bytes() == path.read_bytes()
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["all", "log.bin", "part"]
+
+
+@pytest.mark.parametrize("by", ["--bytes", "--packets"])
+def test_parts_are_the_whole(by: str, path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    rng = random.Random(3)
+    total = path.stat().st_size if by == "--bytes" else len(packets(path.read_bytes()))
+    cuts = sorted(rng.sample(range(total), 4))
+    parts = b""
+    for first, end in zip([0, *cuts], [*cuts, ""]):
+        out = path.with_name("part")
+        assert run(capsys, "cut", path, "-o", out, by, f"{first}:{end}")[0] == 0
+        parts += out.read_bytes()
+    assert parts == log()
+
+
+def test_by_time(path: Path, tmp_path: Path) -> None:
+    def cut(*words: str) -> list[Packet]:
+        assert mip("cut", path, "-o", tmp_path / "part", *words)[0] == 0
+        return packets((tmp_path / "part").read_bytes())
+
+    def seconds(found: list[Packet]) -> list[float]:
+        return [t.tow for p in found if p.set == 0x80 and (t := shared.GpsTimestamp.find(p))]
+
+    start = seconds(packets(log()))[0]
+    whole = cut("--begin", "1", "--end", "2.5")
+    assert seconds(whole)[0] == pytest.approx(start + 1) and seconds(whole)[-1] == pytest.approx(start + 2.49)
+    assert cut("--end", "1") + whole + cut("--begin", "0:02.5") == packets(log())
+    utc = cut("--begin", "2024-01-06T23:59:43", "--end", "2024-01-06T23:59:44Z")
+    assert seconds(utc)[0] == pytest.approx(1.0) and seconds(utc)[-1] == pytest.approx(1.99)
+
+
+def test_fields_are_taken_out(path: Path) -> None:
+    code, _, _ = mip("cut", path, "-o", path.with_name("part"), "--only", "sensor", "--without", "shared,scaled_mag")
+    found = packets(path.with_name("part").read_bytes())
+    assert code == 0 and {(p.set, raw.descriptor) for p in found for raw in p} == {(0x80, 0x04), (0x80, 0x05)}
+    kept = [sensor.ScaledAccel.find(p) for p in found]
+    assert kept == [sensor.ScaledAccel.find(p) for p in packets(log()) if p.set == 0x80]
+
+
+def test_a_pipe_into_a_pipe(path: Path) -> None:
+    done = subprocess.run(
+        command("cut", "-", "-o", "-", "--begin", "1"), input=path.read_bytes(), capture_output=True, env=ENVIRONMENT
+    )
+    assert done.returncode == 0 and log().endswith(done.stdout) and len(done.stdout) > 1000
+
+
+# --------------------------------------------------------------------------- export
+
+
+def table(out: str) -> list[dict[str, str]]:
+    return list(csv.DictReader(io.StringIO(out)))
+
+
+def test_one_field_as_csv(path: Path) -> None:
+    code, out, error = mip("export", path, "sensor.scaled_accel", "-o", "-", extras=False)
+    assert (code, error) == (0, "")
+    expected = [
+        (a, t) for p in packets(log()) if (a := sensor.ScaledAccel.find(p)) and (t := shared.GpsTimestamp.find(p))
+    ]
+    rows = table(out)
+    assert len(rows) == len(expected) > 300
+    for row, (accel, _) in zip(rows, expected, strict=True):
+        assert list(row) == ["time", "time_own", "scaled_accel.x [g]", "scaled_accel.y [g]", "scaled_accel.z [g]"]
+        values = [float(row[f"scaled_accel.{axis} [g]"]) for axis in "xyz"]
+        assert sensor.ScaledAccel(tuple(values)).encode() == accel.encode()
+    assert (
+        rows[0]["time"] == f"2024-01-06T23:59:42.{round(expected[0][1].tow * 1e9):09d}Z" and rows[0]["time_own"] == "1"
+    )
+
+
+def test_all_fields_as_csv(path: Path) -> None:
+    """Each packet is a row; each value is where it belongs."""
+    rows = table(mip("export", path, "-o", "-")[1])
+    found = [p for p in packets(log())]
+    assert len(rows) == len(found)
+    for row, packet in zip(rows, found, strict=True):
+        position = filter_data.LlhPosition.find(packet)
+        said = row["filter_data.llh_position.latitude [deg]"]
+        assert said == ("" if position is None else repr(position.latitude))
+        receiver = gnss_1.GpsTime.find(packet)
+        assert row["gnss_1.gps_time.tow [s]"] == ("" if receiver is None else repr(receiver.tow))
+        flags = gnss_1.LlhPosition.find(packet)
+        assert row["gnss_1.llh_position.valid_flags"] == ("" if flags is None else str(int(flags.valid_flags)))
+    named = table(mip("export", path, "gnss_1.llh_position", "--names", "-o", "-")[1])
+    assert named[0]["valid_flags"].startswith("lat_lon|ellipsoid_height|")
+
+
+def test_times_of_a_set_without_its_own(tmp_path: Path) -> None:
+    bare = bytes(PacketBuilder(0x80).add(0x04, sensor.ScaledAccel((1.0, 2.0, 3.0)).encode()).build())
+    (tmp_path / "log").write_bytes(bare + stamped(5.5) + bare + stamped(6.5, flags=1) + bare)
+    for how, first in (
+        ("utc", "2024-01-06T23:59:47.500000000Z"),
+        ("unix", "1704585587.500000000"),
+        ("start", "0.000000000"),
+    ):
+        rows = table(mip("export", tmp_path / "log", "sensor.scaled_accel", "--time", how, "-o", "-")[1])
+        assert [(r["time"], r["time_own"]) for r in rows] == [
+            ("", "0"),
+            (first, "1"),
+            (first, "0"),
+            ("", "1"),
+            ("", "0"),
+        ]
+    rows = table(mip("export", tmp_path / "log", "sensor.scaled_accel", "--time", "none", "-o", "-")[1])
+    assert "time" not in rows[0]
+
+
+def test_values_that_are_not_valid(tmp_path: Path) -> None:
+    (tmp_path / "log").write_bytes(stamped(1.5) + stamped(2.5, flags=1) + stamped(3.5, flags=0))
+    words = ("export", tmp_path / "log", "gps_timestamp", "--time", "none", "-o", "-")
+    kept = [("1.5", "2296", "3"), ("2.5", "2296", "1"), ("3.5", "2296", "0")]
+    assert [tuple(r.values()) for r in table(mip(*words)[1])] == kept
+    masked = [("1.5", "2296", "3"), ("2.5", "", "1"), ("", "", "0")]
+    assert [tuple(r.values()) for r in table(mip(*words, "--invalid", "mask")[1])] == masked
+    assert [tuple(r.values()) for r in table(mip(*words, "--invalid", "drop")[1])] == kept[:1]
+    lines = mip(*words, "--invalid", "mask", "--format", "jsonl")[1].splitlines()
+    assert [json.loads(line)["values"] for line in lines][1] == {"tow": 2.5, "week_number": None, "valid_flags": 1}
+
+
+def test_align(path: Path) -> None:
+    words = ("export", path, "sensor.scaled_accel", "filter_data.llh_position", "--align")
+    rows = table(mip(*words, "sensor.scaled_accel", "-o", "-")[1])
+    last = ""
+    expected = []
+    for packet in packets(log()):
+        if position := filter_data.LlhPosition.find(packet):
+            last = repr(position.longitude)
+        if sensor.ScaledAccel.find(packet):
+            expected.append(last)
+    assert [r["filter_data.llh_position.longitude [deg]"] for r in rows] == expected and "" in expected
+    assert all(r["sensor.scaled_accel.x [g]"] for r in rows)
+
+
+def test_json_lines(path: Path) -> None:
+    out = mip("export", path, "-o", "-", "--format", "jsonl", "--names", extras=False)[1].splitlines()
+    expected = [(p, f) for p in packets(log()) for f in registry.decode_packet(p)]
+    assert len(out) == len(expected)
+    for line, (packet, field) in zip(out, expected, strict=True):
+        found = json.loads(line)
+        assert not isinstance(field, tuple)
+        assert found["field"] == field.NAME and list(found["values"]) == list(field.to_dict())
+        start = found["offset"]
+        assert path.read_bytes()[start : start + len(packet)] == bytes(packet)
+    first = json.loads(out[1])["values"]["scaled_accel"]
+    accel = sensor.ScaledAccel.find(expected[0][0])
+    assert accel is not None and sensor.ScaledAccel(tuple(first[a] for a in "xyz")).encode() == accel.encode()
+
+
+def test_a_file_for_each_field(path: Path, tmp_path: Path) -> None:
+    assert mip("export", path, "gnss_1", "sensor.scaled_mag", "-o", tmp_path / "t.csv", "--split") == (0, "", "")
+    names = sorted(p.name for p in tmp_path.glob("t.*"))
+    fields = ["gnss_1.gps_time", "gnss_1.llh_position", "sensor.scaled_mag", "shared.gps_timestamp"]
+    assert names == [f"t.{f}.csv" for f in fields]
+    assert len(table((tmp_path / "t.sensor.scaled_mag.csv").read_text())) == sum(
+        1 for p in packets(log()) if sensor.ScaledMag.find(p)
+    )
+
+
+def test_any_field_can_be_exported(tmp_path: Path) -> None:
+    """Lists, unions, structures and text have a place in both formats, whatever is in them."""
+    rng = random.Random(1)
+    data, count = b"", 0
+    for number, kind in registry.all_types():
+        for _ in range(3):
+            raw = bytes(rng.choice((0, 1, 2, rng.randrange(256))) for _ in range(rng.randrange(200)))
+            builder = PacketBuilder(number if 0 < number < 0xFF else 0x80).add(kind.DESCRIPTOR, raw)
+            packet = builder.build()
+            data += bytes(packet)
+            count += sum(not isinstance(f, tuple) for f in registry.decode_packet(packet))
+    (tmp_path / "log").write_bytes(data)
+    for form in ("csv", "jsonl"):
+        for named in ([], ["--names"]):
+            words = ["export", tmp_path / "log", "-o", "-", "--format", form, "--invalid", "mask", *named]
+            code, out, error = mip(*words)
+            assert code == 0, error
+            if form == "jsonl":
+                assert len([json.loads(line) for line in out.splitlines()]) == count > 200
+            else:
+                rows = list(csv.reader(io.StringIO(out)))
+                assert len(rows) > 200 and len({len(row) for row in rows}) == 1
+
+
+# --------------------------------------------------------------------------- whole files, or none
+
+
+def test_nothing_half_written(path: Path, tmp_path: Path) -> None:
+    target = tmp_path / "out.csv"
+    target.write_text("mine")
+    big = tmp_path / "big"
+    big.write_bytes(log() * 200)
+    with running("export", big, "-o", target) as process:
+        end = time.monotonic() + PATIENCE
+        while not any(p.stat().st_size for p in tmp_path.glob("out.csv.*.part")):
+            assert time.monotonic() < end and process.poll() is None
+            time.sleep(0.01)
+        process.send_signal(signal.SIGINT)
+        out, error = process.communicate(timeout=PATIENCE)
+        assert (process.returncode, out, error) == (130, b"", b"")
+    assert target.read_text() == "mine" and not list(tmp_path.glob("*.part"))
+
+
+def test_a_full_disk(path: Path, tmp_path: Path) -> None:
+    def limited() -> None:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (10_000, 10_000))
+        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+
+    for words in (["export", path, "-o", tmp_path / "o.csv"], ["cut", path, "-o", tmp_path / "o.bin"]):
+        done = subprocess.run(command(*words), preexec_fn=limited, capture_output=True, env=ENVIRONMENT)
+        assert done.returncode == 1 and b"cannot be written: File too large" in done.stderr
+        assert done.stderr.count(b"\n") == 1 and [p.name for p in tmp_path.iterdir()] == ["log.bin"]

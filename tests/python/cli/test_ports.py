@@ -1,0 +1,288 @@
+"""`mip send`, `record` and `monitor`: at a virtual device, on TCP and a terminal."""
+
+from __future__ import annotations
+
+import json
+import os
+import pty
+import re
+import select
+import signal
+import socket
+import subprocess
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from threading import Thread
+from typing import Any
+
+import pytest
+from mip_protocol import Parser, base, mip_3dm, registry, types
+from mip_protocol.cli import typed
+from mip_protocol.field import Command, Structure
+from mip_protocol.parameter import Parameter
+from program import DEVICE, ENVIRONMENT, PATIENCE, command, mip, run, running, simulated
+
+
+@pytest.fixture(scope="module")
+def place() -> Iterator[str]:
+    """A device that streams accelerations at 100 Hz."""
+    with simulated() as found:
+        words = ("3dm.message_format", "write", "sensor", "gps_timestamp_shared:10,scaled_accel:10")
+        assert mip("send", found, *words)[0] == 1  # no such field
+        assert mip("send", found, *words[:3], "0xD3:10,scaled_accel:10") == (0, "acknowledged\n", "")
+        assert mip("send", found, "3dm.data_stream_control", "write", "sensor", "on")[0] == 0
+        yield found
+
+
+# --------------------------------------------------------------------------- send
+
+
+def test_an_answer(place: str) -> None:
+    code, out, error = mip("send", place, "base.get_device_info", extras=False)
+    assert (code, error) == (0, "") and "  model_name = '3DM-CV7-GNSS/INS'\n" in out
+    assert mip("send", f"socket://{place}", "base.ping") == (0, "acknowledged\n", "")
+    code, out, _ = mip("send", place, "message_format", "read", "descriptor_set=sensor", "--json")
+    assert code == 0
+    rates = [{"descriptor": 0xD3, "decimation": 10}, {"descriptor": 4, "decimation": 10}]
+    assert json.loads(out) == {
+        "command": "3dm.message_format",
+        "outcome": "acknowledged",
+        "response": {"descriptor_set": 0x80, "descriptors": rates},
+    }
+
+
+def test_what_becomes_of_commands_is_in_the_exit_status(place: str) -> None:
+    refused = "mip send: the device refused base.comm_speed: invalid_parameter (3)\n"
+    assert mip("send", place, "base.comm_speed", "read", "9") == (3, "", refused)
+    with socket.create_server(("127.0.0.1", 0)) as silent:
+        where = f"127.0.0.1:{silent.getsockname()[1]}"
+        code, out, error = mip("send", where, "base.ping", "--timeout", "0.1")
+    assert (code, out) == (
+        4,
+        "",
+    ) and error == f"mip send: {where} did not answer base.ping; check the port and --baud\n"
+    code, _, error = mip("send", where, "base.ping")
+    assert code == 1 and error == f"mip send: {where} cannot be opened: Connection refused\n"
+
+
+def test_a_serial_port_needs_an_extra() -> None:
+    code, out, error = mip("send", "/dev/tty", "base.ping", extras=False)
+    assert (code, out) == (1, "")
+    assert error == "mip send: /dev/tty cannot be opened: pyserial is missing; pip install 'mip-protocol[serial]'\n"
+
+
+@pytest.mark.parametrize(
+    ("words", "made"),
+    [
+        (["base.ping"], base.Ping()),
+        (["ping"], base.Ping()),
+        (
+            ["3dm.message_format", "write", "sensor", "scaled_accel:10,0x05:0x14"],
+            mip_3dm.MessageFormat.write(0x80, (types.DescriptorRate(4, 10), types.DescriptorRate(5, 20))),
+        ),
+        (
+            ["3dm.message_format", "write", "0x80", '[{"descriptor": 4, "decimation": 10}]'],
+            mip_3dm.MessageFormat.write(0x80, (types.DescriptorRate(4, 10),)),
+        ),
+        (["3dm.message_format", "READ", "descriptor_set=128"], mip_3dm.MessageFormat.read(0x80)),
+        (["3dm.data_stream_control", "write", "128", "off"], mip_3dm.DataStreamControl.write(0x80, False)),
+        (
+            ["3dm.pps_source_control", "write", "receiver_1"],
+            mip_3dm.PpsSourceControl.write(mip_3dm.PpsSource(1)),
+        ),
+        (["3dm.pps_source_control", "write", "0xF0"], mip_3dm.PpsSourceControl.write(mip_3dm.PpsSource(0xF0))),
+    ],
+)
+def test_bytes_without_a_device(words: list[str], made: Command, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(capsys, "send", "--hex", *words) == (0, bytes(made.packet()).hex(" ") + "\n", "")
+
+
+def test_every_command_and_function_can_be_typed() -> None:
+    """What `fields` says a command takes is what `send` takes, for values that a decoded one has."""
+    count = 0
+    for _, kind in registry.all_types():
+        if not issubclass(kind, Command):
+            continue
+        for function in typed.functions(kind) or [""]:
+            wanted = [name for name in typed.wanted(kind, function) if not name.startswith("[")]
+            words = [f"{name}={_typed(kind, name)}" for name in wanted]
+            made = typed.command(kind, [function, *words] if function else words)
+            again = kind.decode(made.encode())
+            assert again == made, (kind.NAME, function)
+            count += 1
+    assert count > 400
+
+
+def _typed(kind: type[Command], name: str) -> str:
+    """Some value of a parameter, as a person types it: 1 for all numbers."""
+    value = _value(kind.INFO[name])
+    if isinstance(value, list) and not any(isinstance(v, (list, dict)) for v in value):
+        return ",".join(map(str, value))
+    return json.dumps(value) if isinstance(value, (list, dict)) else str(value)
+
+
+def _value(p: Parameter) -> Any:
+    if p.kind == "switch":
+        case = p.cases[1]
+        assert case is not None
+        return _value(case)
+    one: Any = "A" if p.scalar == "char" else 1
+    if isinstance(p.type, type) and issubclass(p.type, Structure):
+        one = {m.name: _value(m) for m in p.type.INFO.parameters if not m.derived}
+    if p.elements:
+        one = [1] * len(p.elements)
+    if p.kind == "text" or p.length is None:
+        return one
+    return [one] * (p.length if isinstance(p.length, int) else 1)
+
+
+@pytest.mark.parametrize(
+    ("words", "error"),
+    [
+        (["base.pink"], "'base.pink' is not a field; did you mean base.ping"),
+        (["sensor.scaled_accel"], "sensor.scaled_accel is no command; `mip fields --search "),
+        (
+            ["3dm.message_format"],
+            "3dm.message_format takes a function, and it is missing: write, read, save, load, default",
+        ),
+        (["3dm.message_format", "wirte"], "3dm.message_format takes a function, not 'wirte': write, "),
+        (
+            ["3dm.message_format", "read"],
+            "3dm.message_format needs descriptor_set; `mip fields 3dm.message_format` says ",
+        ),
+        (["3dm.message_format", "read", "1", "2"], "'2' is too much; 3dm.message_format takes descriptor_set"),
+        (
+            ["3dm.message_format", "read", "set=1"],
+            "3dm.message_format has no parameter 'set' here; it has descriptor_set",
+        ),
+        (["3dm.message_format", "read", "descriptor_set=1", "descriptor_set=2"], "descriptor_set is given twice"),
+        (["3dm.message_format", "read", "fast"], "descriptor_set: 'fast' is no whole number"),
+        (["3dm.message_format", "read", "256"], "3dm.message_format cannot be sent: descriptor_set"),
+        (
+            ["3dm.message_format", "write", "1", "4:5:6"],
+            "descriptors: '4:5:6' has too many parts; write descriptor:decimation",
+        ),
+        (
+            ["3dm.message_format", "write", "1", "4"],
+            "descriptors has parts that are missing; write descriptor:decimation",
+        ),
+        (["3dm.message_format", "write", "1", "[{"], "descriptors: '[{' is no JSON: "),
+        (["3dm.message_format", "write", "1", '[{"x": 1}]'], "descriptors has no 'x'; it has descriptor, decimation"),
+        (["3dm.message_format", "write", "1", "[null]"], "descriptors: null is no value for it"),
+        (["3dm.data_stream_control", "write", "1", "maybe"], "enable: 'maybe' is neither true nor false"),
+        (["3dm.pps_source_control", "write", "moon"], "source: 'moon' is none of disabled, "),
+    ],
+)
+def test_errors_of_commands(words: list[str], error: str, capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, said = run(capsys, "send", "--hex", *words)
+    assert (code, out) == (1, "") and said.startswith(f"mip send: {error}") and said.count("\n") == 1, said
+
+
+# --------------------------------------------------------------------------- record
+
+
+def test_a_recording(place: str, tmp_path: Path) -> None:
+    out = tmp_path / "log"
+    assert mip("record", place, "-o", out, "--packets", "20", extras=False) == (0, "", "")
+    parser = Parser()
+    assert len(parser.feed(out.read_bytes())) == 20 and parser.pending == 0
+    assert mip("record", place, "-o", out, "--duration", "0.3")[0] == 0
+    assert 5 < len(Parser().feed(out.read_bytes())) < 60
+    assert [p.name for p in tmp_path.iterdir()] == ["log"]
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
+def test_a_recording_ends_by_a_signal(number: int, place: str, tmp_path: Path) -> None:
+    with running("record", place, "-o", tmp_path / "log") as process:
+        wait_for(lambda: any(p.stat().st_size for p in tmp_path.glob("log.*.part")), process)
+        process.send_signal(number)
+        assert process.communicate(timeout=PATIENCE) == (b"", b"") and process.returncode == 0
+    assert [p.name for p in tmp_path.iterdir()] == ["log"] and Parser().feed((tmp_path / "log").read_bytes())
+
+
+def wait_for(condition: object, process: subprocess.Popen[bytes]) -> None:
+    end = time.monotonic() + PATIENCE
+    assert callable(condition)
+    while not condition():
+        assert time.monotonic() < end and process.poll() is None
+        time.sleep(0.01)
+
+
+def test_a_port_that_closes(tmp_path: Path) -> None:
+    packet = bytes(base.Ping().packet())
+    with socket.create_server(("127.0.0.1", 0)) as server:
+        where = f"127.0.0.1:{server.getsockname()[1]}"
+
+        def serve() -> None:
+            client, _ = server.accept()
+            client.sendall(packet * 3)
+            client.close()
+
+        thread = Thread(target=serve)
+        thread.start()
+        code, out, error = mip("record", where, "-o", tmp_path / "log")
+        thread.join(PATIENCE)
+    assert (code, out) == (1, "") and error == f"mip record: {where} was closed after 24 B, which are kept\n"
+    assert (tmp_path / "log").read_bytes() == packet * 3
+
+
+def test_a_recording_into_a_pipe(place: str) -> None:
+    with (
+        subprocess.Popen(
+            command("record", place, "-o", "-"), stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=ENVIRONMENT
+        ) as first,
+        subprocess.Popen(
+            command("dump", "-", "--count", "3"), stdin=first.stdout, stdout=subprocess.PIPE, env=ENVIRONMENT
+        ) as second,
+    ):
+        assert first.stdout is not None and first.stderr is not None and second.stdout is not None
+        first.stdout.close()
+        assert len(second.stdout.read().splitlines()) == 3
+        assert first.stderr.read() == b"" and first.wait(PATIENCE) == 141
+
+
+# --------------------------------------------------------------------------- monitor
+
+
+def test_values_in_a_pipe(place: str) -> None:
+    code, out, error = mip("monitor", place, "sensor.scaled_accel", "--duration", "0.8", "--rate", "5")
+    assert (code, error) == (0, "")
+    shown = out.strip().split("\n\n")
+    assert 2 <= len(shown) <= 6 and "timestamp" not in out and "\x1b" not in out
+    rate = re.search(r"^  scaled_accel +(\S+) Hz$", shown[-1], re.M)
+    assert rate is not None and 30 < float(rate[1]) < 300
+    assert re.search(r"scaled_accel = \(x=\S+, y=\S+, z=-[01]\.\S+\) g$", shown[-1], re.M)
+
+
+def test_values_on_a_terminal(place: str) -> None:
+    master, slave = pty.openpty()
+    with subprocess.Popen(
+        command("monitor", place), stdin=slave, stdout=slave, stderr=slave, env={**ENVIRONMENT, "TERM": "xterm"}
+    ) as process:
+        os.close(slave)
+        seen = b""
+        while b"Hz" not in seen:
+            assert select.select([master], [], [], PATIENCE)[0]
+            seen += os.read(master, 4096)
+        process.send_signal(signal.SIGINT)
+        try:
+            while select.select([master], [], [], PATIENCE)[0] and (more := os.read(master, 4096)):
+                seen += more
+        except OSError:  # the other end is closed
+            pass
+        assert process.wait(PATIENCE) == 0
+    os.close(master)
+    assert seen.startswith(b"\x1b[?1049h\x1b[?25l") and b"\x1b[H" in seen
+    _, restored, last = seen.rpartition(b"\x1b[?25h\x1b[?1049l")
+    assert restored and b"scaled_accel = (x=" in last and b"Traceback" not in seen
+
+
+def test_a_device_on_a_terminal(tmp_path: Path) -> None:
+    """The same at a serial port, as far as a pseudo-terminal is one."""
+    with running("simulate", DEVICE, "--pty", tmp_path / "mip") as process:
+        assert process.stdout is not None and process.stdout.readline()
+        code, out, error = mip("send", tmp_path / "mip", "base.get_device_info", "--baud", "460800")
+        assert (code, error) == (0, "") and "3DM-CV7" in out
+        code, out, error = mip("send", tmp_path / "mip", "base.ping", "--baud", "auto")
+        assert (code, out) == (0, "acknowledged\n"), error
