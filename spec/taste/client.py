@@ -15,6 +15,6 @@ while client.pending:
         elif isinstance(event, Answer):
             print("refused" if not event.accepted else "done", event.code.name, event.error or "")
         elif isinstance(event, TimedOut):
-            print("no answer to", event.command)
+            print("no answer to", event.command.NAME)
         else:
             print("data:", event.packet)

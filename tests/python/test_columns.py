@@ -603,7 +603,7 @@ except ImportError as error:
 """
     environment = {**os.environ, "PYTHONPATH": str(REAL), "PYTHONDONTWRITEBYTECODE": "1"}
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, env=environment)
-    assert done.stdout.endswith(f"pip install mip-protocol[{missing}]\n"), done.stderr
+    assert done.stdout.endswith(f"{missing} is missing; pip install 'mip-protocol[{missing}]'\n"), done.stderr
 
 
 # --------------------------------------------------------------------------- documentation

@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any, overload
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from .info import StructureInfo
+    from .field import Field
+    from .info import FieldInfo, StructureInfo
 
 
 class _Info:
     """The attribute `INFO` of a class."""
 
+    @overload
+    def __get__(self, holder: object, kind: type[Field]) -> FieldInfo: ...
+    @overload
+    def __get__(self, holder: object, kind: type[Described]) -> StructureInfo: ...
     def __get__(self, holder: object, kind: type[Described]) -> Any:
         from .reflection import info
 
@@ -46,11 +51,8 @@ class Described:
 
     __slots__ = ()
 
-    if TYPE_CHECKING:
-        INFO: ClassVar[StructureInfo]
-        """What is known of it and of its parameters."""
-    else:
-        INFO = _Info()
+    INFO = _Info()
+    """What is known of it and of its parameters."""
 
     def __init_subclass__(cls, **arguments: Any) -> None:
         super().__init_subclass__(**arguments)

@@ -110,7 +110,7 @@ class MissingExtra(ImportError):
     """A package that only an extra of this one brings is not installed."""
 
     def __init__(self, package: str, extra: str) -> None:
-        super().__init__(f"{package} is missing; pip install 'mip-protocol[{extra}]'")
+        super().__init__(f"{package} is missing; pip install 'mip-protocol[{extra}]'", name=package)
         self.args = (package, extra)
 
 

@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+import fcntl
+import io
 import os
 import queue
+import resource
+import socket
 import subprocess
 import sys
 import threading
@@ -17,7 +21,7 @@ from typing import Any
 import mip_protocol as mip
 import pytest
 import serial
-from both import PATIENCE, Kind, acknowledge, packet
+from both import PATIENCE, Kind, Peer, acknowledge, packet
 from mip_protocol import aiding, base, mip_3dm, sensor, types
 from mip_protocol.baud import rates
 from mip_protocol.simulator.device import VirtualDevice
@@ -165,7 +169,7 @@ def test_the_loop_of_the_readme_at_a_serial_port(options: str, answers: bool, tm
             [sys.executable, "-c", program], capture_output=True, text=True, timeout=15, env=environment
         )
     assert done.returncode == 0, done.stderr
-    assert done.stdout.startswith("GetDeviceInfoResponse(" if answers else "no answer to GetDeviceInfo()")
+    assert done.stdout.startswith("base.get_device_info_response: " if answers else "no answer to base.get_device_info")
 
 
 def test_a_terminal_that_goes_away_and_comes_back(kind: Kind, tmp_path: Path) -> None:
@@ -316,6 +320,29 @@ class Blocking:
         self.queue.put(None)
 
 
+class Changing(Answering):
+    """Has a rate; notes when it is written to."""
+
+    baudrate = 115200
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.written: list[float] = []
+
+    def write(self, data: bytes) -> None:
+        self.written.append(time.monotonic())
+        super().write(data)
+
+
+def test_a_device_has_time_to_change_its_rate(kind: Kind) -> None:
+    """As the manuals ask: nothing is sent meanwhile."""
+    port = Changing()
+    with kind.at(port) as device:
+        assert device.change_baud(mip_3dm.UartBaudRate.write(921600)) == 921600 == port.baudrate
+    command, ping = port.written
+    assert ping - command >= 0.25
+
+
 @pytest.mark.parametrize("port", [Answering, WithoutWaiting, Slowly, Blocking])
 def test_ports_of_ones_own(kind: Kind, port: Any) -> None:
     with kind.at(port()) as device:
@@ -330,11 +357,22 @@ def test_a_port_that_waits_for_ever(kind: Kind) -> None:
         device.request(base.SetIdle())
 
 
-def test_files(kind: Kind) -> None:
-    """A terminal opened with `open`, whose buffer would wait for all bytes."""
+class Buffered:
+    """Reads through a buffer."""
+
+    def __init__(self, file: Any) -> None:
+        reader = io.BufferedReader(file)
+        self.read, self.read1, self.write, self.close = reader.read, reader.read1, file.write, file.close
+
+
+@pytest.mark.parametrize("buffered", [False, True])
+def test_files(kind: Kind, buffered: bool) -> None:
+    """A terminal opened with `open`; a buffer must not wait for all bytes."""
     master, slave = os.openpty()
     tty.setraw(slave)
-    file = open(os.ttyname(slave), "r+b", buffering=0)  # noqa: SIM115  # the device closes it
+    file: Any = open(os.ttyname(slave), "r+b", buffering=0)  # noqa: SIM115  # the device closes it
+    if buffered:
+        file = Buffered(file)
     with kind.at(file) as device:
         thread = threading.Thread(target=lambda: os.read(master, 100) and os.write(master, DATA + acknowledge(1, 1)))
         thread.start()
@@ -357,3 +395,20 @@ def test_a_port_that_cannot_write(kind: Kind) -> None:
             device.request(PING)
         with pytest.raises(mip.PortClosed):
             device.send(PING)
+
+
+def test_a_socket_beyond_the_thousandth_file() -> None:
+    """`select` takes no file whose number is 1024 or more; a program with many devices has such."""
+    peer = Peer()
+    limits = resource.getrlimit(resource.RLIMIT_NOFILE)
+    resource.setrlimit(resource.RLIMIT_NOFILE, (max(limits[0], min(2048, limits[1])), limits[1]))
+    near = socket.socket(fileno=fcntl.fcntl(peer.near, fcntl.F_DUPFD, 1024))
+    try:
+        peer.answering(acknowledge(0x01, 0x01))
+        with mip.Device(near, timeout=PATIENCE) as device:
+            assert device.request(PING) is None
+    finally:
+        near.close()
+        peer.near.close()
+        peer.close()
+        resource.setrlimit(resource.RLIMIT_NOFILE, limits)

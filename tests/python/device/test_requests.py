@@ -14,7 +14,7 @@ from typing import Any
 import mip_protocol as mip
 import pytest
 from both import Kind, Peer, acknowledge, packet, until
-from mip_protocol import aiding, base, mip_3dm, sensor, types
+from mip_protocol import Parser, aiding, base, conversation, mip_3dm, sensor, types
 from support import ROOT
 
 DATA = packet(0x80, "04 3e7a63a0 bb8e3b29 7fe5bf7f")
@@ -370,6 +370,43 @@ def test_a_port_that_is_opened_again(kind: Kind) -> None:
         thread.join()
 
 
+def test_what_was_known_of_a_device_is_asked_again_when_it_is_back(kind: Kind) -> None:
+    """It may have restarted, with other settings."""
+    heard: list[tuple[int, int]] = []
+    with socket.create_server(("localhost", 0)) as server:
+
+        def serve() -> None:
+            for _ in range(2):
+                connection, _ = server.accept()
+                with connection:
+                    parser = Parser()
+                    while not heard or heard[-1] != (0x13, AIDING.DESCRIPTOR):
+                        for command in parser.feed(connection.recv(100)):
+                            heard.extend(asked(command))
+                            refused = heard[-1] == (0x13, 0x1F)
+                            connection.sendall(acknowledge(*heard[-1], code=1 if refused else 0))
+                heard.append((0, 0))  # the end of a connection
+
+        thread = threading.Thread(target=serve)
+        thread.start()
+        with kind.open(f"socket://localhost:{server.getsockname()[1]}") as device:
+            device.request(AIDING)
+            until(lambda: device.closed)
+            device.reopen()
+            device.request(AIDING)
+        thread.join()
+    assert heard == [(0x13, 0x1F), (0x13, AIDING.DESCRIPTOR), (0, 0)] * 2
+
+
+def test_nothing_is_kept_of_commands_that_are_answered() -> None:
+    """Also if nobody waits for the answers."""
+    talk = conversation.Conversation()
+    for _ in range(3):
+        _, (ticket,) = talk.send([PING], 0.0, None)
+        talk.receive(acknowledge(1, 1), 0.1, 0.1)
+        assert ticket.done and not talk._tickets
+
+
 def test_a_port_that_does_not_come_back(kind: Kind) -> None:
     with (
         socket.create_server(("localhost", 0)) as server,
@@ -385,8 +422,10 @@ def test_a_port_that_does_not_come_back(kind: Kind) -> None:
 @pytest.mark.parametrize(
     ("url", "error", "message"),
     [
-        ("socket://localhost", ValueError, "write socket://HOST:PORT"),
-        ("socket://localhost:99999", ValueError, "write socket://HOST:PORT"),
+        ("socket://localhost", ValueError, "write HOST:PORT"),
+        ("socket://localhost:99999", ValueError, "write HOST:PORT"),
+        ("localhost:99999", ValueError, "write HOST:PORT"),
+        ("localhost:1", OSError, "Err|Connect"),
         ("socket://localhost:1", OSError, "Err|Connect"),
         ("/no/such/port", OSError, "/no/such/port"),
     ],

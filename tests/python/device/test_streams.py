@@ -135,6 +135,12 @@ def test_shared_fields_that_tell_no_time() -> None:
     assert list(samples(other)) == [[p] for p in other]
 
 
+@pytest.mark.parametrize("field", ["d3 0000000000000000 0000 0000", "d5 0000000000000005", "d7 0000000000000005 0000"])
+def test_each_clock_tells_what_belongs_together(field: str) -> None:
+    stream = [Packet(packet(0x82, field, "01 00")), Packet(packet(0x82, field, "02 00"))]
+    assert list(samples(stream)) == [stream]
+
+
 def test_a_list_goes_on_in_the_next_packet() -> None:
     """One field for each satellite, say."""
     stream = [data(0x91, *[0x20] * 11, time=1), data(0x91, *[0x20] * 3, time=1), data(0x91, *[0x20] * 11, time=2)]

@@ -8,7 +8,9 @@ from __future__ import annotations
 try:
     import numpy as _numpy  # noqa: F401
 except ImportError as _error:
-    raise ImportError("logs need NumPy: pip install mip-protocol[numpy]", name="numpy") from _error
+    from ..errors import MissingExtra
+
+    raise MissingExtra("numpy", "numpy") from _error
 
 from .column import Column
 from .contents import TypeCount

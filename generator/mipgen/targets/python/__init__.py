@@ -25,6 +25,7 @@ def files(model: m.Model) -> Iterator[File]:
     known = max(model.devices, key=lambda d: len(d.supports), default=None)
     shown = {
         "taste": taste.partition('"""\n\n')[2].rstrip(),
+        "daily": model.taste("daily.md").rstrip(),
         "client": model.taste("client.py").rstrip(),
         "at_port": model.taste("device.py").rstrip(),
         "at_port_aio": model.taste("device_aio.py").rstrip(),

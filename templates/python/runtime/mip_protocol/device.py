@@ -376,7 +376,7 @@ def open_port(
     on_bytes: Callback | None = None,
     on_skipped: Callback | None = None,
 ) -> Device:
-    """Opens the port of a device: /dev/ttyACM0, COM3, socket://HOST:PORT, rfc2217://HOST:PORT, …
+    """Opens the port of a device: /dev/ttyACM0, COM3, HOST:PORT, rfc2217://HOST:PORT, …
 
     `baud`: the baud rate, or None to find it. The other arguments are those of `Device`. All but
     TCP connections need pyserial, which the extra `serial` brings. Raises OSError if the port cannot

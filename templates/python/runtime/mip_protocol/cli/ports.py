@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import queue
-import re
 import signal
 import time
 from collections.abc import Iterator
@@ -40,20 +39,13 @@ def _baud(text: str) -> int | None:
     return int(text)
 
 
-def url(name: str) -> str:
-    """What `open_port` takes: HOST:PORT is a socket."""
-    if "://" not in name and re.fullmatch(r"(\[[0-9A-Fa-f:]+\]|[\w.-]+):\d{1,5}", name):
-        return f"socket://{name}"
-    return name
-
-
 @contextmanager
 def opened(name: str, options: argparse.Namespace, **more: Any) -> Iterator[Device]:
     """A device at a port. Raises Failure if it cannot be opened."""
     from .. import open_port
 
     try:
-        device = open_port(url(name), options.baud, **more)
+        device = open_port(name, options.baud, **more)
     except (OSError, ImportError, MipError, ValueError) as error:
         raise Failure(f"{name} cannot be opened: {reason(error)}") from None
     with device:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from .._clocks import CLOCKS
+from ..errors import MissingExtra
 from . import times
 from .column import Column, absent
 from .general import Ragged, Values
@@ -164,9 +165,7 @@ def library(name: str) -> Any:
     try:
         return import_module(name)
     except ImportError as error:
-        raise ImportError(
-            f"this frame needs {name}: pip install mip-protocol[{name}]", name=name
-        ) from error
+        raise MissingExtra(name, name) from error
 
 
 def objects(one: Series) -> list[Any]:

@@ -16,7 +16,6 @@ if TYPE_CHECKING:
     # Checkers know defaults of type variables in every version of Python.
     from typing_extensions import TypeVar as TypeVarWithDefault
 
-    from .info import FieldInfo
 
 F = TypeVar("F", bound="Field")
 S = TypeVar("S", bound="Structure")
@@ -140,10 +139,6 @@ class Field(Structure):
     """One field: a command, a response or data."""
 
     __slots__ = ()
-
-    if TYPE_CHECKING:
-        INFO: ClassVar[FieldInfo]
-        """What is known of it and of its parameters."""
 
     SET: ClassVar[int]
     DESCRIPTOR: ClassVar[int]

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-import select
+import re
+import selectors
 import socket
 import threading
 import time
@@ -23,6 +24,14 @@ CONNECT_TIMEOUT = 10.0
 AT_ONCE = 4096
 #: Seconds until a port that returns at once, with nothing, is read again.
 PAUSE = 0.002
+
+_HOST = re.compile(r"(\[[0-9A-Fa-f:]+\]|[\w.-]+):\d{1,5}")
+
+
+#: Not `select`, which takes no files beyond the 1024th; and without a file of its own, unlike epoll.
+_Selector: type[selectors.BaseSelector] = getattr(
+    selectors, "PollSelector", selectors.SelectSelector
+)
 
 
 class Port(Protocol):
@@ -46,7 +55,7 @@ class SocketPort:
 
     def read(self, size: int) -> bytes:
         """What has come; nothing after a moment. Raises ConnectionError when the other end is gone."""
-        if not select.select([self._socket], [], [], READ_TIMEOUT)[0]:
+        if not self._ready(selectors.EVENT_READ, READ_TIMEOUT):
             return b""
         data = self._socket.recv(size)
         if not data:
@@ -54,16 +63,21 @@ class SocketPort:
         return data
 
     def write(self, data: bytes) -> int:
-        if not select.select([], [self._socket], [], WRITE_TIMEOUT)[1]:
+        if not self._ready(selectors.EVENT_WRITE, WRITE_TIMEOUT):
             raise TimeoutError("the other end takes nothing")
         return self._socket.send(data)
 
     def close(self) -> None:
         self._socket.close()
 
+    def _ready(self, event: int, seconds: float) -> bool:
+        with _Selector() as selector:  # one for each call: threads read and write at once
+            selector.register(self._socket, event)
+            return bool(selector.select(seconds))
+
 
 def open_url(url: str, baud: int) -> Any:
-    """A port by its name: a path, COM3, socket://HOST:PORT, or another URL that pyserial knows.
+    """A port by its name: a path, COM3, HOST:PORT, socket://HOST:PORT, or another URL that pyserial knows.
 
     Raises OSError if it cannot be opened, ValueError if the URL is wrong, MissingExtra without
     pyserial, which TCP connections do not need.
@@ -83,8 +97,10 @@ def open_url(url: str, baud: int) -> Any:
 
 
 def address(url: str) -> tuple[str, int] | None:
-    """Host and number of socket://HOST:PORT, also tcp://…; None for other URLs. Raises ValueError."""
+    """Host and number of HOST:PORT, socket://… and tcp://…; None for other URLs. Raises ValueError."""
     scheme, separator, rest = url.partition("://")
+    if not separator and _HOST.fullmatch(url):
+        scheme, separator, rest = "socket", "://", url
     if not separator or scheme.lower() not in ("socket", "tcp"):
         return None
     parts = urlsplit(f"//{rest}")
@@ -93,7 +109,7 @@ def address(url: str) -> tuple[str, int] | None:
     except ValueError:
         number = None
     if not parts.hostname or not number:
-        raise ValueError(f"{url!r} is no TCP port; write socket://HOST:PORT")
+        raise ValueError(f"{url!r} is no TCP port; write HOST:PORT")
     return parts.hostname, number
 
 

@@ -10,12 +10,14 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from typing import Generic, Protocol, TypeAlias, TypeVar
 
+from ._clocks import TIMESTAMPS
 from .errors import PacketError
 from .packet import MAX_PAYLOAD, Packet, RawField
 
-#: The first descriptor of the fields that all data sets share, and those of them that tell a time.
+#: The set of the fields that all data sets share, their first descriptor, and those that tell a time.
+SHARED = 0xFF
 FIRST_SHARED = 0xD0
-TIMESTAMPS = frozenset((0xD1, 0xD3, 0xD5, 0xD7))
+TIMES = frozenset(descriptor for number, descriptor in TIMESTAMPS if number == SHARED)
 #: A list ends with so many packets, so that a clock that stands still takes no memory.
 MOST = 256
 
@@ -108,7 +110,7 @@ def _continues(group: _Group[P], shared: _Shared, own: list[RawField]) -> bool:
     first = own[0]
     full = len(first.data) + 2 > group.room
     new = first.descriptor not in group.own
-    timed = any(raw.descriptor in TIMESTAMPS for raw in shared)
+    timed = any(raw.descriptor in TIMES for raw in shared)
     return (new or (full and first.descriptor == group.last)) and (full or timed)
 
 

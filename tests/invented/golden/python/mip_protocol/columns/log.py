@@ -196,7 +196,7 @@ class Log:
         whether their units are there, in the names or in the metadata of Arrow. `position` adds
         the number of the packet, its descriptor set and its place in the file.
 
-        Raises LookupError for unknown types, ValueError for other choices, ImportError if the library
+        Raises LookupError for unknown types, ValueError for other choices, MissingExtra if the library
         is missing.
         """
         chosen = [kinds] if isinstance(kinds, (str, type)) else list(kinds)
