@@ -119,6 +119,10 @@ docs: $(VENV)/development.stamp ## build the reference as a searchable site in b
 	@cd $(OUT)/markdown && NO_MKDOCS_2_WARNING=1 $(abspath $(RUN)) -m mkdocs build --quiet --strict --site-dir $(abspath $(BUILD))/site
 	@echo "$(BUILD)/site/index.html"
 
+.PHONY: docs-serve
+docs-serve: $(VENV)/development.stamp ## show that site at http://127.0.0.1:8000, and follow changes: make docs-serve ADDRESS=HOST:PORT
+	@cd $(OUT)/markdown && NO_MKDOCS_2_WARNING=1 $(abspath $(RUN)) -m mkdocs serve $(addprefix --dev-addr ,$(ADDRESS))
+
 .PHONY: bench
 bench: tools $(VENV)/development.stamp ## measure size and speed; make bench README=1 writes the tables of the READMEs for C and Rust
 	@PYTHONPATH=generator $(RUN) tests/bench/bench.py $(if $(README),--readme)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import textwrap
+from collections.abc import Sequence
 
 
 def wrapped(text: str, width: int, hang: str = "") -> list[str]:
@@ -14,3 +15,19 @@ def wrapped(text: str, width: int, hang: str = "") -> list[str]:
     if len(text) <= width and "\n" not in text and "\t" not in text:  # most are short, and wrapping takes long
         return [text] if text and not text.isspace() else []
     return textwrap.wrap(text, width, subsequent_indent=hang, break_long_words=False, break_on_hyphens=False)
+
+
+def call(head: str, arguments: Sequence[str], tail: str, width: int = 100, comma: str = ",") -> str:
+    """A call in a programming language, with a line for each argument if one line is too long.
+
+    >>> print(call("f(", ["a", "b"], ")"), call("f(", ["a", "b"], ")", 3), sep="; ")
+    f(a, b); f(
+        a,
+        b,
+    )
+    """
+    line = f"{head}{', '.join(arguments)}{tail}"
+    if len(line) <= width or not arguments:
+        return line
+    each = "".join(f"    {a}," + "\n" for a in arguments)
+    return f"{head}\n{each}".removesuffix(",\n") + f"{comma}\n{tail}"

@@ -118,6 +118,11 @@ def _inside(p: m.Parameter, path: str, depth: int) -> Iterator[Place]:
 # --------------------------------------------------------------------------- the manual
 
 
+def path_of(f: m.Field) -> str:
+    """The page of a command or a data field; a response is on that of its command."""
+    return f"fields/{f.set_name}/{f.command if f.role == m.RESPONSE else f.name}.md"
+
+
 @dataclasses.dataclass
 class Manual:
     model: m.Model
@@ -143,8 +148,14 @@ class Manual:
         return self.sections[f"docs/{path}", anchor]
 
     def field(self, f: m.Field) -> str:
-        page = "packets.md" if f.set_name == "protocol" else f"sets/{f.set_name}.md"
-        return self.section(page, f.full_name)
+        """What is said of a field: its page without its responses; of a response, its section of that page."""
+        if f.set_name == "protocol":
+            return self.section("packets.md", f.full_name)
+        if f.role == m.RESPONSE:
+            return re.split(r"^## ", self.section(path_of(f), f.full_name), flags=re.M)[0]
+        first, *others = re.split(r'^<a id="[^"]*"></a>\n\n### ', self.page(path_of(f)), flags=re.M)
+        after = others[-1].partition("\n## ")[2] if others else ""
+        return first.partition(f'<a id="{f.full_name}"></a>')[2] + (f"\n## {after}" if after else "")
 
     def type(self, t: m.Type) -> str:
         owner = getattr(t, "owner", None)

@@ -12,7 +12,7 @@ from typing import Any
 import yaml
 from mipgen import model as m
 from mipgen.resolve import load_model
-from reference import Manual, made, manual_of, prose, table_with, tables, words
+from reference import Manual, made, manual_of, path_of, prose, table_with, tables, words
 from support import SPECS
 
 
@@ -53,12 +53,13 @@ def test_examples_are_with_their_fields(manual: Manual) -> None:
             for name in about:
                 f = of.field(name)
                 assert f is not None
-                parts = re.split(r"^\*\*Example\*\*", manual.field(f), flags=re.M)
+                page = manual.page(path_of(f)).partition("\n## Examples\n")[2].partition("\n## ")[0]
+                parts = re.split(r"^\*\*Example\*\*", page, flags=re.M)
                 (mine,) = (part for part in parts if f"#example.{e.id})" in part)
                 assert " ".join(f"{b:02X}" for b in shown(e)) in mine
-                raw = bytes([len(x.data) + 2, x.descriptor]) + x.data
-                found = [bytes.fromhex(" ".join(words(row["Bytes"]) for row in t)) for t in tables(mine)]
-                assert raw in found, (e.id, name)
+                (rows,) = tables(mine)
+                assert bytes.fromhex(" ".join(words(row["Bytes"]) for row in rows)) == shown(e), (e.id, name)
+                check_values(of, e, rows)
 
 
 def flat(value: Any, path: str) -> Iterator[tuple[str, Any]]:

@@ -2,12 +2,27 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable
 
 import pytest
 from mipgen import describe
 from mipgen import model as m
-from reference import Manual, Place, bullets, manual_of, number, places, prose, rows_of, seen, table_with, words
+from reference import (
+    ANCHOR,
+    Manual,
+    Place,
+    bullets,
+    manual_of,
+    number,
+    path_of,
+    places,
+    prose,
+    rows_of,
+    seen,
+    table_with,
+    words,
+)
 from support import model
 
 #: Which column of the table of parameters has which facts.
@@ -32,7 +47,7 @@ def test_every_fact_of_a_field(manual: Manual) -> None:
     """A heading, what it is, a paragraph of facts, notes; the functions and the answers are in the table of forms."""
     for f in manual.model.fields:
         heading, what, *rest = paragraphs(manual.field(f))
-        level = "###" if f.role == m.RESPONSE else "##"
+        level = "###" if f.role == m.RESPONSE else "#"
         assert heading == f"{level} {f.title} {number(f)}"
         assert what == f"{f.full_name}, {f.role}. {prose(f.description, manual.model)}".strip(), f.full_name
         facts = [x for x in describe.field(f, manual.model) if x.topic not in ("functions", "responses")]
@@ -102,27 +117,28 @@ def check_type(manual: Manual, place: Place, row: dict[str, str]) -> None:
 
 
 def test_values_beside_parameters(manual: Manual) -> None:
-    """The values and bits of each type that a parameter may have, unless there are too many."""
+    """The values and bits of each type that a parameter may have, those that overlap included, on the same page."""
     for f in manual.fields:
-        found = set(bullets(manual.field(f).partition("Values:\n\n")[2].partition("\n\n")[0]))
-        wanted: dict[str, list[str]] = {}
+        page = manual.page(path_of(f)) if f.set else manual.page("packets.md")
+        found = re.findall(r"^### Values of ([^\n]*): `(\w+)`$(.*?)(?=^#)", page + "\n#", re.M | re.S)
         for place in places(f):
             p = place.parameter
             for t in [p.element, *(v.type for v in p.readings)] if p and not p.selector else []:
                 if isinstance(t, (m.Enum, m.Bitfield)):
-                    wanted.setdefault(f"{t.name}: {contents(t)}", []).append(place.path)
-        assert found == {", ".join([*paths, t]) for t, paths in wanted.items()}, f.full_name
+                    (text,) = [x for users, name, x in found if f"`{place.path}`" in users and name == t.name]
+                    rows = wanted_rows(t, manual)
+                    assert rows_of(text)[2:] == rows, (f.full_name, t.name)
+                    parts = t.values if isinstance(t, m.Enum) else t.bits
+                    anchors = ANCHOR.findall("".join(re.findall(r"^\|.*", text, re.M)))
+                    assert [a.rpartition(".")[2] for a in anchors] == [x.name for x in parts]
 
 
-def contents(t: m.Enum | m.Bitfield) -> str:
-    if isinstance(t, m.Enum):
-        few = len(t.values) <= 16
-        return ", ".join(f"{v.value} {v.name}" for v in t.values) + "." if few else f"{len(t.values)} values."
-    bits = [b for b in t.bits if not b.alias]
-    if len(bits) > 16:
-        return f"{len(bits)} entries."
-    more = "" if len(bits) == len(t.bits) else ", and some that overlap these"
-    return ", ".join(f"{describe.bits_place(b)} {b.name}" for b in bits) + more + "."
+def test_every_parameter_has_an_anchor(manual: Manual) -> None:
+    for f in manual.fields:
+        for place in places(f):
+            if place.parameter is not None:
+                path = re.sub(r"\[\w\]", "", place.path)
+                assert f'<a id="{f.full_name}.{path}"></a>`{place.path}`' in manual.field(f)
 
 
 # --------------------------------------------------------------------------- values and bits
@@ -130,20 +146,26 @@ def contents(t: m.Enum | m.Bitfield) -> str:
 
 def test_every_fact_of_a_value_and_a_bit(manual: Manual) -> None:
     for t in manual.model.all_types:
-        wanted = []
-        if isinstance(t, m.Enum):
-            for v in t.values:
-                text = " ".join([*told(v.description, manual), *sentences(describe.value(v, manual.model))])
-                wanted.append([str(v.value), f"0x{v.value:0{2 * t.scalar.size}X}", v.name, text])
-        elif isinstance(t, m.Bitfield):
-            for b in t.bits:
-                place, *facts = describe.bits(b, manual.model)
-                mask = f"0x{b.mask:0{2 * t.size}X}" if t.scalar else f"{b.first // 8}.{b.first % 8}"
-                text = " ".join([*told(b.description, manual), *sentences(facts)])
-                wanted.append([seen(place.value), mask, b.name, text])
-        if wanted and not any(row[-1] for row in wanted):
-            wanted = [row[:-1] for row in wanted]
+        wanted = wanted_rows(t, manual)
         assert rows_of(manual.type(t))[2 : 2 + len(wanted)] == wanted, t.name
+
+
+def wanted_rows(t: m.Type, manual: Manual) -> list[list[str]]:
+    """The table of values or bits."""
+    wanted = []
+    if isinstance(t, m.Enum):
+        for v in t.values:
+            text = " ".join([*told(v.description, manual), *sentences(describe.value(v, manual.model))])
+            wanted.append([str(v.value), f"0x{v.value:0{2 * t.scalar.size}X}", v.name, text])
+    elif isinstance(t, m.Bitfield):
+        for b in t.bits:
+            place, *facts = describe.bits(b, manual.model)
+            mask = f"0x{b.mask:0{2 * t.size}X}" if t.scalar else f"{b.first // 8}.{b.first % 8}"
+            text = " ".join([*told(b.description, manual), *sentences(facts)])
+            wanted.append([seen(place.value), mask, b.name, text])
+    if wanted and not any(row[-1] for row in wanted):
+        wanted = [row[:-1] for row in wanted]
+    return wanted
 
 
 def told(description: str, manual: Manual) -> list[str]:
@@ -177,29 +199,28 @@ def test_a_response_of_two_commands(manual: Manual) -> None:
 @pytest.mark.parametrize(
     ("page", "right", "wrong"),
     [
-        ("sets/tools.md", "| Bd |", "| Hz |"),  # a unit
-        ("sets/tools.md", "| -180 to 180 |", "| -180 to 90 |"),  # a range
-        ("sets/tools.md", "range 1 to 10", "range 1 to 20"),  # of a variant
-        ("sets/tools.md", "| `write` and `apply` |", "| `write` |"),  # who requires it
-        ("sets/tools.md", "| `fast` (1) | What to do.", "|  | What to do."),  # a default
-        ("sets/tools.md", "Always 4711.", ""),  # a constant
-        ("sets/tools.md", "Reserved: send 1.", "Reserved."),  # a reserved value
-        ("sets/tools.md", "Not acknowledged if `suppress_ack` is true. ", ""),  # silence
-        ("sets/tools.md", "`write` and `read` only", "`write` only"),  # functions on a device
-        ("sets/3d.md", "`fast` (1)", "`slow` (2)"),  # the setting of another command
-        ("sets/measurements.md", "x by [`valid_flags.ready`]", "x by [`valid_flags.hot`]"),  # a valid flag
-        ("sets/measurements.md", "[sensor](../units.md#frame.sensor-frame)", ""),  # a frame
-        ("sets/measurements.md", "[Model B](../devices/model-b.md) and ", ""),  # a device
-        ("sets/measurements.md", "Sent at 100 Hz at most.", ""),  # a rate
+        ("fields/tools/", "| Bd |", "| Hz |"),  # a unit
+        ("fields/tools/", "| -180 to 180 |", "| -180 to 90 |"),  # a range
+        ("fields/tools/", "range 1 to 10", "range 1 to 20"),  # of a variant
+        ("fields/tools/", "| `write` and `apply` |", "| `write` |"),  # who requires it
+        ("fields/tools/", "| `fast` (1) | What to do.", "|  | What to do."),  # a default
+        ("fields/tools/", "Always 4711.", ""),  # a constant
+        ("fields/tools/", "Reserved: send 1.", "Reserved."),  # a reserved value
+        ("fields/tools/", "Not acknowledged if `suppress_ack` is true. ", ""),  # silence
+        ("fields/tools/", "`write` and `read` only", "`write` only"),  # functions on a device
+        ("fields/3d/", "`fast` (1)", "`slow` (2)"),  # the setting of another command
+        ("fields/measurements/", "x by [`valid_flags.ready`]", "x by [`valid_flags.hot`]"),  # a valid flag
+        ("fields/measurements/", "[sensor](../../units.md#frame.sensor-frame)", ""),  # a frame
+        ("fields/measurements/", "[Model B](../../devices/model-b.md) and ", ""),  # a device
+        ("fields/measurements/", "Sent at 100 Hz at most.", ""),  # a rate
         ("types.md", "| bit 1 |", "| bit 2 |"),  # the place of a bit
         ("types.md", "Deprecated.", ""),  # of a value
     ],
 )  # fmt: skip
 def test_a_wrong_fact_is_seen(page: str, right: str, wrong: str) -> None:
     manual = manual_of("invented")
-    text = manual.page(page)
-    assert right in text
-    changed = Manual(manual.model, {**manual.files, f"docs/{page}": text.replace(right, wrong, 1).encode()})
+    path, text = next((p, x) for p, x in manual.pages.items() if p.startswith(f"docs/{page}") and right in x)
+    changed = Manual(manual.model, {**manual.files, path: text.replace(right, wrong, 1).encode()})
     tests = (test_every_fact_of_a_field, test_every_fact_of_a_parameter, test_every_fact_of_a_value_and_a_bit)
     assert [test.__name__ for test in tests if fails(test, changed)]
 

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import dataclasses
+import doctest
 import html
-import importlib
+import importlib.util
 import itertools
+import json
 import os
 import posixpath
 import re
@@ -21,7 +23,7 @@ from mipgen import naming, render
 from mipgen.problems import Problems
 from mipgen.resolve import load_model
 from mipgen.targets import markdown
-from reference import ANCHOR, LINK, Manual, bullets, cells, made, manual_of, prose, without_code, words
+from reference import ANCHOR, LINK, Manual, bullets, cells, made, manual_of, path_of, prose, without_code, words
 from support import ROOT, SPECS, model
 
 
@@ -29,7 +31,7 @@ def test_pages_are_neat(manual: Manual) -> None:
     faults = []
     for path, text in manual.pages.items():
         plain = without_code(text)
-        if len(re.findall(r"^# ", plain, re.M)) != 1 or not text.startswith("# "):
+        if len(re.findall(r"^# ", plain, re.M)) != 1 or not re.match(r'(<a id="[^"]*"></a>\n\n)?# ', text):
             faults.append(f"{path}: not one heading of level 1 at its start")
         levels = [len(x) for x in re.findall(r"^(#+) ", plain, re.M)]
         if any(b > a + 1 for a, b in itertools.pairwise(levels)):
@@ -99,7 +101,7 @@ def test_fields_and_types_between_backticks_are_links() -> None:
     f = dataclasses.replace(model("invented").sets[0].fields[0], description=text, notes=(text,))
     first = dataclasses.replace(model("invented").sets[0], fields=(f, *model("invented").sets[0].fields[1:]))
     manual = made(dataclasses.replace(model("invented"), sets=(first, *model("invented").sets[1:])))
-    links = "[Ping (0x01,0x01)](#tools.ping) and [`shape`](../types/tools.md#tools.shape)"
+    links = "[Ping (0x01,0x01)](#tools.ping) and [`shape`](../../types/tools.md#tools.shape)"
     assert manual.field(f).count(f"As {links}; (0x01,0x01), `tools.bias.x`.") == 2
 
 
@@ -109,9 +111,9 @@ def test_descriptors_in_quotations_are_links() -> None:
     text = "The text refers to `tools.ping` by (0x01,0x01)."
     quoting = dataclasses.replace(model("invented").errata[0], printed=text, right=text, reason=text)
     page = made(dataclasses.replace(model("invented"), errata=(quoting,))).page("errata.md")
-    quoted = "The text refers to `tools.ping` by [(0x01,0x01)](sets/tools.md#tools.ping)."
+    quoted = "The text refers to `tools.ping` by [(0x01,0x01)](fields/tools/ping.md#tools.ping)."
     assert f"- Printed: {quoted}\n- Right: {quoted}\n" in page
-    assert "- Why: The text refers to [Ping (0x01,0x01)](sets/tools.md#tools.ping) by (0x01,0x01)." in page
+    assert "- Why: The text refers to [Ping (0x01,0x01)](fields/tools/ping.md#tools.ping) by (0x01,0x01)." in page
 
 
 def test_what_is_said_of_the_protocol(manual: Manual) -> None:
@@ -155,7 +157,7 @@ def test_navigation_lists_every_page(manual: Manual) -> None:
 def test_no_two_pages_have_one_title(manual: Manual) -> None:
     """Neither in the navigation and the results of a search, nor at the top of the page."""
     titles = [title for title, _ in navigation(manual)]
-    headings = [text.partition("\n")[0] for path, text in manual.pages.items() if path != "README.md"]
+    headings = [re.findall(r"^# .*", text, re.M)[0] for path, text in manual.pages.items() if path != "README.md"]
     assert len(titles) == len(set(titles)) and len(headings) == len(set(headings))
 
 
@@ -193,7 +195,7 @@ def test_text_is_never_markup() -> None:
     f = awkward.sets[0].fields[0]
     assert words(manual.field(f)).count(prose(NASTY, awkward)) == 2
     markdown_ = importlib.import_module("markdown")  # comes with mkdocs
-    for path in (f"sets/{f.set_name}.md", "errata.md", f"devices/{awkward.devices[0].id}.md"):
+    for path in (path_of(f), f"sets/{f.set_name}.md", "errata.md", f"devices/{awkward.devices[0].id}.md"):
         page = markdown_.markdown(manual.page(path), extensions=["tables", "fenced_code"])
         assert not re.search(r"<b>|<em>[cd]</em>|href=\"f\"", page)
         assert prose(NASTY, awkward) in html.unescape(re.sub(r"</?code>", "", page)), path
@@ -215,13 +217,50 @@ def test_site_builds(manual: Manual, tmp_path: Path) -> None:
         cwd=source, capture_output=True, text=True, env={**os.environ, "NO_MKDOCS_2_WARNING": "1"}, check=False,
     )  # fmt: skip
     assert done.returncode == 0, done.stdout + done.stderr
-    titles = {}
+    titles, descriptions = {}, {}
     for _, path in navigation(manual):
         page = (site / path[:-3]).with_suffix(".html").read_text("utf-8")
         titles[path] = re.findall(r"<title>(.*?)</title>", page)[0]
+        described = re.findall(r'<meta name="description" content="([^"]+)"', page)
+        descriptions[path] = html.unescape(described[0])
+        text = (source / "docs" / path).read_text("utf-8")
+        for anchor in re.findall(r'^<a id="([^"]*)"></a>\n\n#', text, re.M):  # permalink, outline and search use it
+            assert re.search(rf'<h[1-4] id="{re.escape(anchor)}">', page), (path, anchor)
+        programs = re.findall(r'^<details class="program"', text, re.M)
+        assert len(re.findall(r'<div class="tabbed-block">', page)) == len(programs), path
     assert len(set(titles.values())) == len(titles)
+    assert len(set(descriptions.values())) == len(descriptions) and max(map(len, descriptions.values())) <= 160
     index = (site / "search/search_index.json").read_text("utf-8")
     assert all(f.full_name in index for f in manual.fields)
+    check_search(manual, json.loads(index))
+
+
+def test_hooks_of_the_site() -> None:
+    path = ROOT / "generated/markdown/hooks.py"
+    spec = importlib.util.spec_from_file_location("hooks", path)
+    assert spec is not None and spec.loader is not None
+    hooks = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(hooks)
+    done = doctest.testmod(hooks)
+    assert done.attempted and not done.failed
+
+
+def check_search(manual: Manual, index: dict[str, Any]) -> None:
+    """What people type is in the index as words: descriptors in every form with the field, and known synonyms."""
+    separator = re.compile(index["config"]["separator"])
+    found = {entry["location"]: entry for entry in index["docs"]}
+
+    def tokens(text: str) -> list[str]:
+        return [word.lower() for word in separator.split(text) if word]
+
+    for f in (f for f in manual.model.fields if f.role != m.RESPONSE):
+        entry = found[f"fields/{f.set_name}/{f.name}.html"]
+        tags = {token for tag in entry["tags"] for token in tokens(tag)}
+        one, two = f"{f.set:02X}", f"{f.descriptor:02X}"
+        for query in (f"0x{one},0x{two}", f"(0x{one},0x{two})", f"0x{one}{two}", f"{one}{two}", f"{one} {two}"):
+            assert set(tokens(query)) <= tags, (f.full_name, query)
+        assert set(tokens(f.full_name)) <= set(tokens(entry["title"] + " " + entry["text"]))
+    assert any("nack" in tokens(e["text"]) for where, e in found.items() if where.startswith("packets.html"))
 
 
 def test_site_needs_what_is_tested() -> None:

@@ -3,10 +3,25 @@
 from __future__ import annotations
 
 import re
+from typing import Any
 
 from mipgen import codec, describe
 from mipgen import model as m
-from reference import ANCHOR, Manual, bullets, number, prose, rows_of, seen, table_with, tables, words
+from reference import (
+    ANCHOR,
+    Manual,
+    bullets,
+    manual_of,
+    number,
+    path_of,
+    prose,
+    rows_of,
+    seen,
+    table_with,
+    tables,
+    words,
+)
+from support import model
 
 
 def asked(s: m.Set) -> list[m.Field]:
@@ -47,25 +62,79 @@ def test_every_set_has_its_page(manual: Manual) -> None:
         for f, row in zip(asked(s), contents, strict=True):
             marks = [word for word, holds in (("advanced", f.advanced), ("deprecated", f.deprecated)) if holds]
             cells = {key: words(value) for key, value in row.items()}
-            assert cells["Descriptor"] == f"0x{f.descriptor:02X}" and f"(#{f.full_name})" in row["Field"]
+            assert cells["Descriptor"] == f"0x{f.descriptor:02X}" and f"../{path_of(f)}#{f.full_name})" in row["Field"]
             assert cells["Field"] == f.title + (f" ({', '.join(marks)})" if marks else "")
             assert cells.get("Functions", "") == letters(f.functions)
             assert re.findall(r"#([\w.]+)", row.get("Responses", "")) == [f"{s.name}.{name}" for name in f.responses]
+            short = sizes(f)
+            assert cells["Field length"] == (f"{short[0]} to {short[1]}" if short[0] != short[1] else f"{short[0]}")
+            assert cells["Description"] and prose(f.description, manual.model).startswith(cells["Description"])
             assert cells.get("Supported by", "") == ", ".join(d.title for d in manual.model.devices_of(f))
 
 
-def test_responses_follow_their_command(manual: Manual) -> None:
-    for s in manual.model.sets:
-        page = manual.page(f"sets/{s.name}.md")
+def test_responses_are_with_their_command(manual: Manual) -> None:
+    for command in (f for f in manual.model.fields if f.role == m.COMMAND):
+        page = manual.page(path_of(command))
         at = {a: page.index(f'<a id="{a}"></a>') for a in ANCHOR.findall(page)}
-        ends = [at[f.full_name] for f in asked(s)[1:]] + [len(page)]
-        for command, end in zip(asked(s), ends, strict=True):
-            for response in manual.model.responses(command):
-                if response.command == command.name:
-                    assert at[command.full_name] < at[response.full_name] < end
-                else:
-                    assert f"(#{response.full_name})" in manual.field(command)
-                    assert f"(#{command.full_name})" in manual.field(response)
+        for response in manual.model.responses(command):
+            if response.command == command.name:
+                assert page.index("\n## Answer\n") < at[response.full_name] < page.index("\n## Examples\n")
+            else:
+                assert f"#{response.full_name})" in manual.field(command)
+                assert f"#{command.full_name})" in manual.field(response)
+
+
+def test_answers(manual: Manual) -> None:
+    """A packet for each way in which a command may be answered: acknowledged, with a response, or refused."""
+    of = manual.model
+    codes = {v.name: v.value for v in of.protocol.ack_code.values}
+    for f in (f for f in of.fields if f.role == m.COMMAND):
+        rows = table_with(manual.field(f), "Answer", "Packet")
+        assert bool(rows) == (not f.functions or any(x.reply for x in f.functions)), f.full_name
+        shown, responses = set(), set()
+        for row in rows:
+            (_, ack), *rest = codec.split(of, bytes.fromhex(words(row["Packet"])))
+            name, value = re.fullmatch(r"(\w+) \(0x(..)\)", words(row["Code"])).groups()  # type: ignore[union-attr]
+            assert ack == bytes([f.descriptor, codes[name]]) and codes[name] == int(value, 16)
+            assert words(row["Answer"]).startswith("Refusal" if codes[name] else "Acknowledge")
+            shown.add(name)
+            for descriptor, data in rest:
+                (answer,) = [r for r in of.responses(f) if f"#{r.full_name})" in row["Answer"]]
+                assert descriptor == answer.descriptor and codec.decode(answer, data)[1] == 0
+                responses.add(answer.full_name)
+        assert not rows or shown == set(codes)
+        assert not rows or responses == {r.full_name for r in of.responses(f)}, f.full_name
+
+
+def test_every_page_has_an_example(manual: Manual) -> None:
+    """Of the field or its answer; if no manual prints one, it is made from typical values."""
+    for f in (f for f in manual.model.fields if f.role != m.RESPONSE):
+        examples = manual.page(path_of(f)).partition("\n## Examples\n")[2].partition("\n## ")[0]
+        blocks = re.findall(r"^```text\n(.*)\n```$", examples, re.M)
+        tables_ = [bytes.fromhex(" ".join(words(r["Bytes"]) for r in t)) for t in tables(examples)]
+        assert blocks and [bytes.fromhex(b) for b in blocks] == tables_, f.full_name
+        if "**Example**" not in examples:
+            ((descriptor, data),) = codec.split(manual.model, tables_[0])
+            assert descriptor == f.descriptor and codec.decode(f, data)[1] == 0
+
+
+def test_row_of_bytes(manual: Manual) -> None:
+    for f in (f for f in manual.model.fields if f.role != m.RESPONSE):
+        (row,) = table_with(manual.field(f), "Sync", "Checksum")
+        assert words(row["Set"]) == (f"{f.set:02X}" if f.set != 0xFF else "any data set")
+        assert words(row["Descriptor"]) == f"{f.descriptor:02X}"
+        assert words(row["Field length"]) == words(row["Payload length"])
+        if f.min_size == f.max_size:
+            assert words(row["Field length"]) == f"{f.max_size + 2:02X}"
+        if len(f.parameters) <= 8:
+            assert [words(h) for h in row][5:-1] == [p.name for p in f.parameters]
+
+
+def test_where_the_specification_says_it(manual: Manual) -> None:
+    for f in (f for f in manual.model.fields if f.role != m.RESPONSE):
+        assert f.position is not None
+        said = f"In the specification: {'/'.join(f.position.file.split('/')[-2:])}, line {f.position.line}.\n"
+        assert words(manual.page(path_of(f))).endswith(said)
 
 
 def test_descriptors_without_a_layout(manual: Manual) -> None:
@@ -97,7 +166,7 @@ def test_every_form_of_a_command_has_its_row(manual: Manual) -> None:
             cells = {key: words(value) for key, value in row.items()}
             if c.function:
                 assert cells["Function"] == f"{c.function.letter} {c.function.name}"
-                assert cells["Value"] == str(c.function.value)
+                assert cells["Value"] == f"0x{c.function.value:02X}"
             selector = [c.function.value] if c.function else []
             first, *rest = cells["Field begins"].split()
             assert first == (f"{int(cells['Field length']):02X}" if cells["Field length"].isdigit() else "LL")
@@ -105,13 +174,51 @@ def test_every_form_of_a_command_has_its_row(manual: Manual) -> None:
             assert cells.get("Then follow", "") == ", ".join(p.name for p in c.required)
             assert cells.get("May follow", "") == ", ".join(p.name for p in c.optional)
             check_answer(manual, f, c, row["Answer"])
-            packet = bytes.fromhex(cells.get("Whole packet", ""))
-            assert bool(packet) == all(p.constant is not None for p in c.required), f.full_name
-            if packet:
-                ((descriptor, data),) = codec.split(manual.model, packet)
-                values = {"function": c.function.value} if c.function else {}
-                assert (packet[2], descriptor, codec.decode(f, data)) == (f.set, f.descriptor, (values, 0))
-                assert cells["Field length"] == str(packet[4])
+        for c, row in zip(
+            f.calls,
+            table_with(manual.field(f), "Packet", "Function") or table_with(manual.field(f), "Packet"),
+            strict=True,
+        ):
+            packet = bytes.fromhex(words(row["Packet"]))
+            ((descriptor, data),) = codec.split(manual.model, packet)
+            values, trailing = codec.decode(f, data)
+            assert (packet[2], descriptor, trailing) == (f.set, f.descriptor, 0)
+            assert values.get("function") == (c.function.value if c.function else None)
+            assert list(values) == [
+                p.name for p in f.parameters if p.selector or (p in c.required and p.constant is None)
+            ]
+            check_said(manual.model, f, values, words(row.get("With", "")))
+
+
+def check_said(of: m.Model, f: m.Field, values: dict[str, Any], said: str) -> None:
+    """The values of a packet that is ready to be sent are beside it, unless there are too many."""
+    plain = {k: v for k, v in values.items() if k != "function" and isinstance(v, int)}
+    if re.fullmatch(r"\d+ values", said):
+        return
+    for name, value in plain.items():
+        assert re.search(rf"(^|, ){name} = (.*\()?(-?{value}|0x0*{value:X})\b", said), (f.full_name, name, value)
+
+
+def sizes(f: m.Field) -> tuple[int, int]:
+    """The lengths of the shortest form of a field and of the longest."""
+    if f.role != m.COMMAND:
+        return f.min_size + 2, f.max_size + 2
+    plain = [o for o in f.operations if not isinstance(o, m.GroupOp)]
+    shortest = []
+    for c in f.calls:
+        names = {p.name for p in c.required}
+        groups = [o for g in f.operations if isinstance(g, m.GroupOp) for o in g.body if o.member in names]  # type: ignore[union-attr]
+        shortest.append(sum(least(o) for o in (*plain, *groups)))
+    return min(shortest) + 2, f.max_size + 2
+
+
+def least(op: m.Operation) -> int:
+    match op:
+        case m.TextOp() | m.ArrayOp() if op.count is None:
+            return 0
+        case m.SwitchOp():
+            return min(codec.size_of(c.operation) if c.operation else 0 for c in op.cases)
+    return codec.size_of(op)
 
 
 def check_answer(manual: Manual, f: m.Field, c: m.Call, answer: str) -> None:
@@ -205,7 +312,7 @@ def test_what_a_device_supports(manual: Manual) -> None:
         for s, row in zip(d.certain, rows, strict=True):
             assert f"#{s.field.full_name})" in row["Field"] and words(row["Field"]).startswith(s.field.title)
             assert words(row.get("Functions", "")) == letters(s.functions)
-            assert f"(../devices/{d.id}.md)" in manual.field(s.field)
+            assert f"(../../devices/{d.id}.md)" in manual.field(s.field)
 
 
 def test_what_a_device_may_support(manual: Manual) -> None:
@@ -221,7 +328,7 @@ def test_what_a_device_may_support(manual: Manual) -> None:
             assert words(row["Set"]) == f"{manual.model.set(s.field.set).title} (0x{s.field.set:02X})"  # type: ignore[union-attr]
             before = words(page[: page.index(f"#{s.field.full_name})")])
             assert prose(s.evidence or "", manual.model) in before
-            assert f"(../devices/{d.id}.md)" in manual.field(s.field)
+            assert f"(../../devices/{d.id}.md)" in manual.field(s.field)
 
 
 def test_what_differs_on_a_device(manual: Manual) -> None:
@@ -280,6 +387,22 @@ def test_every_erratum_has_its_section(manual: Manual) -> None:
                 assert f"#erratum.{e.id})" in manual.section("examples.md", f"example.{c.subject}")
             else:
                 assert c.subject in text
+
+
+def test_errata_that_name_a_field(manual: Manual) -> None:
+    """They are linked from its page, in whatever section of the manual they are."""
+    for e in manual.model.errata:
+        for name in re.findall(r"`([^`]+)`", f"{e.right} {e.reason}"):
+            f = manual.model.field(name)
+            if f is not None and f.set and f.role != m.RESPONSE:
+                assert f"#erratum.{e.id})" in manual.page(path_of(f)), (e.id, name)
+
+
+def test_mean_motion_is_wrong_for_all_systems() -> None:
+    for name in ("gnss_1.galileo_ephemeris", "gnss_1.beidou_ephemeris", "gnss_2.galileo_ephemeris"):
+        f = model("real").field(name)
+        assert f is not None
+        assert "#erratum.cv7-ephemeris-delta-mean-motion)" in manual_of("real").page(path_of(f))
 
 
 def test_every_unit_and_frame_has_its_row(manual: Manual) -> None:

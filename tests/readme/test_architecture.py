@@ -37,7 +37,7 @@ def test_the_way_of_a_fact() -> None:
     c = (ROOT / "generated/c/src/mip/base.h").read_text("utf-8")
     python = (ROOT / "generated/python/mip_protocol/base.py").read_text("utf-8")
     rust = (ROOT / "generated/rust/src/sets/base.rs").read_text("utf-8")
-    markdown = (ROOT / "generated/markdown/docs/sets/base.md").read_text("utf-8")
+    markdown = (ROOT / "generated/markdown/docs/fields/base/comm_speed.md").read_text("utf-8")
     assert re.search(
         r"mip_base_comm_speed_write\(\s*struct mip_base_comm_speed \*command,\s*uint8_t port,\s*uint32_t baud\)", c
     )
@@ -48,6 +48,6 @@ def test_the_way_of_a_fact() -> None:
     assert "\n    REQUIRED = {1: 2, 2: 1, 3: 1, 4: 1, 5: 1}" in own and "Required for `write`." in own
     own = rust.partition("pub struct CommSpeed ")[2].partition("record!")[0]
     assert "[baud for WRITE]" in own and "fn write(port: u8, baud: u32)" in own and "fn read(port: u8)" in own
-    own = markdown.partition('<a id="base.comm_speed"></a>')[2]
-    assert "| `W` `write` | 1 | `08 09 01` | `port`, `baud` | 8 | acknowledge |" in own
+    own = re.sub(r'<a id="[^"]*"></a>', "", markdown)
+    assert "| `W` `write` | `0x01` | `08 09 01` | `port`, `baud` | 8 | acknowledge |" in own
     assert "| 2 | 4 | `baud` | `u32` | `write` | Bd |" in own

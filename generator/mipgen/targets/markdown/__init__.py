@@ -16,7 +16,7 @@ from ... import describe
 from ... import model as m
 from ...naming import Identifier
 from ...render import File
-from . import devices, examples, fields, parameters, places, sources, text, types
+from . import answers, devices, examples, fields, packets, parameters, places, programs, related, sources, text, types
 from .index import Index
 from .places import Page, Thing
 
@@ -41,6 +41,8 @@ def files(model: m.Model) -> Iterator[File]:
         yield page(places.set_page(s.name), "set.md.j2", set=s)
         if s.types:
             yield page(places.types_page(s.name), "types.md.j2", set=s)
+        for f in fields.asked(s):
+            yield page(places.field_page(f), "field.md.j2", field=f)
     for d in model.devices:
         yield page(places.device_page(d), "device.md.j2", device=d)
 
@@ -77,6 +79,7 @@ FILTERS: Filters = {
     "note_table": devices.note_table,
     "of_manual": sources.of_manual,
     "severities": sources.severities,
+    "own_lines": sources.own_lines,
     "right_bytes": examples.right_bytes,
     "misprints": examples.misprints,
 }
@@ -91,7 +94,15 @@ FILTERS_OF_PAGE: Filters = {
     "facts": fields.facts,
     "notes": fields.notes,
     "call_table": fields.call_table,
+    "first_sentence": fields.first_sentence,
     "own_responses": fields.own_responses,
+    "packet_row": packets.packet_row,
+    "ready_packets": packets.ready_packets,
+    "answers": answers.answers,
+    "shown_examples": examples.shown_examples,
+    "programs": programs.programs,
+    "related": related.related,
+    "field_values": parameters.field_values,
     "contents": fields.contents,
     "named": fields.named,
     "uncertain": fields.uncertain,
@@ -115,7 +126,6 @@ FILTERS_OF_PAGE: Filters = {
     "subjects": sources.subjects,
     "device": examples.device,
     "packet_table": examples.packet_table,
-    "field_tables": examples.field_tables,
 }
 
 

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
-from typing import Any
+from dataclasses import dataclass, replace
+from typing import Any, Literal
 
 from ... import codec
 from ... import model as m
 from ...checks import differences
+from .fields import on_page
 from .places import Page
 from .text import code, decimal, hexadecimal, inline, plain, spaced, table
 
@@ -66,9 +67,32 @@ def packet_table(page: Page, x: m.Example) -> str:
     return _table(pieces)
 
 
-def field_tables(page: Page, x: m.Example, f: m.Field) -> list[str]:
-    """The bytes of those parts of an example that show a field."""
-    return [_table(_field(page, x, part)) for part in x.fields if f.full_name in page.index.shown(x, part)]
+@dataclass(frozen=True, slots=True)
+class Shown:
+    """An example on the page of a field; one without an id was made for it."""
+
+    example: m.Example
+    table: str
+
+
+def shown_examples(page: Page, f: m.Field) -> list[Shown]:
+    """The examples of a field and of its responses; if no manual prints any, one of typical values."""
+    found = {x.id: x for g in on_page(page, f) for x in page.index.examples(g)}
+    return [Shown(x, packet_table(page, x)) for x in found.values() or [made(page, f)]]
+
+
+def made(page: Page, f: m.Field) -> m.Example:
+    """An example of typical values."""
+    values, packet = page.index.typical.values(f, f.calls[0]), page.index.typical.packet(f)
+    part = m.ExampleField(f.full_name, f.descriptor, codec.encode(f, values), values, 0, None)
+    role: Literal["command", "data"] = "command" if f.role == m.COMMAND else "data"
+    return m.Example("", "", "", "", role, None, None, packet, (part,), "")
+
+
+def said(f: m.Field, values: Mapping[str, Any]) -> list[Piece]:
+    """The values of a field, without the function selector."""
+    pieces = _record(Around(f.parameters, values, None), codec.encode(f, dict(values)), "")
+    return list(pieces)[1 if f.selector else 0 :]
 
 
 def _table(pieces: Iterable[Piece]) -> str:
@@ -80,8 +104,11 @@ def _field(page: Page, x: m.Example, part: m.ExampleField) -> Iterator[Piece]:
     f = page.model.field(part.field) if part.field else None
     yield Piece(head, "field length, descriptor", page.link(f) if f else "unknown")
     pieces = _record(Around(f.parameters, part.values or {}, x.device), part.data, "") if f else ()
+    answered = page.index.shown(x, part) if f is page.model.protocol.acknowledge else []
     at = 0
     for piece in pieces:
+        if at == 0 and answered:  # an acknowledge begins with the descriptor of its command
+            piece = replace(piece, value=page.links(filter(None, map(page.model.field, answered))))
         at += len(piece.data)
         yield piece
     if part.data[at:]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from typing import Any
 
@@ -46,11 +47,13 @@ def field_length(f: m.Field) -> str:
 
 def call_table(page: Page, f: m.Field) -> str:
     """The forms of a command: one for each function, or just one."""
-    headings = ["Field begins", "Then follow", "May follow", "Field length", "Whole packet", "Answer"]
+    headings = ["Field begins", "Then follow", "May follow", "Field length", "Answer"]
     rows = [_call(page, f, c) for c in f.calls]
     if f.functions:
         headings = ["Function", "Value", *headings]
-        rows = [[f"{code(x.letter)} {code(x.name)}", str(x.value), *row] for x, row in zip(f.functions, rows)]
+        rows = [
+            [f"{code(x.letter)} {code(x.name)}", code(hexadecimal(x.value)), *row] for x, row in zip(f.functions, rows)
+        ]
     return table(rows, headings)
 
 
@@ -58,13 +61,11 @@ def _call(page: Page, f: m.Field, c: m.Call) -> list[str]:
     selector = [c.function.value] if c.function else []
     whole = length(c.required, 2 + len(selector))
     first = f"{int(whole):02X}" if whole.isdigit() else "LL"
-    packet = whole_packet(page.model, f, c)
     return [
         code(f"{first} {spaced([f.descriptor, *selector])}"),
         ", ".join(code(p.name) for p in c.required),
         ", ".join(code(p.name) for p in c.optional),
         whole,
-        code(spaced(packet)) if packet else "",
         _answer(page, f, c.function),
     ]
 
@@ -111,8 +112,28 @@ def entry(page: Page, f: m.Field, functions: Sequence[m.Function]) -> list[str]:
 
 def contents(page: Page, s: m.Set) -> str:
     """The commands or data fields of a set."""
-    rows = [[*entry(page, f, f.functions), page.links(page.model.devices_of(f))] for f in asked(s)]
-    return table(rows, [*ENTRY, "Supported by"])
+    rows = [
+        [*entry(page, f, f.functions), first_sentence(page, f), size(f), page.links(page.model.devices_of(f))]
+        for f in asked(s)
+    ]
+    return table(rows, [*ENTRY, "Description", "Field length", "Supported by"])
+
+
+def first_sentence(page: Page, f: m.Field) -> str:
+    """What a field is, in one line."""
+    return page.prose(re.split(r"(?<=\w\w[.!?]) (?=[A-Z`])", " ".join(f.description.split()))[0])
+
+
+def size(f: m.Field) -> str:
+    """How long a field may be, from the shortest form to the longest."""
+    low = min(codec_size(c) for c in f.calls) if f.role == m.COMMAND else f.min_size
+    return f"{low + 2}" if low == f.max_size else f"{low + 2} to {f.max_size + 2}"
+
+
+def codec_size(c: m.Call) -> int:
+    """The bytes of the shortest data of a form."""
+    found = totals((p.operation for p in c.required), Extent(1 if c.function else 0))
+    return min(e.fixed for e in found)
 
 
 def named(page: Page, s: m.Set) -> str:
@@ -137,6 +158,11 @@ def uncertain(page: Page, thing: m.Set | m.Type) -> list[str]:
 def asked(s: m.Set) -> list[m.Field]:
     """The fields of a set that are no responses; these are with their commands."""
     return [f for f in s.fields if f.role != m.RESPONSE]
+
+
+def on_page(page: Page, f: m.Field) -> list[m.Field]:
+    """What the page of a field describes: it, and its own responses."""
+    return [f, *own_responses(page, f)]
 
 
 def own_responses(page: Page, f: m.Field) -> list[m.Field]:

@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Hashable, Iterable
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TypeVar
 
 from ... import model as m
+from ...typical import Typical
+from ..rust.snippets import Snippets
+
+_CODE = re.compile(r"`([^`]+)`")
 
 Key = TypeVar("Key", bound=Hashable)
 Item = TypeVar("Item")
@@ -19,6 +24,15 @@ User = m.Field | m.Struct | m.Bitfield
 class Index:
     model: m.Model
 
+    @cached_property
+    def typical(self) -> Typical:
+        return Typical(self.model)
+
+    @cached_property
+    def rust(self) -> Snippets:
+        """Programs in Rust, whose types are looked up once."""
+        return Snippets(self.typical)
+
     # ----------------------------------------------------------------------- errata
 
     def errata(self, f: m.Field) -> list[m.Erratum]:
@@ -28,6 +42,11 @@ class Index:
         if f.role != m.RESPONSE:  # a response cites the sections of its command
             found += [e for s in f.sources for e in self._of_section.get((s.manual, s.section), ())]
         return sorted({e.id: e for e in found}.values(), key=lambda e: e.id)
+
+    def errata_naming(self, f: m.Field) -> list[m.Erratum]:
+        """Further errata whose texts name a field: they say something of it beside their own subject."""
+        own = {e.id for e in self.errata(f)}
+        return list({e.id: e for e in self._naming.get(f.full_name, ()) if e.id not in own}.values())
 
     def errata_of_example(self, x: m.Example) -> list[m.Erratum]:
         return self._of_example.get(x.id, [])
@@ -54,6 +73,12 @@ class Index:
     @cached_property
     def _of_length(self) -> dict[tuple[str, str], list[m.Erratum]]:
         return _grouped(((e.manual, c.subject), e) for e, c in self._claims if c.kind == "length")
+
+    @cached_property
+    def _naming(self) -> dict[str, list[m.Erratum]]:
+        """The errata whose texts name a field, be they in its section or not."""
+        pairs = [(name, e) for e in self.model.errata for text in (e.right, e.reason) for name in _CODE.findall(text)]
+        return _grouped((name, e) for name, e in pairs if self.model.field(name) is not None)
 
     @cached_property
     def _fields_of_section(self) -> dict[tuple[str, str], list[m.Field]]:

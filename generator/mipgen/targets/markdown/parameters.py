@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import re
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from ... import describe
 from ... import model as m
 from ...describe import Fact, Record, Ref
+from . import types
+from .fields import on_page
 from .offsets import REST, Row, layout
 from .places import Page, place
-from .text import code, count, inline, table
+from .text import code, inline, table
 
 #: Columns of facts: heading -> their topics. All other facts are sentences.
 COLUMNS = {
@@ -24,9 +27,6 @@ COLUMNS = {
 #: Facts below the table.
 BELOW = ("variant", "note")
 
-#: So many values of an enumeration, or bits, are listed beside a parameter; more are on the page of the type only.
-LISTED = 16
-
 
 @dataclass(frozen=True, slots=True)
 class _Row:
@@ -35,6 +35,7 @@ class _Row:
     page: Page
     row: Row
     facts: list[Fact]
+    anchor: str  # empty in a structure, which is a part of several fields
 
     def ref(self, r: Ref) -> str:
         """What is beside the parameter has its full name."""
@@ -62,7 +63,18 @@ def _rows(page: Page, record: Record) -> Iterator[_Row]:
     for row in layout(record):
         case = [describe.case(*row.case, row.record)] if row.case else []
         facts = describe.parameter(row.parameter, row.record, page.model) if row.parameter else []
-        yield _Row(page, row, case + facts)
+        anchor = parameter_anchor(record, row) if isinstance(record, m.Field) and row.parameter else ""
+        yield _Row(page, row, case + facts, anchor)
+
+
+def parameter_anchor(f: m.Field, row: Row) -> str:
+    """
+    >>> f = m.Field(1, "base", "ping", 1, "command", "", "", (), (), 0, 0, ())
+    >>> parameter_anchor(f, Row("list[i].rate", None, None, None, f))
+    'base.ping.list.rate'
+    """
+    path = re.sub(r"\[[a-z]\]", "", row.name)
+    return f"{f.full_name}.{path}"
 
 
 # --------------------------------------------------------------------------- the table
@@ -75,7 +87,8 @@ def parameter_table(page: Page, record: Record) -> str:
 
 def _cells(page: Page, r: _Row) -> list[str]:
     facts = [*(r.column(topics) for topics in COLUMNS.values()), r.description()]
-    return [_extent(str(r.row.offset)), _size(r.row), code(r.row.name), _type(page, r.row), *facts]
+    anchor = f'<a id="{r.anchor}"></a>' if r.anchor else ""
+    return [_extent(str(r.row.offset)), _size(r.row), anchor + code(r.row.name), _type(page, r.row), *facts]
 
 
 def _extent(bytes_: str) -> str:
@@ -107,15 +120,41 @@ def _type(page: Page, row: Row) -> str:
 # --------------------------------------------------------------------------- below the table
 
 
-def parameter_values(page: Page, record: Record) -> list[str]:
-    """The values and bits that parameters may have, a line for each type."""
-    typed: dict[tuple[str, str], tuple[m.Enum | m.Bitfield, list[str]]] = {}
-    for row in layout(record):
-        p = row.parameter
-        for t in [p.element, *(v.type for v in p.readings)] if p and not p.selector else []:
-            if isinstance(t, (m.Enum, m.Bitfield)):
-                typed.setdefault(place(t, page.model), (t, []))[1].append(code(row.name))
-    return [f"{', '.join(names)}, {page.link(t)}: {_listed(t)}" for t, names in typed.values()]
+@dataclass(frozen=True, slots=True)
+class Values:
+    """The values or bits of a type, where a page uses it."""
+
+    anchor: str  # before those of its values and bits
+    type: m.Enum | m.Bitfield
+    users: list[str]  # the parameters, as Markdown
+    table: str
+
+
+def parameter_values(page: Page, record: Record) -> list[Values]:
+    """The values and bits that the parameters of a record may have, one for each type."""
+    return _values(page, [record])
+
+
+def field_values(page: Page, f: m.Field) -> list[Values]:
+    """Those of a command or a data field and its responses."""
+    return _values(page, on_page(page, f))
+
+
+def _values(page: Page, records: Sequence[Record]) -> list[Values]:
+    typed: dict[tuple[str, str], tuple[m.Enum | m.Bitfield, str, dict[str, None]]] = {}
+    for record in records:
+        for row in layout(record):
+            p = row.parameter
+            for t in [p.element, *(v.type for v in p.readings)] if p and not p.selector else []:
+                if isinstance(t, (m.Enum, m.Bitfield)):
+                    anchor = f"{parameter_anchor(record, row)}.{t.name}" if isinstance(record, m.Field) else ""
+                    typed.setdefault(place(t, page.model), (t, anchor, {}))[2][code(row.name)] = None
+    return [
+        Values(
+            anchor, t, list(users), types.values(page, t, anchor) if t.kind == "enum" else types.bits(page, t, anchor)
+        )
+        for t, anchor, users in typed.values()
+    ]
 
 
 def parameter_notes(page: Page, record: Record) -> list[str]:
@@ -125,16 +164,3 @@ def parameter_notes(page: Page, record: Record) -> list[str]:
         for r in _rows(page, record)
         for fact in describe.topics(r.facts, *BELOW)
     ]
-
-
-def _listed(t: m.Enum | m.Bitfield) -> str:
-    """What a type holds, in short."""
-    if isinstance(t, m.Enum):
-        if len(t.values) > LISTED:
-            return f"{count(t.values, 'value')}."
-        return ", ".join(f"{v.value} {code(v.name)}" for v in t.values) + "."
-    bits = [b for b in t.bits if not b.alias]
-    if len(bits) > LISTED:
-        return f"{count(bits, 'entry', 'entries')}."
-    more = "." if len(bits) == len(t.bits) else ", and some that overlap these."
-    return ", ".join(f"{describe.bits_place(b)} {code(b.name)}" for b in bits) + more

@@ -30,6 +30,11 @@ def set_page(name: str) -> str:
     return f"docs/sets/{name}.md"
 
 
+def field_page(f: m.Field) -> str:
+    """The page of a command or a data field; a response is on that of the command that defines it."""
+    return f"docs/fields/{f.set_name}/{f.command if f.role == m.RESPONSE else f.name}.md"
+
+
 def types_page(owner: str | None) -> str:
     return f"docs/types/{owner}.md" if owner else TYPES
 
@@ -47,7 +52,7 @@ def place(thing: Thing, model: m.Model) -> tuple[str, str]:
         case m.Set():
             return set_page(thing.name), ""
         case m.Field():
-            page = PACKETS if thing.set_name == model.protocol.acknowledge.set_name else set_page(thing.set_name)
+            page = PACKETS if thing.set_name == model.protocol.acknowledge.set_name else field_page(thing)
             return page, thing.full_name
         case m.Device():
             return device_page(thing), ""

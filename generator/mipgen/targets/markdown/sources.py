@@ -60,6 +60,13 @@ def _length_remark(page: Page, f: m.Field, s: m.Source) -> str:
     return f"length given as {code(s.length)}, without vectors, structures and unions; it is {right}"
 
 
+def own_lines(thing: m.Field) -> str:
+    """Where the specification itself defines a field: a file of its folder, and a line."""
+    if thing.position is None:
+        return ""
+    return f"{code('/'.join(thing.position.file.split('/')[-2:]))}, line {thing.position.line}"
+
+
 # --------------------------------------------------------------------------- errata
 
 

@@ -22,12 +22,13 @@ def nature(t: m.Type) -> str:
             return f"Structure, {length(t.parameters, 0)} bytes"
 
 
-def values(page: Page, t: m.Enum) -> str:
+def values(page: Page, t: m.Enum, anchor: str = "") -> str:
+    """A table of the values; `anchor` comes before those of the rows, if they have any."""
     rows = [
         [
             str(v.value),
             code(hexadecimal(v.value, t.scalar.size)),
-            code(v.name),
+            _anchor(anchor, v.name) + code(v.name),
             _description(page, v.description, describe.value(v, page.model)),
         ]
         for v in t.values
@@ -35,7 +36,8 @@ def values(page: Page, t: m.Enum) -> str:
     return table(rows, ["Value", "Hex", "Name", "Description"])
 
 
-def bits(page: Page, t: m.Bitfield) -> str:
+def bits(page: Page, t: m.Bitfield, anchor: str = "") -> str:
+    """A table of the bits, those that overlap others included."""
     rows = []
     for b in t.bits:
         place, *facts = describe.bits(b, page.model)
@@ -43,10 +45,14 @@ def bits(page: Page, t: m.Bitfield) -> str:
             page.say(place.value),
             code(hexadecimal(b.mask, t.size)) if t.scalar else "",
             "" if t.scalar else f"{b.first // 8}.{b.first % 8}",
-            code(b.name),
+            _anchor(anchor, b.name) + code(b.name),
             _description(page, b.description, facts),
         ])  # fmt: skip
     return table(rows, ["Place", "Mask", "Byte.bit", "Name", "Description"])
+
+
+def _anchor(before: str, name: str) -> str:
+    return f'<a id="{before}.{name}"></a>' if before else ""
 
 
 def elements(t: m.Vector) -> str:

@@ -1,0 +1,145 @@
+"""How a program in C uses a field: a few lines for documentation, with typical values."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ... import model as m
+from ...typical import Typical, decimal, flags
+from ...wrapping import call
+from .calls import Call, calls
+from .literals import number, string
+from .members import argument, constructors, members, takes_enum
+from .names import argument_name, c_type, constant, field_name, is_struct, member, module, type_name, union_name
+
+
+def command(f: m.Field, typical: Typical) -> str:
+    """Calls it at a device."""
+    lines = [f'#include "mip/{module(f.set_name)}_commands.h"', ""]
+    for i, shown in enumerate(typical.shown(f)):
+        before, asked = _call(f, shown, typical)
+        lines += [""] if i else []
+        lines += [*before, f"{'' if i else 'struct mip_result '}result = {asked}"]
+    lines += ["if (!mip_succeeded(result)) {", "    /* mip_result_reason(result) says why */", "}"]
+    return "\n".join(lines)
+
+
+def data(f: m.Field) -> str:
+    """Reads it from a field of a packet."""
+    names = [f"value.{member(p.name)}" for p in members(f)]
+    read = ", ".join(names[:3]) + (" …" if len(names) > 3 else "")
+    return "\n".join([
+        f'#include "mip/{module(f.set_name)}.h"',
+        "",
+        f"struct {field_name(f)} value;",
+        f"if ({field_name(f)}_decode(&value, &field) == MIP_OK) {{",
+        f"    /* {read or 'it holds nothing'} */",
+        "}",
+    ])  # fmt: skip
+
+
+def _call(f: m.Field, shown: m.Call, typical: Typical) -> tuple[list[str], str]:
+    values = typical.values(f, shown)
+    replies = typical.replies(f, shown)
+    wanted = replies[0].layouts[0] if replies else None
+    made = next((c for c in constructors(f) if c.function == shown.function), None)
+    start = f"{field_name(f)}_{made.name}(" if made else "command" if members(f) else "NULL"
+    found = [c for c in calls(f, typical.model) if c.value.startswith(start)]
+    chosen: Call = next((c for c in found if c.response == wanted), found[0])
+    before: list[str] = []
+    given = ["device"]
+    if chosen.value == "command":  # all of it is reserved
+        name = f"struct {field_name(f)}"
+        before.append(f"const {name} command = {_record(f.parameters, values)};")
+        given.append("&command")
+    for p in made.asked if made else ():
+        if argument(p, f) in chosen.arguments:
+            declared, arguments = _argument(p, f, values[p.name])
+            before += declared
+            given += arguments
+    if chosen.response is not None:
+        before.append(f"struct {field_name(chosen.response)} response;")
+        given.append("&response")
+    return before, call(f"{chosen.name}(", given, ");", 80, comma="")
+
+
+def _argument(p: m.Parameter, f: m.Field, value: Any) -> tuple[list[str], list[str]]:
+    """What must be declared before, and what is passed."""
+    name, op = argument_name(p.name), p.operation
+    if p.element is None:
+        alternative = next((c.parameter for c in p.cases if c.parameter and c.parameter.name in value), None)
+        held = (
+            f".{member(alternative.name)} = {_value(alternative.operation, value[alternative.name])}"
+            if alternative
+            else "0"
+        )
+        return [f"const union {union_name(p, f)} {name} = {{{held}}};"], [f"&{name}"]
+    if isinstance(op, m.TextOp):
+        count = [str(len(value))] if p.length == "rest" else []
+        return [], [*count, string(value)]
+    if isinstance(op, m.ArrayOp):
+        count = [str(len(value))] if p.length == "rest" else []
+        if not value:
+            return [], [*count, "NULL"]
+        inner = f"[{op.item.count}]" if isinstance(op.item, m.ArrayOp) else ""
+        return [f"const {c_type(p.element)} {name}[]{inner} = {_value(op, value)};"], [*count, name]
+    if is_struct(p.element):
+        return [f"const {c_type(p.element)} {name} = {_value(op, value)};"], [f"&{name}"]
+    if takes_enum(p):
+        assert isinstance(p.element, m.Enum)
+        known = next((v for v in p.element.values if v.value == value), None)
+        return [], [constant(p.element, known) if known else f"(enum {type_name(p.element)}){value}"]
+    return [], [_value(op, value)]
+
+
+def _record(parameters: tuple[m.Parameter, ...], values: dict[str, Any]) -> str:
+    held = [
+        f".{member(p.name)} = {_member(p, values[p.name])}"
+        for p in parameters
+        if p.constant is None and p.name in values
+    ]
+    return f"{{{', '.join(held) or '0'}}}"
+
+
+def _member(p: m.Parameter, value: Any) -> str:
+    if p.element is None:
+        alternative = next((c.parameter for c in p.cases if c.parameter and c.parameter.name in value), None)
+        return (
+            f"{{.{member(alternative.name)} = {_value(alternative.operation, value[alternative.name])}}}"
+            if alternative
+            else "{0}"
+        )
+    return _value(p.operation, value)
+
+
+def _value(op: m.Operation, value: Any) -> str:
+    match op:
+        case m.ScalarOp():
+            return _number(op, value)
+        case m.CounterOp():
+            return str(value)
+        case m.TextOp():
+            return string(value)
+        case m.BitsOp():
+            return f"{{{{{', '.join(map(str, value))}}}}}"
+        case m.ArrayOp():
+            return f"{{{', '.join(_value(op.item, v) for v in value) or '0'}}}"
+        case m.StructOp():
+            return _record(op.struct.parameters, value)
+    raise AssertionError(op)
+
+
+def _number(op: m.ScalarOp, value: Any) -> str:
+    if op.scalar.kind == "float":
+        return decimal(value) + ("F" if op.size == 4 else "")
+    if op.scalar.kind == "bool":
+        return "true" if value else "false"
+    if isinstance(op.type, m.Enum):
+        known = next((v for v in op.type.values if v.value == value), None)
+        if known:
+            return constant(op.type, known)
+    if isinstance(op.type, m.Bitfield):
+        named = flags(op.type, value)
+        if named:
+            return " | ".join(constant(op.type, b) for b in named)
+    return str(value) if value < 0 else number(value, op.size)

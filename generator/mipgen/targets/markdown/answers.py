@@ -1,0 +1,36 @@
+"""How a device answers a command: acknowledged, with a response, or refused."""
+
+from __future__ import annotations
+
+from ... import model as m
+from .packets import acknowledge
+from .places import Page
+from .text import code, spaced, table
+
+
+def answers(page: Page, f: m.Field) -> str:
+    """The packets with which a command may be answered, their responses with typical values."""
+    codes = page.model.protocol.ack_code.values
+    rows = []
+    if f.functions and not any(x.reply for x in f.functions):
+        return ""
+    asks = page.model.replies(f)
+    plain = not asks or (f.functions and any(not x.responds for x in f.functions if x.reply))
+    if plain or f.silent_when:
+        rows.append(["Acknowledge", _packet(page, f, codes[0].value), _code(codes[0])])
+    for reply in asks:
+        for r in reply.layouts:
+            data = page.index.typical.data(r)
+            with_data = code(spaced(acknowledge(page.model, f, codes[0].value, (r.descriptor, data))))
+            rows.append([f"Acknowledge and {page.link(r)}", with_data, _code(codes[0])])
+    for refusal in codes[1:]:
+        rows.append(["Refusal", _packet(page, f, refusal.value), _code(refusal)])
+    return table(rows, ["Answer", "Packet", "Code"])
+
+
+def _packet(page: Page, f: m.Field, value: int) -> str:
+    return code(spaced(acknowledge(page.model, f, value)))
+
+
+def _code(v: m.EnumValue) -> str:
+    return f"{code(v.name)} (0x{v.value:02X})"

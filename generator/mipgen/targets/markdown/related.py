@@ -1,0 +1,47 @@
+"""Fields that have to do with another one."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ... import describe
+from ... import model as m
+from .fields import on_page
+from .places import Page, field_page
+
+#: A field whose layout many sets repeat is said to be related to so many of them.
+FEW = 8
+
+
+def related(page: Page, f: m.Field) -> list[m.Field]:
+    """Fields that repeat its layout, share its descriptor or its response, or are named where it is described."""
+    model = page.model
+    found: dict[str, m.Field] = {}
+    for g in _related(page, f):
+        if g.role != m.RESPONSE and g.set and field_page(g) != field_page(f):
+            found.setdefault(g.full_name, g)
+    return sorted(found.values(), key=lambda g: (g.set, g.descriptor, g.name))
+
+
+def _related(page: Page, f: m.Field) -> Iterator[m.Field]:
+    model = page.model
+    if f.definition:
+        yield model.original(f)
+    yield from model.repeats(f)[:FEW]
+    yield from model.layouts(f)
+    for r in model.responses(f):
+        yield from model.commands(r)
+    for c in f.silenced_by:
+        command = model.field(c.command or "")
+        if command is not None:
+            yield command
+    for record in on_page(page, f):
+        texts = [record.description, *record.notes, *(p.description for p in record.parameters)]
+        texts += [note for p in record.parameters for note in p.notes]
+        for text in texts:
+            if "`" in text:
+                yield from (
+                    r.thing
+                    for r in describe.prose(text, model)
+                    if isinstance(r, describe.Ref) and isinstance(r.thing, m.Field)
+                )

@@ -1,0 +1,91 @@
+"""How a program in Python uses a field: a few lines for documentation, with typical values."""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+from ... import model as m
+from ...typical import Typical, decimal, flags
+from ...wrapping import call
+from .members import keyword_only, members
+from .names import class_name, constant, hides_builtin, home, member
+
+
+def command(f: m.Field, typical: Typical) -> str:
+    """Sends it to a device."""
+    lines = []
+    for shown in typical.shown(f):
+        values = typical.values(f, shown)
+        given = [_argument(p, f, values) for p in shown.asked if not p.derived]
+        made = f".{member(shown.function.name)}" if shown.function else ""
+        asks = bool(typical.replies(f, shown))
+        before = "response = " if asks else ""
+        lines.append(call(f"{before}device.request({_name(f)}{made}(", given, "))", 84))
+        lines += ["print(response)"] if asks else []
+    return _imports("\n".join(lines))
+
+
+def data(f: m.Field) -> str:
+    """Takes it from what a device sends."""
+    read = [f"value.{member(p.name)}" for p in members(f)]
+    return _imports(
+        f"for time, value in device.fields({_name(f)}):\n    " + call("print(", ["time", *read[:3]], ")", 84)
+    )
+
+
+def _imports(text: str) -> str:
+    """What it needs, in front of it."""
+    modules = sorted(set(re.findall(r"(?<![\w.])~(\w+)\.", text)))
+    names = [f"{x} as mip_{x}" if hides_builtin(x) else x for x in modules]
+    text = re.sub(r"~(\w+)\.", lambda x: f"mip_{x[1]}." if hides_builtin(x[1]) else f"{x[1]}.", text)
+    return f"from mip_protocol import {', '.join(names)}\n\n{text}"
+
+
+def _name(thing: m.Type | m.Field) -> str:
+    return f"~{home(thing)}.{class_name(thing)}"
+
+
+def _argument(p: m.Parameter, record: m.Field | m.Struct, values: dict[str, Any]) -> str:
+    return _value(p.operation, values[p.name])
+
+
+def _value(op: m.Operation, value: Any) -> str:
+    match op:
+        case m.ScalarOp():
+            return _number(op, value)
+        case m.TextOp():
+            text: str = value
+            return '"' + text.replace("\\", "\\\\").replace('"', '\\"') + '"'
+        case m.BitsOp():
+            return f"{_name(op.type)}({int.from_bytes(bytes(value), 'little'):#x})"
+        case m.ArrayOp():
+            items = [_value(op.item, v) for v in value]
+            return f"({', '.join(items)}{',' if len(items) == 1 else ''})"
+        case m.StructOp():
+            given = [
+                f"{member(p.name)}={_argument(p, op.struct, value)}"
+                if keyword_only(p, op.struct)
+                else _argument(p, op.struct, value)
+                for p in members(op.struct)
+                if p.reserved is None or not keyword_only(p, op.struct)
+            ]
+            return f"{_name(op.struct)}({', '.join(given)})"
+        case m.SwitchOp():
+            case = next((c for c in op.cases if c.parameter and c.parameter.name in value), None)
+            return _value(case.parameter.operation, value[case.parameter.name]) if case and case.parameter else "None"
+    raise AssertionError(op)
+
+
+def _number(op: m.ScalarOp, value: Any) -> str:
+    if op.scalar.kind == "float":
+        return decimal(value)
+    if op.scalar.kind == "bool":
+        return str(bool(value))
+    if isinstance(op.type, m.Enum):
+        known = next((v for v in op.type.values if v.value == value), None)
+        return f"{_name(op.type)}.{constant(known.name)}" if known else f"{_name(op.type)}({value})"
+    if isinstance(op.type, m.Bitfield):
+        named = flags(op.type, value)
+        return " | ".join(f"{_name(op.type)}.{constant(b.name)}" for b in named) or f"{_name(op.type)}({value:#x})"
+    return str(value)

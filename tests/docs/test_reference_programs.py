@@ -1,0 +1,328 @@
+"""The programs on the pages of fields: all of a language in one program, which sends what the pages say."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import subprocess
+import sys
+import textwrap
+from pathlib import Path
+
+import pytest
+from mipgen import codec
+from mipgen import model as m
+from mipgen.typical import Typical
+from reference import Manual, path_of, table_with, words
+from support import BUILD, SPECS, need
+
+ACKNOWLEDGE = 0xF1
+
+
+def asked(manual: Manual) -> list[m.Field]:
+    return [f for f in manual.model.fields if f.role != m.RESPONSE]
+
+
+def program(manual: Manual, f: m.Field, language: str) -> tuple[list[str], str]:
+    """What a program on a page needs, and what it does."""
+    (block,) = re.findall(rf"^```{language}\n(.*?)^```$", manual.page(path_of(f)), re.M | re.S)
+    needs, _, body = block.partition("\n\n")
+    return needs.splitlines(), body
+
+
+def ready(manual: Manual, f: m.Field) -> list[bytes]:
+    """The packets that the program of a command sends: the first that the page has, and the first that asks."""
+    packets = [bytes.fromhex(words(row["Packet"])) for row in table_with(manual.field(f), "Packet")]
+    shown = Typical(manual.model).shown(f)
+    return [packets[i] for i, c in enumerate(f.calls) if any(c is x for x in shown)]
+
+
+def reply(manual: Manual, packet: bytes) -> bytes:
+    """What a device answers: an acknowledge, and the response that the command asks for."""
+    ((descriptor, data),) = codec.split(manual.model, packet)
+    (f,) = (x for x in manual.model.candidates(packet[2], descriptor) if x.role == m.COMMAND)
+    values, _ = codec.decode(f, data)
+    call = next(c for c in f.calls if (c.function and c.function.value) == values.get("function"))
+    typical = Typical(manual.model)
+    answers = [(r.layouts[0].descriptor, typical.data(r.layouts[0])) for r in typical.replies(f, call)]
+    return codec.build(manual.model, packet[2], [(ACKNOWLEDGE, bytes([descriptor, 0])), *answers])
+
+
+def sample(manual: Manual, f: m.Field) -> bytes:
+    return Typical(manual.model).packet(f)
+
+
+def run(*command: str | Path, **environment: str) -> str:
+    done = subprocess.run(
+        [str(c) for c in command], capture_output=True, text=True, env={**os.environ, **environment}, check=False
+    )
+    assert done.returncode == 0, f"{' '.join(map(str, command))[:300]}\n{done.stdout[-2000:]}{done.stderr[-6000:]}"
+    return done.stdout
+
+
+def check(manual: Manual, output: str) -> None:
+    """Each line: the name of a field, and what its program sent, or that it took the data."""
+    found: dict[str, list[str]] = {}
+    for line in output.splitlines():
+        name, what = line.split()
+        found.setdefault(name, []).append(what)
+    for f in asked(manual):
+        wanted = [p.hex() for p in ready(manual, f)] if f.role == m.COMMAND else []
+        assert found.get(f.full_name) == [*wanted, "done"], f.full_name
+
+
+@pytest.fixture
+def generated(manual: Manual, request: pytest.FixtureRequest) -> Path:
+    return SPECS[request.node.callspec.params["manual"]][1]
+
+
+# --------------------------------------------------------------------------- C
+
+C_HEAD = """
+#include <stdio.h>
+#include <string.h>
+static const char *name;
+static uint8_t answer[MIP_MAX_PACKET];
+static const char *const *answers;
+static bool done;
+static uint8_t digit(char c) { return (uint8_t)(c <= '9' ? c - '0' : c - 'a' + 10); }
+static size_t bytes_of(const char *hex, uint8_t *bytes) {
+    size_t size = 0;
+    for (; hex[2 * size]; size++) {
+        bytes[size] = (uint8_t)(digit(hex[2 * size]) << 4 | digit(hex[2 * size + 1]));
+    }
+    return size;
+}
+static bool put(void *user, const uint8_t *bytes, size_t size) {
+    (void)user;
+    printf("%s ", name);
+    for (size_t i = 0; i < size; i++) {
+        printf("%02x", bytes[i]);
+    }
+    printf("\\n");
+    return true;
+}
+static bool take(void *user, uint8_t *bytes, size_t size, size_t *count) {
+    (void)user;
+    *count = bytes_of(*answers++, answer);
+    memcpy(bytes, answer, *count);
+    return size >= *count;
+}
+static uint32_t now(void *user) { (void)user; return 0; }
+static const struct mip_port port = {take, put, now, NULL};
+static struct mip_device device_;
+static struct mip_device *const device = &device_;
+"""
+
+
+#: The field of a packet.
+DATA = """
+uint8_t buffer[MIP_MAX_PACKET];
+struct mip_packet packet;
+struct mip_field field;
+struct mip_walk walk;
+if (mip_packet_check(buffer, bytes_of("HEX", buffer), &packet) != MIP_OK) {
+    return;
+}
+walk = mip_walk_packet(&packet);
+mip_walk_next(&walk, &field);
+"""
+
+
+def test_programs_in_c(manual: Manual, generated: Path, tmp_path: Path) -> None:
+    includes, functions, calls = {'#include "mip/device.h"'}, [], []
+    for f in asked(manual):
+        needs, body = program(manual, f, "c")
+        includes |= set(needs)
+        begin, end = "", "done = true;"
+        if f.role == m.COMMAND:
+            assert re.search(r"/\* mip_result_reason", body)
+            body = re.sub(r"/\* (mip_result_reason\(result\)) says why \*/", r'printf("%s\\n", \1); return;', body)
+            texts = ", ".join(f'"{reply(manual, p).hex()}"' for p in ready(manual, f))
+            calls.append(f'static const char *const a_{len(calls)}[] = {{{texts}, ""}}; answers = a_{len(calls)};')
+        else:
+            members = re.findall(r"value\.\w+", re.findall(r"/\*(.*)\*/", body)[0])
+            body = re.sub(r"/\*.*\*/", "".join(f"(void){x}; " for x in members) + "done = true;", body)
+            begin, end = DATA.replace("HEX", sample(manual, f).hex()), ""
+            calls.append("")
+        name = f"f_{len(functions)}"
+        functions.append(f"static void {name}(void) {{ {begin}\n{body}\n{end} }}\n")
+        calls[-1] = (
+            f'{{ name = "{f.full_name}"; done = false; {calls[-1]} {name}(); if (done) printf("%s done\\n", name); }}'
+        )
+    source = tmp_path / "programs.c"
+    begin_ = "mip_device_init(device, &port, NULL, 0);"
+    source.write_text(
+        "\n".join([*sorted(includes), C_HEAD, *functions, "int main(void) {", begin_, *calls, "return 0; }"]), "utf-8"
+    )
+    flags = ["-std=c99", "-O0", "-Wall", "-Wextra", "-Wpedantic", "-Werror"]
+    library = sorted((generated / "c/src/mip").glob("*.c"))
+    run(need("cc"), *flags, f"-I{generated}/c/src", source, *library, "-o", tmp_path / "programs")
+    check(manual, run(tmp_path / "programs"))
+
+
+# --------------------------------------------------------------------------- Python
+
+PY_HEAD = """
+import json
+import sys
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+from mip_protocol import Device, Packet
+
+ANSWERS: dict[str, str] = json.load(open(sys.argv[1]))
+name = ""
+
+
+class Port:
+    def __init__(self) -> None:
+        self.waiting: list[bytes] = []
+
+    def write(self, data: Any) -> int:
+        print(name, bytes(data).hex(), file=sys.stderr)
+        self.waiting.append(bytes.fromhex(ANSWERS[bytes(data).hex()]))
+        return len(data)
+
+    def read(self, size: int) -> bytes:
+        import time
+
+        for _ in range(200):
+            if self.waiting:
+                return self.waiting.pop(0)
+            time.sleep(0.001)
+        return b""
+
+
+class Source:
+    \"\"\"Has one packet, as a device that was closed then.\"\"\"
+
+    def __init__(self, packet: str) -> None:
+        self.packet = Packet(bytes.fromhex(packet))
+
+    def fields(self, kind: Any) -> Iterator[tuple[float, Any]]:
+        yield 0.0, kind.find(self.packet)
+"""
+
+
+def test_programs_in_python(manual: Manual, generated: Path, tmp_path: Path) -> None:
+    functions, calls, answers = [], [], {}
+    for f in asked(manual):
+        needs, body = program(manual, f, "python")
+        name = f"f_{len(functions)}"
+        lines = textwrap.indent("\n".join([*needs, body]), "    ")
+        functions.append(f"def {name}(device: Device) -> None:\n{lines}\n")
+        if f.role == m.COMMAND:
+            answers.update({p.hex(): reply(manual, p).hex() for p in ready(manual, f)})
+            device = "device"
+        else:
+            device = f'source("{sample(manual, f).hex()}")'
+        calls.append(f'    name = "{f.full_name}"\n    {name}({device})\n    print(name, "done", file=sys.stderr)\n')
+    main = (
+        "def source(packet: str) -> Any:\n    return Source(packet)\n\n\n"
+        "if __name__ == '__main__':\n    device = Device(Port())\n"
+        + "".join(calls)
+        + "    import os\n\n    os._exit(0)\n"
+    )
+    path = tmp_path / "programs.py"
+    path.write_text("\n\n".join([PY_HEAD, *functions, main]), "utf-8")
+    for setting in (x for x in asked(manual) if x.role == m.COMMAND):  # it may be asked for once
+        for c in setting.calls:
+            packet = Typical(manual.model).packet(setting, c)
+            answers.setdefault(packet.hex(), reply(manual, packet).hex())
+    (tmp_path / "answers.json").write_text(json.dumps(answers))
+    done = subprocess.run(
+        [sys.executable, path, tmp_path / "answers.json"],
+        env={**os.environ, "PYTHONPATH": str(generated / "python")}, capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr[-4000:]
+    check(manual, done.stderr)
+    run(
+        sys.executable, "-m", "mypy", "--strict", "--cache-dir", BUILD / f"docs/mypy-{generated.name}", path,
+        MYPYPATH=str(generated / "python"),
+    )  # fmt: skip
+
+
+# --------------------------------------------------------------------------- Rust
+
+RUST_HEAD = """
+#![allow(unused_imports, clippy::all)]
+use mip_protocol::device::{Device, DeviceError, Port};
+use mip_protocol::{packets, Packet};
+
+struct Table {
+    name: &'static str,
+    answers: Vec<Vec<u8>>,
+}
+
+impl Port for Table {
+    type Error = ();
+    fn read(&mut self, buffer: &mut [u8]) -> Result<usize, ()> {
+        let answer = if self.answers.is_empty() { Vec::new() } else { self.answers.remove(0) };
+        buffer[..answer.len()].copy_from_slice(&answer);
+        Ok(answer.len())
+    }
+    fn write(&mut self, bytes: &[u8]) -> Result<(), ()> {
+        let hex: String = bytes.iter().map(|b| format!("{b:02x}")).collect();
+        eprintln!("{} {hex}", self.name);
+        Ok(())
+    }
+    fn now_ms(&mut self) -> u64 {
+        0
+    }
+}
+
+type Outcome = Result<(), DeviceError<()>>;
+
+fn table(name: &'static str, answers: &[&[u8]]) -> Device<Table> {
+    Device::new(Table { name, answers: answers.iter().map(|a| a.to_vec()).collect() })
+}
+"""
+
+
+def rust_bytes(data: bytes) -> str:
+    return f"&[{', '.join(map(str, data))}]"
+
+
+def test_programs_in_rust(manual: Manual, generated: Path, tmp_path: Path) -> None:
+    functions, calls = [], []
+    for f in asked(manual):
+        needs, body = program(manual, f, "rust")
+        lines = "\n".join([*needs, body])
+        name = f"f_{len(functions)}"
+        if f.role == m.COMMAND:
+            functions.append(f"fn {name}(mut device: Device<Table>) -> Outcome {{\n{lines}\nOk(())\n}}")
+            answers = ", ".join(rust_bytes(reply(manual, p)) for p in ready(manual, f))
+            calls.append(f'{name}(table("{f.full_name}", &[{answers}])).unwrap(); eprintln!("{f.full_name} done");')
+        else:
+            seen = lines.rstrip().removesuffix("}") + f'eprintln!("{f.full_name} done");\n}}'
+            assert lines.count("}\n") == 1 or lines.endswith("}\n")
+            functions.append(f"fn {name}(packet: Packet) {{\n{seen}\n}}")
+            calls.append(f"{name}(Packet::new({rust_bytes(sample(manual, f))}).unwrap());")
+    source = tmp_path / "programs.rs"
+    source.write_text("\n".join([RUST_HEAD, *functions, "fn main() {", *calls, "}"]), "utf-8")
+    features = re.findall(
+        r"^([\w-]+) = \[", (generated / "rust/Cargo.toml").read_text("utf-8").partition("[features]")[2], re.M
+    )
+    wanted = [
+        x for x in features if x not in ("defmt", "serde", "embedded-io", "embedded-io-async", "core-error", "default")
+    ]
+    flags = [flag for x in wanted for flag in ("--cfg", f'feature="{x}"')]
+    rustc = [need("rustc"), "--edition", "2021", "-C", "debuginfo=0", "--cap-lints", "allow"]
+    library = tmp_path / "libmip_protocol.rlib"
+    run(
+        *rustc,
+        "--crate-name",
+        "mip_protocol",
+        "--crate-type",
+        "lib",
+        *flags,
+        generated / "rust/src/lib.rs",
+        "-o",
+        library,
+    )
+    run(*rustc, "--extern", f"mip_protocol={library}", source, "-o", tmp_path / "programs")
+    done = subprocess.run([tmp_path / "programs"], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr[-3000:]
+    check(manual, done.stderr)
