@@ -15,7 +15,6 @@ FEW = 8
 
 def related(page: Page, f: m.Field) -> list[m.Field]:
     """Fields that repeat its layout, share its descriptor or its response, or are named where it is described."""
-    model = page.model
     found: dict[str, m.Field] = {}
     for g in _related(page, f):
         if g.role != m.RESPONSE and g.set and field_page(g) != field_page(f):
