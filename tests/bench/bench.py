@@ -100,6 +100,8 @@ def main() -> None:
         print(f"{name:24}{first}{both:14.0f}{both / base[1]:8.1f}")
     print("\nPython: " + subprocess.check_output([sys.executable, str(HERE / "bench_python_objects.py")], text=True,
                                                    env=environment))  # fmt: skip
+    live = [sys.executable, str(HERE / "bench_live.py")]
+    print(subprocess.check_output(live, text=True, env=environment), end="")
     device = [sys.executable, str(HERE / "bench_device.py")]
     shares = [subprocess.check_output(device, text=True, env=environment) for _ in range(ROUNDS)]
     share = statistics.median(map(float, shares))

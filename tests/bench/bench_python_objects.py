@@ -112,6 +112,12 @@ def with_construct() -> Callable[[bytes], object] | None:
     return c.GreedyRange(packet).parse  # type: ignore[no-any-return]
 
 
+def dense(gap: int) -> bytes:
+    """Noise that does not repeat, with a start of a packet so often."""
+    chance = random.Random(gap)
+    return b"".join(b"ue" + chance.randbytes(gap - 2) for _ in range(SIZE // gap))
+
+
 def speed(work: Callable[[bytes], object], data: bytes) -> float:
     pieces = [data[at : at + CHUNK] for at in range(0, len(data), CHUNK)]
     gc.collect()
@@ -142,6 +148,8 @@ def report() -> str:
     noise = {
         "noise 75 65 01 FF": b"ue\x01\xff" * (SIZE // 4),
         "noise, random bytes": random.Random(2).randbytes(SIZE),
+        "noise, 75 65 every 22 bytes": dense(22),
+        "noise, 75 65 every 8 bytes": dense(8),
         "noise, NMEA": b"$GPGGA,123519.00,4807.038,N,01131.000,E,1,08,0.9,545.4,M,46.9,M,,*47\r\n" * (SIZE // 70),
     }
     lines: dict[str, tuple[Callable[[bytes], object], bytes]] = {}

@@ -178,10 +178,10 @@ def test_a_table_in_a_pipe(path: Path) -> None:
     [
         (
             ["export", "log.bin", "-o", "t.parquet"],
-            "export: parquet needs numpy: pip install 'mip-protocol[numpy]'; csv and ",
+            "export: numpy is missing; pip install 'mip-protocol[numpy]'; csv and ",
         ),
-        (["export", "log.bin", "-o", "t.npz"], "export: npz needs numpy: "),
-        (["plot", "log.bin", "sensor", "-o", "t.png"], "plot: plots need matplotlib: pip install 'mip-protocol[plot]'"),
+        (["export", "log.bin", "-o", "t.npz"], "export: numpy is missing; "),
+        (["plot", "log.bin", "sensor", "-o", "t.png"], "plot: matplotlib is missing; pip install 'mip-protocol[plot]'"),
     ],
 )
 def test_missing_extras(words: list[str], error: str, path: Path) -> None:

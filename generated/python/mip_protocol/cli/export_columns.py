@@ -8,7 +8,7 @@ from contextlib import ExitStack
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from ..errors import Failure
+from ..errors import Failure, MissingExtra
 from ..field import Field
 from . import clocks, inputs, outputs
 from .selection import Selection
@@ -30,8 +30,8 @@ def require(form: str) -> None:
         try:
             import_module(package)
         except ImportError:
-            extra = f"pip install 'mip-protocol[{package}]'"
-            raise Failure(f"{form} needs {package}: {extra}; csv and jsonl need nothing") from None
+            missing = MissingExtra(package, package)
+            raise Failure(f"{missing}; csv and jsonl need nothing") from None
 
 
 class Job:

@@ -114,8 +114,10 @@ class Scanner(Generic[T]):
         """Where to go on behind a bad packet. Noise may repeat itself, and every repetition is as bad."""
         self.bad_checksums += 1
         again = buffer.find(SYNC, at + 1)
-        if again < 0 or buffer[again : again + size] != buffer[at : at + size]:
+        if again < 0 or buffer[again + 2 : again + 4] != buffer[at + 2 : at + 4]:
             return at + 1 if again < 0 else again
+        if buffer[again : again + size] != buffer[at : at + size]:
+            return again
         same, step = size, 4096
         while step:
             piece = buffer[again + same : again + same + step]

@@ -103,7 +103,7 @@ def _lines(
     skipped: int,
     device: str | None,
 ) -> list[str]:
-    lines = [f"{packets} packets, {skipped} bytes of none"]
+    lines = [f"{packets} packets, {skipped} bytes skipped"]
     set = None
     for (number, _), one in sorted(latest.items()):
         if number != set:

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from ..errors import Failure, UnknownName
+from ..errors import Failure, MissingExtra, UnknownName
 from ..field import Data, Field
 from ..parameter import Parameter
 from ..reflection import info
@@ -98,7 +98,7 @@ def _matplotlib(window: bool) -> Any:
         import matplotlib
         import numpy  # noqa: F401
     except ImportError:
-        raise Failure("plots need matplotlib: pip install 'mip-protocol[plot]'") from None
+        raise Failure(str(MissingExtra("matplotlib", "plot"))) from None
     if not window:
         matplotlib.use("Agg")
     matplotlib.rcParams["agg.path.chunksize"] = 20_000

@@ -121,4 +121,4 @@ def pieces(
     yield from scanner.flush()
 
 
-__all__ = ["add_arguments", "opened", "pieces", "reason", "received", "stopping", "url"]
+__all__ = ["add_arguments", "opened", "pieces", "reason", "received", "stopping"]

@@ -91,7 +91,7 @@ class _Recording:
         spent = max(time.monotonic() - self._start, 1e-9)
         return (
             f"{spent:.0f} s, {inputs.readable(self.size)}, {self.packets} packets, "
-            f"{self.packets / spent:.0f} a second, {self.skipped} bytes of none"
+            f"{self.packets / spent:.0f} a second, {self.skipped} bytes skipped"
         )
 
     def _show(self) -> None:
