@@ -80,9 +80,19 @@ def parameter_anchor(f: m.Field, row: Row) -> str:
 # --------------------------------------------------------------------------- the table
 
 
-def parameter_table(page: Page, record: Record) -> str:
+@dataclass(frozen=True, slots=True)
+class Parameters:
+    """The parameters of a record."""
+
+    table: str
+    notes: list[str]  # what differs by device or by a sibling, and notes, a line for each
+
+
+def parameter_list(page: Page, record: Record) -> Parameters:
+    rows = list(_rows(page, record))
     headings = ["Offset", "Bytes", "Name", "Type", *COLUMNS, "Description"]
-    return table((_cells(page, r) for r in _rows(page, record)), headings)
+    notes = [f"{code(r.row.name)}: {r.say(fact.sentence)}" for r in rows for fact in describe.topics(r.facts, *BELOW)]
+    return Parameters(table((_cells(page, r) for r in rows), headings), notes)
 
 
 def _cells(page: Page, r: _Row) -> list[str]:
@@ -154,13 +164,4 @@ def _values(page: Page, records: Sequence[Record]) -> list[Values]:
             anchor, t, list(users), types.values(page, t, anchor) if t.kind == "enum" else types.bits(page, t, anchor)
         )
         for t, anchor, users in typed.values()
-    ]
-
-
-def parameter_notes(page: Page, record: Record) -> list[str]:
-    """What differs by device or by a sibling, and notes, a line for each."""
-    return [
-        f"{code(r.row.name)}: {r.say(fact.sentence)}"
-        for r in _rows(page, record)
-        for fact in describe.topics(r.facts, *BELOW)
     ]
