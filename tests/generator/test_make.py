@@ -87,6 +87,7 @@ def test_heavy_tests_need_more(machine: Path) -> None:
         "arduino-builder",
         "doxygen",
         "node",
+        "chromium",
         "npm",
         "Python 3.10",
         "Python 3.11",

@@ -130,7 +130,7 @@ def test_counts_agree(first: Path) -> None:
         return sum(len(re.findall(pattern, text, re.M)) for text in texts)
 
     each = len(own) + 1  # and the acknowledge field
-    assert count(r"^    DESCRIPTOR = ", "python", "*.py") == each
+    assert count(r"^    DESCRIPTOR = .*\n    NAME = \"\w+\.", "python", "*.py") == each
     assert count(r"^static inline mip_error mip_\w+_decode\(\s*struct mip_", "c/src/mip", "*.h") == len(of.fields) + 1
     assert count(r"^const struct mip_codec mip_\w+_codec = ", "c/src/mip", "*.c") == len(of.fields) + 1
     assert count(r"^field! \{", "rust/src/", "*.rs") == len(of.fields) + 1
