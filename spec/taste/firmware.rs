@@ -47,7 +47,9 @@ fn run(board: &mut impl Board) {
         }
         // Commands time out, after what is held back.
         while let Some(packet) = client.poll(&mut parser, board.milliseconds()) {
-            client.receive(&packet);
+            for field in client.receive(&packet).others().map_while(Result::ok) {
+                take(board, &field);
+            }
         }
         match client.take(&rate) {
             None => {}
@@ -95,6 +97,7 @@ mod board {
             bytes.iter().for_each(|byte| REGISTERS[1].store((*byte).into(), Relaxed));
         }
 
+        // A counter of 32 bits begins again after 49 days: extend it where a device runs for longer.
         fn milliseconds(&mut self) -> u64 {
             REGISTERS[2].load(Relaxed).into()
         }

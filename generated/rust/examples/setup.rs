@@ -20,6 +20,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     // 1. Idle: the device sends no data while it is set up.
     device.run(&base::SetIdle::new())?;
+    while device.next_packet(0)?.is_some() {} // what it sent before
 
     // 2. Settings.
     device.run(&mip_3dm::LowPassFilter::write(sensor::SET, accel, true, true, CUTOFF))?;

@@ -20,6 +20,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     // Without data in between, the answers come at once, whatever was set before.
     device.run(&base::SetIdle::new())?;
+    while device.next_packet(0)?.is_some() {} // what it sent before
     let info = device.request(&base::GetDeviceInfo::new())?.device_info;
     let base_rate = device.request(&mip_3dm::GetBaseRate::new(sensor::SET))?.rate;
     println!("{}, {base_rate} Hz", info.model_name);

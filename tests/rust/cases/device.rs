@@ -311,3 +311,35 @@ fn ports_of_the_standard_library() {
     assert!(matches!(error, DeviceError::Command(CommandError::TimedOut)));
     assert!(start.elapsed().as_millis() >= 20);
 }
+
+#[test]
+fn an_answer_that_comes_after_a_failure_is_data() {
+    let mut device = device([vec![vec![], ack(1, AckCode::OK)]]);
+    assert_eq!(device.run(&tools::Ping), Err(DeviceError::Port(Gone)));
+    assert_eq!(next(&mut device), Some(ack(1, AckCode::OK)));
+}
+
+#[test]
+fn an_answer_is_known_until_the_next_command() {
+    let mut device = device([vec![ack(1, AckCode::OK)], vec![ack(1, AckCode::OK)]]);
+    let ping = device.send_all(tools::SET, |request| request.add(&tools::Ping)).unwrap();
+    for _ in 0..2 {
+        assert_eq!(device.answer(&ping), Answer::Acknowledged(None));
+    }
+    assert_eq!(next(&mut device), None);
+    assert_eq!(device.answer(&ping), Answer::Acknowledged(None));
+    assert_eq!(device.run(&tools::Ping), Ok(()));
+    assert_eq!(device.answer(&ping), Answer::TimedOut);
+}
+
+#[test]
+fn a_packet_longer_than_the_queue_leaves_the_others_in_it() {
+    let mut large = PacketBuilder::new(measurements::SET);
+    large.push_raw(0x70, &[0; 200]).unwrap();
+    let replies = vec![data(1.0), data(2.0), large.bytes().to_vec(), ack(1, AckCode::OK)];
+    let port = Played { replies: [replies].into(), ..Default::default() };
+    let mut device: Device<Played, 1, 100> = Device::with_client(port, Client::new());
+    assert_eq!(device.run(&tools::Ping), Ok(()));
+    assert_eq!(device.dropped(), 1);
+    assert_eq!((next(&mut device), next(&mut device)), (Some(data(1.0)), Some(data(2.0))));
+}

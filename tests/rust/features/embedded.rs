@@ -21,6 +21,8 @@ struct Line {
     coming: VecDeque<u8>,
     now: u64,
     closed: bool,
+    /// Noise comes without end.
+    flooded: bool,
 }
 
 #[derive(Clone, Default)]
@@ -35,10 +37,16 @@ impl Uart {
 
     fn take(&self, buffer: &mut [u8]) -> Option<usize> {
         let mut line = self.0.borrow_mut();
-        if line.closed {
-            return Some(0);
+        if line.flooded {
+            line.now += 1;
+            buffer[0] = 0;
+            return Some(1);
         }
-        buffer[0] = line.coming.pop_front()?;
+        match line.coming.pop_front() {
+            Some(byte) => buffer[0] = byte,
+            None if line.closed => return Some(0),
+            None => return None,
+        }
         Some(1)
     }
 
@@ -240,4 +248,47 @@ fn a_future_that_is_dropped() {
     let packet = block_on(&uart, device.next_packet(50)).unwrap().map(|p| p.bytes().to_vec());
     assert_eq!(packet.as_deref(), Some(answer.bytes()));
     assert_eq!(tools::BiasVector::SET, tools::SET);
+}
+
+#[test]
+fn an_answer_that_comes_after_its_future_was_dropped_is_data() {
+    let uart = Uart::answering(&[vec![]]);
+    let clock = uart.clone();
+    let mut device = AsyncDevice::new(uart.clone(), |ms| sleep(&clock, ms));
+    {
+        let waker = Waker::from(Arc::new(Nobody));
+        let mut request = pin!(device.run(&tools::Ping));
+        assert!(request.as_mut().poll(&mut Context::from_waker(&waker)).is_pending());
+    }
+    uart.0.borrow_mut().coming.extend(ack(1, AckCode::OK).bytes());
+    let packet = block_on(&uart, device.next_packet(50)).unwrap().map(|p| p.bytes().to_vec());
+    assert_eq!(packet.as_deref(), Some(ack(1, AckCode::OK).bytes()));
+}
+
+#[test]
+fn time_goes_on_while_noise_comes_without_end() {
+    let uart = Uart::default();
+    uart.0.borrow_mut().flooded = true;
+    let clock = uart.clone();
+    let mut device = AsyncDevice::new(uart.clone(), |ms| sleep(&clock, ms));
+    let late = DeviceError::Command(CommandError::TimedOut);
+    assert_eq!(block_on(&uart, device.run(&tools::Ping)), Err(late));
+    assert_eq!(uart.now(), 1000);
+    assert!(block_on(&uart, device.next_packet(50)).unwrap().is_none());
+    assert_eq!(uart.now(), 1050);
+}
+
+#[test]
+fn packets_behind_noise_are_found_before_a_port_is_closed() {
+    let data = PacketBuilder::with(&measurements::Accel::default()).unwrap();
+    let noise = b"ue\x80\xFF";
+    let uart = Uart::answering(&[[noise, ack(1, AckCode::OK).bytes()].concat()]);
+    uart.0.borrow_mut().closed = true;
+    let clock = uart.clone();
+    let mut device = AsyncDevice::new(uart.clone(), |ms| sleep(&clock, ms));
+    assert_eq!(block_on(&uart, device.run(&tools::Ping)), Ok(()));
+    uart.0.borrow_mut().coming.extend([noise, data.bytes()].concat());
+    let packet = block_on(&uart, device.next_packet(50)).unwrap().map(|p| p.bytes().to_vec());
+    assert_eq!(packet.as_deref(), Some(data.bytes()));
+    assert_eq!(block_on(&uart, device.next_packet(50)).unwrap_err(), DeviceError::Closed);
 }

@@ -2,8 +2,8 @@
 
 import { concatenated } from "../mip/bytes.mjs";
 
-// A line of a hex dump: an offset, bytes, and what they look like.
-const DUMP_LINE = /^\s*(?:0x)?[0-9a-f]{4,8}(?::\s*|\s{2,})((?:[0-9a-f]{2,4}[ \t]+)*[0-9a-f]{2,4})(?:\s{2,}.*|\s*\|.*)?\s*$/i;
+// A line of a hex dump: an offset, bytes, and what they look like. What begins with the sync bytes has no offset.
+const DUMP_LINE = /^\s*(?:0x)?(?:[0-9a-f]{4,8}:\s*|(?!7565)[0-9a-f]{4,8}\s{2,})((?:[0-9a-f]{2,4}[ \t]+)*[0-9a-f]{2,4})(?:\s{2,}.*|\s*\|.*)?\s*$/i;
 
 // What bytes are written as, in the order in which it is looked for; words that begin with digits are not.
 const TOKEN = new RegExp(

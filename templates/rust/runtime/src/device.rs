@@ -10,6 +10,7 @@
 //! # fn example(serial: std::net::TcpStream) -> Result<(), Box<dyn std::error::Error>> {
 //! use mip_protocol::device::{Device, StdPort};
 //!
+//! serial.set_read_timeout(Some(std::time::Duration::from_millis(10)))?; // reading must not wait for ever
 //! let mut device = Device::new(StdPort::new(serial));
 //! while let Some(packet) = device.next_packet(1000)? {
 //!     println!("{packet:?}");
@@ -154,10 +155,13 @@ impl<const N: usize, const Q: usize> Core<N, Q> {
     }
 
     /// When nothing comes for long, what is behind noise is found.
-    fn look_behind(&mut self) {
+    fn look_behind(&mut self) -> bool {
+        let mut found = false;
         while let Some(packet) = self.parser.look_behind() {
             sort(&mut self.client, &mut self.data, &packet);
+            found = true;
         }
+        found
     }
 
     /// The outcome of a command that waits no longer.
@@ -195,11 +199,13 @@ impl<const Q: usize> Queue<Q> {
     }
 
     fn push(&mut self, packet: &[u8]) {
+        if packet.len() > Q {
+            self.dropped = self.dropped.wrapping_add(1);
+            return;
+        }
         while Q.saturating_sub(self.len()) < packet.len() {
             self.dropped = self.dropped.wrapping_add(1);
-            if self.pop().is_none() {
-                return; // it is longer than the queue
-            }
+            let _ = self.pop();
         }
         if Q.saturating_sub(self.end) < packet.len() {
             let (mut from, mut to) = (self.start, 0);
@@ -334,7 +340,7 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
 
     /// The answer to one command of [`Device::send_all`]; it is known until the next command.
     pub fn answer<C: Command>(&mut self, ticket: &Ticket<C>) -> Answer<C::Response> {
-        self.core.client.take(ticket).unwrap_or(Answer::TimedOut)
+        self.core.client.known(ticket).unwrap_or(Answer::TimedOut)
     }
 
     /// Until no command waits.
@@ -362,6 +368,7 @@ impl<P: Port, const N: usize, const Q: usize> Device<P, N, Q> {
         &mut self,
         wait_ms: u32,
     ) -> Result<Option<Packet<'_>>, DeviceError<P::Error>> {
+        self.core.client.give_up();
         if self.core.data.len() == 0 {
             let end = self.port.now_ms().saturating_add(wait_ms.into());
             loop {

@@ -125,7 +125,7 @@ where
 
     /// The answer to one command of [`AsyncDevice::send_all`]; it is known until the next command.
     pub fn answer<C: Command>(&mut self, ticket: &Ticket<C>) -> Answer<C::Response> {
-        self.core.client.take(ticket).unwrap_or(Answer::TimedOut)
+        self.core.client.known(ticket).unwrap_or(Answer::TimedOut)
     }
 
     /// The next packet with data, or with whatever else answers no command; `None` if none comes
@@ -136,6 +136,7 @@ where
         &mut self,
         wait_ms: u32,
     ) -> Result<Option<Packet<'_>>, DeviceError<P::Error>> {
+        self.core.client.give_up();
         if self.core.data.len() == 0 {
             let mut sleep = pin!((self.sleep)(wait_ms));
             while self.core.data.len() == 0 {
@@ -157,20 +158,23 @@ async fn read<P: Read, const N: usize, const Q: usize>(
 ) -> Result<bool, DeviceError<P::Error>> {
     let mut chunk = [0; CHUNK];
     let part = core.part(&mut chunk);
-    let count = {
+    let (count, over) = {
         let mut read = pin!(port.read(part));
         poll_fn(|context| match read.as_mut().poll(context) {
-            Poll::Ready(count) => Poll::Ready(Some(count)),
-            Poll::Pending => sleep.as_mut().poll(context).map(|()| None),
+            Poll::Ready(count) => {
+                Poll::Ready((Some(count), sleep.as_mut().poll(context).is_ready()))
+            }
+            Poll::Pending => sleep.as_mut().poll(context).map(|()| (None, true)),
         })
         .await
     };
     match count {
         None => Ok(false),
+        Some(Ok(0)) if core.look_behind() => Ok(!over),
         Some(Ok(0)) => Err(DeviceError::Closed),
         Some(Ok(count)) => {
             core.arrived(part.get(..count).unwrap_or_default());
-            Ok(true)
+            Ok(!over)
         }
         Some(Err(error)) => Err(DeviceError::Port(error)),
     }

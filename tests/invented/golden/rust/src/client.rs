@@ -499,6 +499,25 @@ impl<const N: usize> Client<N> {
         }
     }
 
+    /// Stops waiting for all commands; the events that happened are kept.
+    pub(crate) fn give_up(&mut self) {
+        for slot in &self.table().slots {
+            if slot.is(State::Waiting) {
+                slot.state.set(State::Free);
+            }
+        }
+    }
+
+    /// As [`Client::take`], but the result can be asked for again.
+    pub(crate) fn known<C: Command>(&self, ticket: &Ticket<C>) -> Option<Answer<C::Response>> {
+        if ticket.silent {
+            return Some(Answer::Silent);
+        }
+        let mut slots = self.table().slots.iter();
+        let slot = slots.find(|slot| slot.is(State::Done) && slot.event.id == ticket.id)?;
+        Some(slot.event.decoded())
+    }
+
     /// Forgets all commands and events. What still comes for them answers nothing.
     pub fn clear(&mut self) {
         for slot in &self.table().slots {
