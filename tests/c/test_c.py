@@ -246,7 +246,7 @@ def direct_check(f: m.Field) -> str:
         for (size_t capacity = 6; capacity < MIP_MAX_PACKET; capacity += 1 + capacity / 30) {{
             uint8_t first[MIP_MAX_PACKET] = {{0}}, second[MIP_MAX_PACKET] = {{0}};
             struct mip_builder p, q;
-            const uint8_t set = 0x{f.set or 1:02X};
+            const uint8_t set = 0x{ {0: 1, 0xFF: 0x80}.get(f.set, f.set):02X};
             CHECK(mip_builder_start(&p, first, capacity, set) == MIP_OK);
             CHECK(mip_builder_start(&q, second, capacity, set) == MIP_OK);
             while ({name}_encode(&a, &p) == MIP_OK) {{

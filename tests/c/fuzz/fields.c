@@ -161,7 +161,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     const uint8_t set = input_byte(&in);
     const uint8_t descriptor = input_byte(&in);
     const size_t lack = input_byte(&in);
-    if (set == 0) {
+    if (set == 0 || set == 0xFF) { /* no packet has them */
         return 0;
     }
     size_t count = (flags & PAYLOAD) != 0 ? MIP_MAX_PAYLOAD : MIP_MAX_FIELD_DATA;

@@ -16,6 +16,18 @@ static uint8_t random_byte(void) {
                                          : byte;
 }
 
+/* A set whose packets may hold the field. */
+static uint8_t set_of(const struct mip_codec *codec) {
+    switch (codec->descriptor_set) {
+    case 0:
+        return 1;
+    case 0xFF:
+        return 0x80;
+    default:
+        return codec->descriptor_set;
+    }
+}
+
 static void decode(const struct mip_codec *codec) {
     const uint8_t size = (uint8_t)(random_byte() % (MIP_MAX_FIELD_DATA + 1));
     uint8_t *data = (uint8_t *)malloc(size);
@@ -30,7 +42,7 @@ static void decode(const struct mip_codec *codec) {
     if (mip_decode(codec, value, &field, &trailing) == MIP_OK) {
         uint8_t buffer[MIP_MAX_PACKET];
         struct mip_builder b;
-        const uint8_t set = codec->descriptor_set != 0 ? codec->descriptor_set : 1;
+        const uint8_t set = set_of(codec);
         CHECK(mip_builder_start(&b, buffer, sizeof(buffer), set) == MIP_OK);
         CHECK(mip_encode(codec, value, &b) == MIP_OK);
         CHECK(b.length == MIP_HEADER_SIZE + 2 + size - trailing);
@@ -53,7 +65,7 @@ static void encode(const struct mip_entry *entry) {
     for (size_t i = 0; i < codec->size; i++) {
         value[i] = random_byte();
     }
-    const uint8_t set = codec->descriptor_set != 0 ? codec->descriptor_set : 1;
+    const uint8_t set = set_of(codec);
     CHECK(mip_builder_start(&b, buffer, 6 + random_byte(), set) == MIP_OK);
     const size_t before = b.length;
     const mip_error error = mip_encode(codec, value, &b);

@@ -67,7 +67,7 @@ static void sets(void) {
     for (size_t i = 0; i < mip_registry_size; i++) {
         const struct mip_entry *e = &mip_registry[i];
         CHECK(e->codec->size <= sizeof(value));
-        for (unsigned set = 1; set < 256; set++) {
+        for (unsigned set = 1; set < 0xFF; set++) {
             const bool data = set >= 0x80;
             const bool right = e->descriptor_set == 0xFF ? data
                                : e->descriptor_set == 0  ? !data

@@ -7,6 +7,7 @@ import io
 import json
 import random
 import resource
+import shlex
 import signal
 import subprocess
 import sys
@@ -349,3 +350,42 @@ def test_a_full_disk(path: Path, tmp_path: Path) -> None:
         done = subprocess.run(command(*words), preexec_fn=limited, capture_output=True, env=ENVIRONMENT)
         assert done.returncode == 1 and b"cannot be written: File too large" in done.stderr
         assert done.stderr.count(b"\n") == 1 and [p.name for p in tmp_path.iterdir()] == ["log.bin"]
+
+
+def test_an_output_that_takes_nothing(path: Path, tmp_path: Path) -> None:
+    """One line, and no traceback."""
+    for words in (["fields"], ["info", path], ["cut", path, "-o", "-"]):
+        with open("/dev/full", "wb") as full:
+            done = subprocess.run(command(*words), stdout=full, stderr=subprocess.PIPE, env=ENVIRONMENT)
+        assert (done.returncode, done.stderr) == (1, b"mip: No space left on device\n"), words
+    done = subprocess.run(command("cut", path, "-o", "/dev/full"), stderr=subprocess.PIPE, env=ENVIRONMENT)
+    assert done.returncode == 1 and done.stderr.count(b"\n") == 1 and b"No space left" in done.stderr
+
+
+def test_streams_that_are_closed_or_plain(path: Path) -> None:
+    shell = " ".join(map(shlex.quote, command("info", "-")))
+    done = subprocess.run(["sh", "-c", f"{shell} <&-"], capture_output=True, env=ENVIRONMENT)
+    assert b"Traceback" not in done.stderr
+    plain = {**ENVIRONMENT, "PYTHONIOENCODING": "ascii"}
+    done = subprocess.run(command("dump", path, "--tree"), capture_output=True, env=plain)
+    assert done.returncode == 0 and done.stderr == b""
+
+
+@pytest.mark.parametrize("first", [b"e", b"0", b" "])
+def test_a_pipe_that_gives_one_byte_first(first: bytes, path: Path) -> None:
+    process = subprocess.Popen(
+        command("info", "-"), stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=ENVIRONMENT
+    )
+    assert process.stdin is not None
+    process.stdin.write(first)
+    process.stdin.flush()
+    time.sleep(0.3)  # it has been read then; if not, the test sees nothing
+    out, error = process.communicate(path.read_bytes(), timeout=PATIENCE)
+    assert (process.returncode, error) == (0, b"") and b"packets" in out
+
+
+def test_sentences_are_not_cut_where_the_reader_is(tmp_path: Path) -> None:
+    log = tmp_path / "nmea.log"
+    log.write_bytes(b"$GPZDA,,,,,,*48\r\n" * 16_000)
+    code, out, _ = mip("info", log, "--json")
+    assert code == 0 and "16000" in out

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import math
 import pickle
+import queue
 import socket
 import subprocess
 import sys
@@ -475,3 +477,86 @@ def test_every_name_can_be_had() -> None:
         assert getattr(mip, name) is not None
     with pytest.raises(AttributeError, match="nothing"):
         mip.nothing  # noqa: B018
+
+
+# --------------------------------------------------------------------------- what went wrong before
+
+
+def test_an_answer_that_comes_while_a_command_is_sent_is_data(kind: Kind) -> None:
+    """`send` waits for none, however early it comes."""
+
+    class Quick:
+        def __init__(self) -> None:
+            self.coming: queue.SimpleQueue[bytes] = queue.SimpleQueue()
+
+        def read(self, size: int) -> bytes:
+            try:
+                return self.coming.get(timeout=0.01)
+            except queue.Empty:
+                return b""
+
+        def write(self, data: bytes) -> int:
+            self.coming.put(packet(0x01, "f1 01 00"))
+            time.sleep(0.002)  # as serial ports take until the bytes are out
+            return len(data)
+
+    with kind.at(Quick()) as device:
+        for _ in range(20):
+            device.send(PING)
+        for _ in range(20):
+            assert device.next(5) is not None
+
+
+def test_one_command_in_two_requests(kind: Kind, peer: Peer) -> None:
+    """The time-out of one is none of the other's."""
+    with kind.at(peer.near) as device:
+        ended: list[type[BaseException] | None] = []
+
+        def patient() -> None:
+            try:
+                device.request(PING, timeout=30)
+                ended.append(None)
+            except mip.MipError as error:
+                ended.append(type(error))
+
+        thread = threading.Thread(target=patient)
+        thread.start()
+        peer.command()
+        with pytest.raises(mip.NoAnswer) as caught:
+            device.request(PING, timeout=0.05)
+        assert caught.value.command is PING and not ended
+        peer.command()
+        peer.send(packet(0x01, "f1 01 00"))
+        thread.join(10)
+        assert ended == [None]
+
+
+def test_times_without_end(kind: Kind, peer: Peer) -> None:
+    with kind.at(peer.near) as device:
+        thread = threading.Thread(target=lambda: (peer.command(), peer.send(packet(0x01, "f1 01 00"))))
+        thread.start()
+        assert device.request(PING, timeout=math.inf) is None
+        thread.join(10)
+        with pytest.raises(ValueError, match="NaN"):
+            device.request(PING, timeout=math.nan)
+
+
+def test_a_callback_that_exits_ends_the_device(peer: Peer) -> None:
+    def leave(data: bytes) -> None:
+        raise SystemExit
+
+    with Kind("threads").at(peer.near, on_bytes=leave) as device:
+        peer.send(DATA)
+        with pytest.raises(mip.PortClosed):
+            device.next(10)
+        assert device.closed
+
+
+def test_a_packet_is_not_lost_by_a_callback_that_fails(kind: Kind, peer: Peer) -> None:
+    def fail(data: bytes) -> None:
+        raise RuntimeError("no")
+
+    with kind.at(peer.near, on_skipped=fail) as device:
+        peer.send(b"noise" + DATA)
+        until(lambda: device.closed)
+        assert device.next(5).packet == mip.Packet(DATA)

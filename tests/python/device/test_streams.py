@@ -65,6 +65,7 @@ def test_the_bytes_between_packets_are_not_lost() -> None:
         (b"$GPZDA,,,,,,*48\r\n", ["$GPZDA,,,,,,*48"]),
         (b"$GPZDA,,,,,,*48\n!AI*08\r\n", ["$GPZDA,,,,,,*48", "!AI*08"]),
         (b"ue$\x80$GP$GPZDA,,,,,,*48\r\n", ["$GPZDA,,,,,,*48"]),
+        (b"ue$GNTXT,01,01,02,Ready!*39\r\n", ["$GNTXT,01,01,02,Ready!*39"]),
         (b"$GPZDA,,,,,,*49\r\n", []),  # a wrong checksum
         (b"$GPZDA,,,,,,*4\r\n$GPZDA,,,,,,\r\n*48\r\n$*00\n\n", []),
         (b"$GPZDA,\xff,,,,,*b7\r\n", []),

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from ..packet import Packet
+from ..sentences import LONGEST
 from . import clocks, inputs, scan, show
 from .clocks import CLOCKS, SECOND, dated, stamp
 from .decoding import decoded, name_of, raw_fields
@@ -96,9 +97,12 @@ def examine(name: str) -> Report:
 
 def _counted(report: Report, run: bytes, more: bytes) -> bytes:
     """Counts what skipped bytes look like; returns those with which the next ones begin."""
-    report.damaged += scan.damaged(run)
-    report.sentences += scan.sentences(run)
-    return more
+    cut = run.rfind(b"\n") + 1 if more else len(run)
+    if len(run) - cut > LONGEST:
+        cut = len(run)
+    report.damaged += scan.damaged(run[:cut])
+    report.sentences += scan.sentences(run[:cut])
+    return run[cut:] + more
 
 
 def _packet(report: Report, piece: scan.Piece) -> None:

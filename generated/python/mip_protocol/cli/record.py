@@ -41,7 +41,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     recording = _Recording(options)
-    with ports.stopping(), outputs.whole(options.output) as out:
+    with ports.stopping(), outputs.whole(options.output, keep=True) as out:
         try:
             recording.write(out)
         except KeyboardInterrupt:  # the usual way to end it

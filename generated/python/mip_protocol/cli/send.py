@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import re
 from typing import Any
 
 from .. import Answer, TimedOut
@@ -35,6 +36,8 @@ exit status: 3 if the device refuses the command, 4 if it does not answer
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.epilog = EPILOG
     parser.usage = "mip send [options] PORT COMMAND [FUNCTION] [VALUE ...]"
+    # Lists may begin with a negative number: -1,0,0.
+    parser._negative_number_matcher = re.compile(r"^-[\d.]")
     add = parser.add_argument
     add("port", metavar="PORT", help="such as /dev/ttyACM0, COM3, HOST:PORT; left out with --hex")
     add("command_name", metavar="COMMAND", nargs="?", help="as `mip fields` names it")

@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import re
-from functools import reduce
-from operator import xor
 
 #: A sentence has at most 82 characters; some devices send longer ones of their own.
 LONGEST = 1024
 
-_SENTENCE = re.compile(rb"[$!]([\x20-\x7e]+)\*([0-9A-Fa-f]{2})\r?\Z")
+_END = re.compile(rb"\*([0-9A-Fa-f]{2})\r?\Z")
 
 
 class Sentences:
@@ -35,11 +33,19 @@ class Sentences:
 
 def _sentence(line: bytearray) -> str | None:
     """The sentence at the end of a line; what is before it is noise."""
-    start = max(line.rfind(b"$"), line.rfind(b"!"))
-    match = _SENTENCE.match(line, start) if start >= 0 else None
-    if match is None or reduce(xor, match[1]) != int(match[2], 16):
+    end = _END.search(line)
+    if end is None:
         return None
-    return line[start:].rstrip(b"\r").decode("ascii")
+    wanted, found = int(end[1], 16), 0
+    for at in range(end.start() - 1, -1, -1):
+        byte = line[at]
+        if not 0x20 <= byte <= 0x7E:
+            return None
+        # Texts may have such a character, too: the checksum tells.
+        if byte in b"$!" and found == wanted and at + 1 < end.start():
+            return line[at:].rstrip(b"\r").decode("ascii")
+        found ^= byte
+    return None
 
 
 __all__ = ["LONGEST", "Sentences"]

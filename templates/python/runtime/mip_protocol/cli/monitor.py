@@ -82,10 +82,11 @@ def run(options: argparse.Namespace) -> int:
                     screen.draw(_lines(latest, now, packets, skipped, device))
                 if end is not None and now >= end:
                     break
+            screen.draw(_lines(latest, time.monotonic(), packets, skipped, device))
         except KeyboardInterrupt:  # the usual way to end it
-            pass
-        screen.draw(_lines(latest, time.monotonic(), packets, skipped, device))
-        screen.close()
+            screen.draw(_lines(latest, time.monotonic(), packets, skipped, device))
+        finally:
+            screen.close()
     return 0
 
 
@@ -149,4 +150,5 @@ class _Screen:
         """The terminal is as before; the last values stay."""
         if self._terminal:
             sys.stdout.write("\x1b[?25h\x1b[?1049l")
-            print("\n".join(self._last))
+            if self._last:
+                print("\n".join(self._last))

@@ -13,7 +13,7 @@ from ..errors import Failure
 
 
 @contextmanager
-def whole(name: str, keep_on_interrupt: bool = False) -> Iterator[IO[bytes]]:
+def whole(name: str, keep: bool = False) -> Iterator[IO[bytes]]:
     """A file to write, or standard output for `-`. It takes its name when all of it is written.
 
     An interrupt ends a recording, which is kept; other files are dropped then. Raises Failure.
@@ -22,7 +22,7 @@ def whole(name: str, keep_on_interrupt: bool = False) -> Iterator[IO[bytes]]:
         yield sys.stdout.buffer
         sys.stdout.buffer.flush()
         return
-    with whole_path(name, keep_on_interrupt) as part:
+    with whole_path(name, keep) as part:
         try:
             file = open(part, "wb")
         except OSError as error:
@@ -32,7 +32,7 @@ def whole(name: str, keep_on_interrupt: bool = False) -> Iterator[IO[bytes]]:
 
 
 @contextmanager
-def whole_path(name: str, keep_on_interrupt: bool = False) -> Iterator[Path]:
+def whole_path(name: str, keep: bool = False) -> Iterator[Path]:
     """A path beside a file, which replaces the file at the end. Raises Failure."""
     path = Path(name)
     if path.is_dir():
@@ -44,13 +44,15 @@ def whole_path(name: str, keep_on_interrupt: bool = False) -> Iterator[Path]:
     try:
         yield part
     except BaseException as error:
-        if not (keep_on_interrupt and isinstance(error, KeyboardInterrupt)):
+        keeps = keep and isinstance(error, (KeyboardInterrupt, OSError)) and part.exists()
+        if keeps:
+            _rename(part, path)
+        else:
             with suppress(OSError):
                 part.unlink()
-            if isinstance(error, OSError) and not isinstance(error, BrokenPipeError):
-                raise Failure(f"{name} cannot be written: {error.strerror or error}") from None
-        else:
-            _rename(part, path)
+        if isinstance(error, OSError) and not isinstance(error, BrokenPipeError):
+            kept = "; what came before is kept" if keeps else ""
+            raise Failure(f"{name} cannot be written: {error.strerror or error}{kept}") from None
         raise
     _rename(part, path)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import io
 import os
 import sys
 from collections.abc import Generator
@@ -37,6 +38,7 @@ refused a command, 4 it did not answer, 130 interrupted, 141 the reader of the o
 
 
 def main(arguments: list[str] | None = None) -> int:
+    _usable_streams()
     try:
         code = _run(sys.argv[1:] if arguments is None else arguments)
         sys.stdout.flush()
@@ -47,6 +49,22 @@ def main(arguments: list[str] | None = None) -> int:
         # What is still in the buffer would be written, and complained about, at the end.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 141
+    except OSError as error:  # of the output: commands say more of their files and ports
+        print(f"mip: {error.strerror or error}", file=sys.stderr)
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 1
+
+
+def _usable_streams() -> None:
+    """A stream that is closed is empty, and what its encoding does not have is written by its number."""
+    if sys.stdin is None:
+        sys.stdin = open(os.devnull)
+    if sys.stdout is None:
+        sys.stdout = open(os.devnull, "w")
+    if sys.stderr is None:
+        sys.stderr = open(os.devnull, "w")
+    if isinstance(sys.stdout, io.TextIOWrapper):
+        sys.stdout.reconfigure(errors="backslashreplace")
 
 
 class _Layout(argparse.RawDescriptionHelpFormatter):

@@ -51,6 +51,8 @@ class Device:
         self._answered = asyncio.Event()
         self._arrived = asyncio.Event()
         self._writing = asyncio.Lock()
+        self._opening = asyncio.Lock()
+        self._closes = 0
         self._end: PortClosed | None = None
         self._closed = False
         self._again: Callable[[], Coroutine[Any, Any, Any]] | None = None
@@ -74,6 +76,7 @@ class Device:
 
     async def close(self) -> None:
         """Closes the port. Those who wait get PortClosed; iterations end."""
+        self._closes += 1
         self._closed = True
         self._end = self._end or PortClosed("the device has been closed")
         self._wake(News(True, True))
@@ -83,11 +86,20 @@ class Device:
         """As `device.Device.reopen`."""
         if self._again is None:
             raise ValueError("only a port that `open_port` has opened can be opened again")
+        link = self._link
+        async with self._opening:
+            if self._link is link:  # else another task has done it meanwhile
+                await self._open_again(self._again, timeout)
+
+    async def _open_again(
+        self, again: Callable[[], Coroutine[Any, Any, Any]], timeout: float
+    ) -> None:
         await self._link.stop()
+        closes = self._closes
         end = time.monotonic() + timeout
         while True:
             try:
-                port = await self._again()
+                port = await again()
                 break
             except OSError:
                 if time.monotonic() >= end:
@@ -95,8 +107,11 @@ class Device:
                 await asyncio.sleep(0.1)
         self._talk.restart()
         self._wake(News(True, True))
-        self._end, self._closed = None, False
         self._start(port)
+        if self._closes != closes:
+            await self._link.stop()
+            raise PortClosed("the device has been closed while it was opened again")
+        self._end, self._closed = None, False
 
     # ----------------------------------------------------------------- what is known
 
@@ -185,7 +200,7 @@ class Device:
 
         Answers, if they come, are among the data. Raises PortClosed and EncodeError.
         """
-        self._talk.forget(await self._send(commands, None))
+        await self._send(commands, None, wait=False)
 
     async def _exchange(self, commands: Sequence[Command], timeout: float | None) -> list[Ticket]:
         for command in commands:
@@ -200,10 +215,12 @@ class Device:
             self._talk.forget(tickets)
         return tickets
 
-    async def _send(self, commands: Sequence[Command], timeout: float | None) -> list[Ticket]:
+    async def _send(
+        self, commands: Sequence[Command], timeout: float | None, wait: bool = True
+    ) -> list[Ticket]:
         async with self._writing:  # so that answers come in the order of the commands
             self._must_be_open()
-            packet, tickets = self._talk.send(commands, time.monotonic(), timeout)
+            packet, tickets = self._talk.send(commands, time.monotonic(), timeout, wait)
             try:
                 await self._link.write(packet)
             except Exception as error:

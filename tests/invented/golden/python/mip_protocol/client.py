@@ -118,6 +118,8 @@ class Client:
         """
         if not commands:
             raise EncodeError("missing", "send needs at least one command")
+        if timeout is not None and timeout != timeout:
+            raise ValueError("timeout: NaN is no time")
         builder = PacketBuilder(commands[0].SET)
         for command in commands:
             if not isinstance(command, Command):

@@ -9,7 +9,8 @@ from __future__ import annotations
 import time
 from collections import deque
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from copy import copy
+from dataclasses import dataclass, replace
 from typing import Any, TypeVar, cast
 
 from .client import Answer, Client, Event, Outcome, Received, Skipped, TimedOut
@@ -57,10 +58,13 @@ class Arrival:
 class Ticket:
     """A command that was sent, and what has become of it."""
 
-    __slots__ = ("command", "done", "outcome")
+    __slots__ = ("command", "done", "outcome", "sent")
 
     def __init__(self, command: Command) -> None:
         self.command = command
+        self.sent = copy(
+            command
+        )  # the same object may be in two requests; the client tells by identity
         self.outcome: Outcome | None = None
         self.done = False
 
@@ -119,19 +123,20 @@ class Conversation:
     # ----------------------------------------------------------------- commands
 
     def send(
-        self, commands: Sequence[Command], now: float, timeout: float | None
+        self, commands: Sequence[Command], now: float, timeout: float | None, wait: bool = True
     ) -> tuple[bytes, list[Ticket]]:
         """The packet to write, and a ticket for each command. Raises EncodeError.
 
-        The ticket of a command that the device does not acknowledge is done at once.
+        The ticket of a command that the device does not acknowledge is done at once, and so are
+        those of all if nobody is going to `wait`: answers are data then.
         """
-        packet = self._client.send(*commands, now=now, timeout=timeout)
         tickets = [Ticket(command) for command in commands]
+        packet = self._client.send(*(t.sent for t in tickets), now=now, timeout=timeout)
         for ticket in tickets:
             if not ticket.command.answered:
                 ticket.end(None)
-            elif self._silenced(ticket.command):
-                self._client.cancel(ticket.command)
+            elif not wait or self._silenced(ticket.command):
+                self._client.cancel(ticket.sent)
                 ticket.end(None)
         self._tickets += [t for t in tickets if not t.done]
         return packet, tickets
@@ -140,7 +145,7 @@ class Conversation:
         """Nobody waits for these commands any more."""
         for ticket in tickets:
             if not ticket.done:
-                self._client.cancel(ticket.command)
+                self._client.cancel(ticket.sent)
         self._tickets = [t for t in self._tickets if t not in tickets]
 
     def question(self, command: Command) -> Command | None:
@@ -216,6 +221,7 @@ class Conversation:
 
     def _handle(self, events: list[Event], monotonic: float, clock: float) -> News:
         answers = arrivals = False
+        skipped = []
         for event in events:
             if isinstance(event, Received):
                 if len(self.arrivals) >= self._capacity:
@@ -224,18 +230,20 @@ class Conversation:
                 self.arrivals.append(Arrival(event.packet, clock, monotonic, event.taken))
                 arrivals = True
             elif isinstance(event, Skipped):
-                if self._on_skipped is not None:
-                    self._on_skipped(event.data)
+                skipped.append(event.data)
             else:
                 if isinstance(event, Answer):
                     self._learn(event)
                 answers = self._end(event) or answers
+        if self._on_skipped is not None:
+            for data in skipped:  # last, because it may raise an exception
+                self._on_skipped(data)
         return News(answers, arrivals)
 
     def _end(self, outcome: Outcome) -> bool:
         for ticket in self._tickets:
-            if ticket.command is outcome.command:
-                ticket.end(outcome)
+            if ticket.sent is outcome.command:
+                ticket.end(replace(outcome, command=ticket.command))
                 self._tickets.remove(ticket)
                 return True
         return False

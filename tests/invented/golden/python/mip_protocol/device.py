@@ -59,6 +59,8 @@ class Device:
         self._answered = threading.Condition(self._lock)
         self._arrived = threading.Condition(self._lock)
         self._writing = threading.Lock()
+        self._opening = threading.Lock()
+        self._closes = 0
         self._end: PortClosed | None = None
         self._closed = False  # by `close`
         self._again: Callable[[], Any] | None = None  # opens the same port
@@ -83,6 +85,7 @@ class Device:
     def close(self) -> None:
         """Closes the port. Those who wait get PortClosed; iterations end."""
         with self._lock:
+            self._closes += 1
             self._closed = True
             self._end = self._end or PortClosed("the device has been closed")
             self._answered.notify_all()
@@ -97,20 +100,32 @@ class Device:
         """
         if self._again is None:
             raise ValueError("only a port that `open_port` has opened can be opened again")
+        reader = self._reader
+        with self._opening:
+            if self._reader is reader:  # else another thread has done it meanwhile
+                self._open_again(self._again, timeout)
+
+    def _open_again(self, again: Callable[[], Any], timeout: float) -> None:
         self._reader.stop()
+        closes = self._closes
         end = time.monotonic() + timeout
         while True:
             try:
-                port = self._again()
+                port = again()
                 break
             except OSError:
                 if time.monotonic() >= end:
                     raise
                 time.sleep(0.1)
         with self._lock:
-            self._talk.restart()
-            self._end, self._closed = None, False
-            self._start(port)
+            meanwhile = self._closes != closes
+            if not meanwhile:
+                self._talk.restart()
+                self._end, self._closed = None, False
+                self._start(port)
+        if meanwhile:
+            port.close()
+            raise PortClosed("the device has been closed while it was opened again")
 
     # ----------------------------------------------------------------- what is known
 
@@ -194,7 +209,7 @@ class Device:
 
         Answers, if they come, are among the data. Raises PortClosed and EncodeError.
         """
-        self._talk.forget(self._send(commands, None))
+        self._send(commands, None, wait=False)
 
     def _exchange(self, commands: Sequence[Command], timeout: float | None) -> list[Ticket]:
         self._ask_for_settings(commands)
@@ -215,13 +230,15 @@ class Device:
                 (outcome,) = self.exchange(question)
                 self._talk.settle(question, outcome)
 
-    def _send(self, commands: Sequence[Command], timeout: float | None) -> list[Ticket]:
+    def _send(
+        self, commands: Sequence[Command], timeout: float | None, wait: bool = True
+    ) -> list[Ticket]:
         if threading.current_thread() is self._reader:
             raise RuntimeError("called from on_bytes or on_skipped, which must not use the device")
         with self._writing:  # so that answers come in the order of the commands
             with self._lock:
                 self._must_be_open()
-                packet, tickets = self._talk.send(commands, time.monotonic(), timeout)
+                packet, tickets = self._talk.send(commands, time.monotonic(), timeout, wait)
             try:
                 write_all(self._port, packet)
             except Exception as error:
@@ -240,7 +257,7 @@ class Device:
             deadline = self._talk.deadline
             left = 1.0 if deadline is None else deadline - time.monotonic()
             if left > 0:
-                self._answered.wait(left)
+                self._answered.wait(min(left, threading.TIMEOUT_MAX))
             else:
                 self._tell(self._talk.poll(time.monotonic()))
 
@@ -277,7 +294,7 @@ class Device:
                 left = None if deadline is None else deadline - time.monotonic()
                 if left is not None and left <= 0:
                     return None
-                self._arrived.wait(left)
+                self._arrived.wait(None if left is None else min(left, threading.TIMEOUT_MAX))
             return arrivals.popleft()
 
     def fields(self, *kinds: type[F]) -> Iterator[tuple[float, F]]:

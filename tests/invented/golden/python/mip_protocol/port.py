@@ -169,7 +169,7 @@ class Reader(threading.Thread):
                 self._on_data(data, now, time.time())
                 if not data and now - before < PAUSE:
                     self._stopped.wait(PAUSE)
-        except Exception as caught:  # ports of any kind have errors of any kind
+        except BaseException as caught:  # ports and callbacks have errors of any kind
             error = None if self._stopped.is_set() else caught
         self._on_end(error)
 

@@ -98,6 +98,8 @@ def _read(file: IO[bytes]) -> Iterator[bytes]:
 
 def _converted(source: Iterator[bytes], name: str) -> Iterator[bytes]:
     first = next(source, b"")
+    while len(first) < 16 and _TEXT.fullmatch(first) and (more := next(source, b"")):
+        first += more  # a port may give one byte at first
     if not first.strip() or not _TEXT.fullmatch(first):  # a packet has a `u`, which is no digit
         yield first
         yield from source

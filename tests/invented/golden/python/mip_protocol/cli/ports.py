@@ -68,7 +68,7 @@ def stopping() -> Iterator[None]:
     before = {}
     for name in ("SIGTERM", "SIGHUP"):
         number = getattr(signal, name, None)
-        if number is not None:
+        if number is not None and signal.getsignal(number) is not signal.SIG_IGN:  # as of nohup
             before[number] = signal.signal(number, interrupt)
     try:
         yield

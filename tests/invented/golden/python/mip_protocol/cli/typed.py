@@ -213,6 +213,8 @@ def _integer(text: str) -> int | None:
     if not re.fullmatch(r"[+-]?(?:0[xX][0-9A-Fa-f]+|0[bB][01]+|[0-9]+)", text):
         return None
     digits = text.lstrip("+-")
+    if len(digits) > 100:  # no parameter is so large
+        return None
     number = int(digits, 0) if digits[:2].lower() in ("0x", "0b") else int(digits)
     return -number if text.startswith("-") else number
 

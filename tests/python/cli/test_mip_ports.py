@@ -6,6 +6,7 @@ import json
 import os
 import pty
 import re
+import resource
 import select
 import signal
 import socket
@@ -286,3 +287,44 @@ def test_a_device_on_a_terminal(tmp_path: Path) -> None:
         assert (code, error) == (0, "") and "3DM-CV7" in out
         code, out, error = mip("send", tmp_path / "mip", "base.ping", "--baud", "auto")
         assert (code, out) == (0, "acknowledged\n"), error
+
+
+def test_a_recording_is_kept_when_the_disk_is_full(place: str, tmp_path: Path) -> None:
+    def limited() -> None:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (2_000, 2_000))
+        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+
+    target = tmp_path / "log.bin"
+    words = command("record", place, "-o", target, "--duration", 20)
+    done = subprocess.run(words, preexec_fn=limited, capture_output=True, env=ENVIRONMENT)
+    assert done.returncode == 1 and b"what came before is kept" in done.stderr
+    assert 1_000 < target.stat().st_size <= 2_000 and [p.name for p in tmp_path.iterdir()] == ["log.bin"]
+
+
+def test_a_recording_goes_on_when_hang_ups_are_ignored(place: str, tmp_path: Path) -> None:
+    target = tmp_path / "log.bin"
+    ignoring = {"preexec_fn": lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN)}
+    with running("record", place, "-o", target, "--packets", 150, **ignoring) as process:
+        wait_for(lambda: any(p.stat().st_size for p in tmp_path.glob("*.part")), process)
+        process.send_signal(signal.SIGHUP)
+        process.communicate(timeout=PATIENCE)
+        assert process.returncode == 0
+    assert len(Parser().feed(target.read_bytes())) == 150
+
+
+def test_lists_that_begin_with_a_negative_number() -> None:
+    assert mip("send", "--hex", "3dm.accel_bias", "write", "-1,0,0")[0] == 0
+
+
+def test_a_terminal_is_as_before_if_the_port_cannot_be_opened() -> None:
+    main, side = pty.openpty()
+    done = subprocess.run(command("monitor", "/dev/nothing-here"), stdout=side, stderr=subprocess.PIPE, env=ENVIRONMENT)
+    os.close(side)
+    shown = b""
+    while select.select([main], [], [], 0.2)[0]:
+        try:
+            shown += os.read(main, 4096)
+        except OSError:
+            break
+    os.close(main)
+    assert done.returncode == 1 and shown.count(b"\x1b[?1049h") == shown.count(b"\x1b[?1049l")
