@@ -420,7 +420,8 @@ def test_time_that_cannot_be_caught_up_is_given_up() -> None:
             now = device.now
             until(lambda: device.now > now + 3e8)
             assert device.now < 60e9  # it goes on from where it was, at its own pace
-    assert server.complaints == ["the machine cannot keep up; simulated time is late from here on"]
+    # Said once; the client does not read meanwhile, which may be said, too.
+    assert server.complaints.count("the machine cannot keep up; simulated time is late from here on") == 1
 
 
 # --------------------------------------------------------------------------- disconnection
