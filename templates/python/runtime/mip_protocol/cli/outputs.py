@@ -16,7 +16,7 @@ from ..errors import Failure
 def whole(name: str, keep: bool = False) -> Iterator[IO[bytes]]:
     """A file to write, or standard output for `-`. It takes its name when all of it is written.
 
-    An interrupt ends a recording, which is kept; other files are dropped then. Raises Failure.
+    After an interrupt or an error nothing is left, unless what was written is to be kept. Raises Failure.
     """
     if name == "-":
         yield sys.stdout.buffer

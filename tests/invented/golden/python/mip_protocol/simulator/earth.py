@@ -9,6 +9,8 @@ from bisect import bisect_right
 from datetime import datetime, timedelta
 from math import atan2, cos, exp, hypot, radians, sin, sqrt
 
+from .._clocks import LEAP_SECONDS
+
 Vector = tuple[float, float, float]
 Matrix = tuple[float, float, float, float, float, float, float, float, float]
 
@@ -23,11 +25,7 @@ SECOND = 1_000_000_000
 WEEK = 604_800 * SECOND
 LAST_WEEK = 0xFFFF  # that data show; in the year 3236
 _EPOCH = datetime(1980, 1, 6)
-_LEAPS = [
-    datetime.fromisoformat(day)
-    for day in """1981-07-01 1982-07-01 1983-07-01 1985-07-01 1988-01-01 1990-01-01 1991-01-01 1992-07-01 1993-07-01
-    1994-07-01 1996-01-01 1997-07-01 1999-01-01 2006-01-01 2009-01-01 2012-07-01 2015-07-01 2017-01-01""".split()
-]
+_LEAPS = [datetime.fromisoformat(day) for day, _ in LEAP_SECONDS]
 #: GPS times in nanoseconds from which on UTC is 1, 2, 3 … seconds behind.
 _LEAP_TIMES = [
     (round((day - _EPOCH).total_seconds()) + count) * SECOND for count, day in enumerate(_LEAPS)
