@@ -16,7 +16,22 @@ from ... import describe
 from ... import model as m
 from ...naming import Identifier
 from ...render import File
-from . import answers, devices, examples, fields, packets, parameters, places, programs, related, sources, text, types
+from . import (
+    answers,
+    comparison,
+    devices,
+    examples,
+    fields,
+    indexes,
+    packets,
+    parameters,
+    places,
+    programs,
+    related,
+    sources,
+    text,
+    types,
+)
 from .index import Index
 from .places import Page, Thing
 
@@ -25,11 +40,14 @@ TITLE = "Reference manual in Markdown, a site with MkDocs"
 
 def files(model: m.Model) -> Iterator[File]:
     index = Index(model)
+    lists = {"comparison": places.COMPARISON if model.devices else {}, "indexes": places.INDEXES}
 
     def page(path: str, template: str, **context: Any) -> File:
-        return File(path, template, {"page": Page(path, index), **context})
+        return File(path, template, {"page": Page(path, index), **lists, **context})
 
-    yield File("mkdocs.yml", "mkdocs.yml.j2", {"page": Page(places.INDEX, index)})  # its paths begin below docs/
+    yield File(
+        "mkdocs.yml", "mkdocs.yml.j2", {"page": Page(places.INDEX, index), **lists}
+    )  # its paths begin below docs/
     yield page(places.README, "index.md.j2")
     yield page(places.INDEX, "index.md.j2")
     yield page(places.PACKETS, "packets.md.j2")
@@ -45,6 +63,10 @@ def files(model: m.Model) -> Iterator[File]:
             yield page(places.field_page(f), "field.md.j2", field=f)
     for d in model.devices:
         yield page(places.device_page(d), "device.md.j2", device=d)
+    for name in lists["comparison"]:
+        yield page(places.comparison_page(name), f"compare/{name}.md.j2")
+    for name in lists["indexes"]:
+        yield page(places.index_page(name), f"indexes/{name}.md.j2")
 
 
 def identifiers(model: m.Model) -> Iterator[Identifier]:
@@ -68,6 +90,8 @@ FILTERS: Filters = {
     "spaced": text.spaced,
     "label": places.label,
     "types_page": places.types_page,
+    "comparison_page": places.comparison_page,
+    "index_page": places.index_page,
     "number": describe.number,
     "asked": fields.asked,
     "field_length": fields.field_length,
@@ -119,6 +143,13 @@ FILTERS_OF_PAGE: Filters = {
     "base_rates": devices.base_rates,
     "rates_of_set": devices.rates_of_set,
     "variants": devices.variants,
+    "generations": lambda page, _: comparison.generations(page),
+    "compared": comparison.fields,
+    "other_devices": lambda page, _: comparison.others(page.model),
+    "perhaps_of_others": comparison.perhaps,
+    "compared_rates": lambda page, _: comparison.rates(page),
+    "compared_meanings": lambda page, _: comparison.meanings(page),
+    "index_of": indexes.index,
     "citations": sources.citations,
     "field_lengths": sources.field_lengths,
     "length_remarks": sources.length_remarks,

@@ -21,6 +21,24 @@ UNITS = "docs/units.md"
 TYPES = "docs/types.md"
 ERRATA = "docs/errata.md"
 EXAMPLES = "docs/examples.md"
+#: Names of the pages that compare devices, and of the indexes -> their titles.
+COMPARISON = {
+    "overview": "Devices",
+    "commands": "Commands",
+    "data": "Data fields",
+    "rates": "Rates, ports and limits",
+    "meanings": "Meaning of values",
+}
+INDEXES = {
+    "descriptors": "By descriptor",
+    "names": "By name",
+    "types": "By type",
+    "units": "By unit",
+    "vendor": "By the vendor's names",
+    "c": "Symbols in C",
+    "python": "Symbols in Python",
+    "rust": "Symbols in Rust",
+}
 
 #: What has a place in the manual; a string is the path of a page, maybe with an anchor.
 Thing = m.Set | m.Field | m.Type | m.Device | m.Example | m.Erratum | m.Manual | m.Word | str
@@ -37,6 +55,14 @@ def field_page(f: m.Field) -> str:
 
 def types_page(owner: str | None) -> str:
     return f"docs/types/{owner}.md" if owner else TYPES
+
+
+def comparison_page(name: str) -> str:
+    return f"docs/compare/{name}.md"
+
+
+def index_page(name: str) -> str:
+    return f"docs/indexes/{name}.md"
 
 
 def device_page(d: m.Device) -> str:

@@ -24,6 +24,10 @@ def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
     found = _DESCRIPTOR.search(title[1]) if title else None
     if found:
         page.meta.setdefault("tags", spellings(*found.groups()))
+    if page.file.src_uri.startswith("indexes/"):  # a search finds what they lead to
+        page.meta.setdefault("search", {"exclude": True})
+    if '<div class="filter devices">' in text:  # their tables need the room
+        page.meta.setdefault("hide", ["toc"])
     return _PROGRAM.sub(_tab, text)
 
 
