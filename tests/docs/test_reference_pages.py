@@ -79,7 +79,7 @@ def test_links_lead_somewhere(manual: Manual) -> None:
     faults = [f"{path}: an anchor twice" for path, found in anchors.items() if len(found) != len(set(found))]
     for path, text in manual.pages.items():
         for label, target in LINK.findall(without_code(text)):
-            page, _, anchor = target.partition("#")
+            page, anchor = re.fullmatch(r"([^?#]*)(?:\?[^#]*)?#?(.*)", target).groups()  # type: ignore[union-attr]
             to = posixpath.normpath(posixpath.join(posixpath.dirname(path), page)) if page else path
             if to not in anchors or (anchor and anchor not in anchors[to]) or not label:
                 faults.append(f"{path}: [{label}]({target})")
@@ -136,7 +136,7 @@ def test_every_page_can_be_reached(manual: Manual) -> None:
             if path in seen:
                 continue
             seen.add(path)
-            targets = [t.partition("#")[0] for _, t in LINK.findall(without_code(manual.pages[path]))]
+            targets = [re.split("[?#]", t)[0] for _, t in LINK.findall(without_code(manual.pages[path]))]
             todo += [posixpath.normpath(posixpath.join(posixpath.dirname(path), t)) for t in targets if t]
         assert {p for p in manual.pages if p.startswith("docs/")} <= seen | {"docs/index.md"}
 
@@ -229,6 +229,9 @@ def test_site_builds(manual: Manual, tmp_path: Path) -> None:
         text = (source / "docs" / path).read_text("utf-8")
         for anchor in re.findall(r'^<a id="([^"]*)"></a>\n\n#', text, re.M):  # permalink, outline and search use it
             assert re.search(rf'<h[1-4] id="{re.escape(anchor)}">', page), (path, anchor)
+        assert not re.search(r"<th[^>]*>\s*</th>", page), path
+        if '<div class="filter' in text:
+            assert 'class="filter' in page and re.search(r'<script src="(\.\./)*assets/filter\.js"', page), path
         programs = re.findall(r'^<details class="program"', text, re.M)
         assert len(re.findall(r'<div class="tabbed-block">', page)) == len(programs), path
     assert len(set(titles.values())) == len(titles)
@@ -263,6 +266,7 @@ def check_search(manual: Manual, index: dict[str, Any]) -> None:
         for query in (f"0x{one},0x{two}", f"(0x{one},0x{two})", f"0x{one}{two}", f"{one}{two}", f"{one} {two}"):
             assert set(tokens(query)) <= tags, (f.full_name, query)
         assert set(tokens(f.full_name)) <= set(tokens(entry["title"] + " " + entry["text"]))
+    assert not [where for where in found if where.startswith("indexes/")]  # they would be before what they lead to
     assert any("nack" in tokens(e["text"]) for where, e in found.items() if where.startswith("packets.html"))
 
 

@@ -39,7 +39,9 @@ def in_c(model: m.Model) -> Iterator[Symbols]:
         elif isinstance(x, m.Vector):
             continue  # an array
         else:
-            found, name = [i.name for i in of_type(x) if i.scope == "C"], c.type_name(x)
+            typed = not isinstance(x, m.Enum) or c.is_enum(x)  # else it has numbers and no type
+            found = [i.name for i in of_type(x) if i.scope == "C" and (typed or i.name != c.type_name(x))]
+            name = c.type_name(x) if typed else f"{c.type_name(x)}_name"
         yield Symbols(x, name, tuple(n for n in found if n != name))
 
 
