@@ -763,7 +763,7 @@ types:
         type: b8
       - id: general_filter_fault
         type: b1
-        doc: A fault of the filter subsystem that no other bit names.
+        doc: A fault of the filter subsystem that no other bit covers.
       - id: filter_solution_fault
         type: b1
         doc: The filter output is invalid (not a number); reset the filter.
@@ -771,7 +771,7 @@ types:
         type: b2
       - id: general_imu_fault
         type: b1
-        doc: A fault of the inertial sensor subsystem that no other bit names.
+        doc: A fault of the inertial sensor subsystem that no other bit covers.
       - id: calibration_error
         type: b1
         doc: At least one calibration table of the sensors is invalid.
@@ -793,16 +793,16 @@ types:
         type: b8
       - id: buffer_overrun
         type: b1
-        doc: A data buffer was full, mostly because too much is streamed.
+        doc: A data buffer was full, usually because too much data is streamed.
       - id: timing_overload
         type: b1
         doc: The processor cannot keep up; cleared by reading the result.
       - id: general_firmware_fault
         type: b1
-        doc: The firmware met a serious or unexpected condition.
+        doc: The firmware encountered a serious or unexpected condition.
       - id: general_hardware_fault
         type: b1
-        doc: A vital part, such as the oscillator, has failed.
+        doc: A critical part, such as the oscillator, has failed.
   cv7_continuous_built_in_test:
     -kind: bytes
     meta:
@@ -819,7 +819,7 @@ types:
         type: b2
       - id: firmware_fault
         type: b1
-        doc: The firmware met an unexpected condition.
+        doc: The firmware encountered an unexpected condition.
       - id: timing_overload
         type: b1
         doc: The processor cannot keep up.
@@ -830,22 +830,22 @@ types:
         type: b9
       - id: imu_process_fault
         type: b1
-        doc: The inertial sensor subsystem does not run or did not start.
+        doc: The inertial sensor subsystem is not running or did not start.
       - id: imu_data_process_time_exceeded
         type: b1
         doc: The processing of sensor data took too long.
       - id: imu_data_rate_error
         type: b1
-        doc: Sensor data does not come at its base rate.
+        doc: Sensor data is not produced at its base rate.
       - id: imu_stall
         type: b1
         doc: The inertial sensor subsystem produces no data.
       - id: filter_major_cycle_fault
         type: b1
-        doc: Major cycle of the filter; bits 22 and 23 say what.
+        doc: Fault of the major cycle of the filter; bits 22 and 23 say which fault.
       - id: filter_minor_cycle_fault
         type: b1
-        doc: Minor cycle of the filter; bits 22 and 23 say what.
+        doc: Fault of the minor cycle of the filter; bits 22 and 23 say which fault.
       - id: filter_data_rate_error
         type: b1
         doc: A filter process misses its base rate; bits 20 and 21 say which.
@@ -868,7 +868,7 @@ types:
         doc: No communication with the inertial sensors.
       - id: imu_timing_overrun
         type: b1
-        doc: Inertial sensor processes take longer than their time.
+        doc: Inertial sensor processes take longer than their time slot.
       - id: unused_35
         type: b1
       - id: imu_calibration_error_accel
@@ -884,7 +884,7 @@ types:
         type: b1
       - id: accel_general_fault
         type: b1
-        doc: The accelerometer does not initialize.
+        doc: The accelerometer failed to initialize.
       - id: accel_over_range
         type: b1
         doc: An axis is near or outside the selected range.
@@ -895,7 +895,7 @@ types:
         type: b1
       - id: gyro_general_fault
         type: b1
-        doc: The gyroscope does not initialize.
+        doc: The gyroscope failed to initialize.
       - id: gyro_over_range
         type: b1
         doc: An axis is near or outside the selected range.
@@ -906,7 +906,7 @@ types:
         type: b1
       - id: mag_general_fault
         type: b1
-        doc: The magnetometer does not initialize.
+        doc: The magnetometer failed to initialize.
       - id: mag_over_range
         type: b1
         doc: An axis is near or outside the supported range.
@@ -917,7 +917,7 @@ types:
         type: b1
       - id: pressure_sensor_general_fault
         type: b1
-        doc: The pressure sensor does not initialize.
+        doc: The pressure sensor failed to initialize.
       - id: pressure_sensor_over_range
         type: b1
         doc: The pressure is outside the supported range.
@@ -933,7 +933,7 @@ types:
         type: b9
       - id: filter_timing_overrun
         type: b1
-        doc: Filter processes take longer than their time.
+        doc: Filter processes take longer than their time slot.
       - id: filter_timing_underrun
         type: b1
         doc: Filter processes are skipped.
@@ -948,7 +948,7 @@ types:
         type: b2
       - id: receiver_1_no_solution
         type: b1
-        doc: Internal receiver 1 has no valid solution; mostly no sky view.
+        doc: Internal receiver 1 has no valid solution; usually for lack of a sky view.
       - id: unused_109
         type: b1
       - id: receiver_2_fault
@@ -958,16 +958,16 @@ types:
         type: b2
       - id: receiver_2_no_solution
         type: b1
-        doc: Internal receiver 2 has no valid solution; mostly no sky view.
+        doc: Internal receiver 2 has no valid solution; usually for lack of a sky view.
       - id: unused_114
         type: b14
     instances:
       filter_process_fault:
         value: "(filter_major_cycle_fault ? 1 : 0) + (filter_minor_cycle_fault ? 2 : 0) + (filter_data_rate_error ? 4 : 0) + (filter_process_stall ? 8 : 0)"
-        doc: "Any of these: the filter does not work normally."
+        doc: "Any of these faults: the filter does not work normally."
       gnss_subsystem_fault:
         value: "(gnss_main_process_fault ? 1 : 0) + (gnss_receiver_1_stall ? 2 : 0) + (gnss_receiver_2_stall ? 4 : 0) + ((unused_27 & 1) << 3)"
-        doc: "Any of these: GNSS does not work normally."
+        doc: "Any of these faults: GNSS does not work normally."
   event_trigger_status:
     -kind: bits
     doc: State of an event trigger.
@@ -1012,16 +1012,16 @@ types:
         doc: There are no corrections.
       - id: device_out_of_range
         type: b1
-        doc: The device is outside of the area of the service.
+        doc: The device is outside the service area.
       - id: corrections_timeout
         type: b1
-        doc: No corrections came in time.
+        doc: No corrections were received in time.
       - id: server_timeout
         type: b1
         doc: The server did not answer in time.
       - id: nmea_timeout
         type: b1
-        doc: No NMEA came from the device in time.
+        doc: No NMEA was received from the device in time.
       - id: tower_change_indicator
         type: b4
         doc: Changes of the cell tower.
@@ -1088,13 +1088,13 @@ types:
         doc: The time has been set at least once.
       - id: time_refresh
         type: b1
-        doc: Toggles each time that the time is updated.
+        doc: Toggles each time the time is updated.
       - id: pps_valid
         type: b1
         doc: The PPS signal is present.
   gx5_sensor_gps_timestamp_flags:
     -kind: bits
-    doc: State of the GPS time of sensor data on the 3DM-GX5-15, which has no bits that vouch for the values.
+    doc: State of the GPS time of sensor data on the 3DM-GX5-15, which has no bits for the validity of the values.
     seq:
       - id: unused_3
         type: b13
@@ -1103,7 +1103,7 @@ types:
         doc: The time has been set at least once.
       - id: time_refresh
         type: b1
-        doc: Toggles each time that the time is updated.
+        doc: Toggles each time the time is updated.
       - id: pps_valid
         type: b1
         doc: The PPS signal is present; without it, the internal clock drives the time.
@@ -1130,7 +1130,7 @@ types:
         doc: SBAS differential corrections are applied.
       - id: enable_ranging
         type: b1
-        doc: SBAS pseudoranges take part in the position solution.
+        doc: SBAS pseudoranges are used in the position solution.
   filter_estimated_states:
     -kind: bits
     doc: States that the filter estimates.
@@ -1187,7 +1187,7 @@ types:
         doc: Accelerometer measurements.
   filter_heading_alignment:
     -kind: bits
-    doc: Ways in which the device may find its initial heading.
+    doc: Methods by which the device may determine its initial heading.
     seq:
       - id: unused_4
         type: b4
@@ -1477,7 +1477,7 @@ types:
         doc: The measurement is enabled.
   filter_data_dual_antenna_status_flags:
     -kind: bits
-    doc: What the heading solution of two antennas has to work with.
+    doc: Inputs available to the heading solution of two antennas.
     seq:
       - id: unused_3
         type: b13
@@ -1486,13 +1486,13 @@ types:
         doc: The antenna offsets are valid.
       - id: receiver_2_data_valid
         type: b1
-        doc: Data of receiver 2 are valid.
+        doc: Data of receiver 2 is valid.
       - id: receiver_1_data_valid
         type: b1
-        doc: Data of receiver 1 are valid.
+        doc: Data of receiver 1 is valid.
   filter_data_gx5_status_flags:
     -kind: bits
-    doc: "Problems of the filter of a 5-series device. The `init` bits count in filter state `init`, the others while the filter runs."
+    doc: "Problems of the filter of a 5-series device. The `init` bits apply in filter state `init`, the others while the filter runs."
     seq:
       - id: run_mag_soft_iron_est_high_warning
         type: b1
@@ -1520,7 +1520,7 @@ types:
         doc: The estimated gyroscope bias is high.
       - id: run_nan_in_solution_warning
         type: b1
-        doc: The solution holds values that are not numbers.
+        doc: The solution contains values that are not numbers.
       - id: run_attitude_covariance_warning
         type: b1
         doc: An attitude covariance is above its normal limit.
@@ -1554,12 +1554,12 @@ types:
     seq:
       - id: solution_error
         type: b4
-        doc: Not 0 if the solution holds values that are not numbers; reset the filter.
+        doc: Not 0 if the solution contains values that are not numbers; reset the filter.
       - id: unused_11
         type: b1
       - id: time_sync_warning
         type: b1
-        doc: No pulse per second is found, or the time of an external heading is too old.
+        doc: No pulse per second is detected, or the time of an external heading is too old.
       - id: mounting_transform_warning
         type: b1
         doc: The mounting transformation is probably wrong.
@@ -1568,7 +1568,7 @@ types:
         doc: The antenna offsets are probably wrong.
       - id: gnss_clock_warning
         type: b1
-        doc: The GNSS clock is doubtful; navigation goes on.
+        doc: The GNSS clock is doubtful; navigation continues.
       - id: imu_bias_warning
         type: b1
         doc: The sensor biases are doubtful; capture the gyroscope bias.
@@ -1706,7 +1706,7 @@ types:
         doc: All of them.
   gnss_1_utc_time_flags:
     -kind: bits
-    doc: How far the UTC time is valid.
+    doc: Which parts of the UTC time are valid.
     seq:
       - id: unused_2
         type: b14
@@ -1757,7 +1757,7 @@ types:
         doc: All of them.
   gnss_1_fix_flags:
     -kind: bits
-    doc: What the fix makes use of.
+    doc: What the fix uses.
     seq:
       - id: unused_2
         type: b14
@@ -2157,7 +2157,7 @@ types:
         doc: All of them.
   gnss_1_rtk_epoch_status:
     -kind: bits
-    doc: Corrections that came during an epoch.
+    doc: Corrections received during an epoch.
     seq:
       - id: unused_9
         type: b7
@@ -2166,10 +2166,10 @@ types:
         doc: The status of the dongle could not be read.
       - id: using_glonass_msm_messages
         type: b1
-        doc: GLONASS corrections come in MSM messages, not in the RTCM messages 1009-1012.
+        doc: GLONASS corrections are received in MSM messages, not in the RTCM messages 1009-1012.
       - id: using_gps_msm_messages
         type: b1
-        doc: GPS corrections come in MSM messages, not in the RTCM messages 1001-1004.
+        doc: GPS corrections are received in MSM messages, not in the RTCM messages 1001-1004.
       - id: beidou_received
         type: b1
         doc: BeiDou corrections.
@@ -2393,7 +2393,7 @@ types:
         doc: Lower threshold, in the unit of the watched value.
       - id: high_threshold
         type: f8
-        doc: Upper threshold, in the unit of the watched value. If it is below the lower one, the trigger is active outside of the window.
+        doc: Upper threshold, in the unit of the watched value. If it is below the lower one, the trigger is active outside the window.
   event_threshold_interval:
     doc: A threshold inside a repeating interval.
     seq:
@@ -2437,7 +2437,7 @@ types:
     seq:
       - id: logic_table
         type: u2
-        doc: "Bit n is the output when n = a + 2b + 4c + 8d, with a to d the states (0 or 1) of the four inputs."
+        doc: "Bit n is the output for n = a + 2b + 4c + 8d, where a to d are the states (0 or 1) of the four inputs."
       - id: input_triggers
         type: u1
         repeat: expr
@@ -2452,7 +2452,7 @@ types:
       - id: mode
         type: u1
         enum: event_action_gpio_mode
-        doc: What happens to the pin.
+        doc: How the action controls the pin.
   event_action_message:
     doc: An action that sends data packets.
     seq:
@@ -2461,7 +2461,7 @@ types:
         doc: Data descriptor set of the packet.
       - id: decimation
         type: u2
-        doc: "0 sends one packet per activation. Any other value streams while the trigger is active, at the base rate of the descriptor set divided by it; a packet is sent at once, and the count begins anew at each activation."
+        doc: "0 sends one packet per activation. Any other value streams while the trigger is active, at the base rate of the descriptor set divided by this value. At each activation, a packet is sent immediately and the count restarts."
       - id: num_fields
         type: u1
         valid:
@@ -2482,7 +2482,7 @@ types:
       - id: talker_id
         type: u1
         enum: nmea_talker_id
-        doc: The talker that the sentence names.
+        doc: The talker in the sentence.
       - id: source_descriptor_set
         type: u1
         doc: Data descriptor set that the contents are taken from.
@@ -2503,7 +2503,7 @@ types:
     seq:
       - id: firmware_version
         type: u2
-        doc: "Firmware version as one decimal number: 1202 stands for 1.2.02."
+        doc: "Firmware version as one decimal number: 1202 means 1.2.02."
       - id: model_name
         type: str
         size: 16
@@ -2525,7 +2525,7 @@ types:
         size: 16
         doc: Options of the unit, such as its sensor ranges.
   mip_3dm_poll_entry:
-    doc: A field that a poll asks for.
+    doc: A field requested by a poll.
     seq:
       - id: descriptor
         type: u1
@@ -2545,10 +2545,10 @@ types:
         doc: "1 switches it on, 0 off. Range: 0 to 1."
       - id: reserved_channels
         type: u1
-        doc: "Channels that are kept for it. Unit: 1. Range: 0 to 32."
+        doc: "Channels reserved for it. Unit: 1. Range: 0 to 32."
       - id: max_channels
         type: u1
-        doc: "Channels that it takes at most. Unit: 1. Range: 0 to 32."
+        doc: "Maximum number of channels that it uses. Unit: 1. Range: 0 to 32."
       - id: option_flags
         type: mip_3dm_constellation_options
         doc: Options.
@@ -2560,7 +2560,7 @@ types:
         doc: Type of triggers, or of actions.
       - id: count
         type: u1
-        doc: "Instances of this type at most. Unit: 1."
+        doc: "Maximum number of instances of this type. Unit: 1."
   mip_3dm_event_trigger_status_entry:
     doc: Type and state of one trigger.
     seq:
@@ -2603,7 +2603,7 @@ types:
       - id: description
         type: str
         size: 32
-        doc: Module name or model and firmware version, with a comma between.
+        doc: Module name or model and firmware version, separated by a comma.
   aiding_measurement_time:
     doc: When a measurement was taken.
     seq:
@@ -2627,13 +2627,13 @@ types:
       - id: code
         type: u1
         enum: ack_code
-        doc: Zero acknowledges, any other value refuses.
+        doc: "0 if the command is acknowledged, else the reason why it is refused."
   base_ping:
     -orig-id: base.ping
-    doc: Ping. Asks whether a device is there and answers commands.
+    doc: Ping. Checks whether a device is present and answers commands.
   base_set_idle:
     -orig-id: base.set_idle
-    doc: Set to idle. Stops all data streams, and wakes a sleeping device, so that it can be set up.
+    doc: Set to idle. Stops all data streams, and wakes a sleeping device, so that it can be configured.
   base_get_device_info:
     -orig-id: base.get_device_info
     doc: Get device information. Gets the firmware version and the identity strings of the device.
@@ -2682,14 +2682,14 @@ types:
         type: u1
         enum: base_gps_time_field
         if: function_value == function_selector::write or function_value == function_selector::read or function_value == function_selector::apply or _io.size >= 2
-        doc: What the value is.
+        doc: Meaning of the value.
       - id: value
         type: u4
         if: function_value == function_selector::write or function_value == function_selector::apply or _io.size >= 6
-        doc: "What `field_id` says."
+        doc: "Time, as `field_id` says."
   base_soft_reset:
     -orig-id: base.soft_reset
-    doc: Reset device. Acknowledges the command, then resets the device at once.
+    doc: Reset device. Acknowledges the command, then resets the device immediately.
   base_get_device_info_response:
     -orig-id: base.get_device_info_response
     doc: "Get device information response. "
@@ -2763,7 +2763,7 @@ types:
         doc: "Baud rate; one that the port supports. Unit: Bd."
   mip_3dm_poll_imu_data:
     -orig-id: 3dm.poll_imu_data
-    doc: Poll IMU Data. Asks for one sensor data packet (0x80) with the fields listed, in their order.
+    doc: Poll IMU Data. Requests one sensor data packet (0x80) with the listed fields, in the listed order.
     seq:
       - id: suppress_ack
         type: u1
@@ -2780,7 +2780,7 @@ types:
         doc: Fields to send.
   mip_3dm_poll_gnss_data:
     -orig-id: 3dm.poll_gnss_data
-    doc: Poll GNSS Data. Asks for one GNSS data packet with the fields listed, in their order.
+    doc: Poll GNSS Data. Requests one GNSS data packet with the listed fields, in the listed order.
     seq:
       - id: suppress_ack
         type: u1
@@ -2797,7 +2797,7 @@ types:
         doc: Fields to send.
   mip_3dm_poll_filter_data:
     -orig-id: 3dm.poll_filter_data
-    doc: Poll Estimation Filter Data. Asks for one filter data packet (0x82) with the fields listed, in their order.
+    doc: Poll Estimation Filter Data. Requests one filter data packet (0x82) with the listed fields, in the listed order.
     seq:
       - id: suppress_ack
         type: u1
@@ -2814,7 +2814,7 @@ types:
         doc: Fields to send.
   mip_3dm_poll_nmea_data:
     -orig-id: 3dm.poll_nmea_data
-    doc: Poll NMEA Data. Asks for the NMEA sentences listed, once.
+    doc: Poll NMEA Data. Requests the listed NMEA sentences once.
     seq:
       - id: suppress_ack
         type: u1
@@ -2831,10 +2831,10 @@ types:
         doc: Sentences to send.
   mip_3dm_get_imu_base_rate:
     -orig-id: 3dm.get_imu_base_rate
-    doc: Get IMU Data Base Rate. Asks for the rate that the decimations of the IMU message format divide.
+    doc: Get IMU Data Base Rate. Gets the rate that is divided by the decimations of the IMU message format.
   mip_3dm_get_gnss_base_rate:
     -orig-id: 3dm.get_gnss_base_rate
-    doc: Get GNSS Data Base Rate. Asks for the rate that the decimations of the GNSS message format divide.
+    doc: Get GNSS Data Base Rate. Gets the rate that is divided by the decimations of the GNSS message format.
   mip_3dm_imu_message_format:
     -orig-id: 3dm.imu_message_format
     doc: IMU Message Format. Fields of the sensor data packets (0x80), in order, with their decimations.
@@ -2900,7 +2900,7 @@ types:
         doc: Fields and decimations.
   mip_3dm_get_filter_base_rate:
     -orig-id: 3dm.get_filter_base_rate
-    doc: Get Estimation Filter Data Base Rate. Asks for the rate that the decimations of the estimation filter message format divide.
+    doc: Get Estimation Filter Data Base Rate. Gets the rate that is divided by the decimations of the estimation filter message format.
   mip_3dm_nmea_message_format:
     -orig-id: 3dm.nmea_message_format
     doc: NMEA Message Format. NMEA sentences that the device streams.
@@ -2924,7 +2924,7 @@ types:
         doc: Sentences to stream.
   mip_3dm_poll_data:
     -orig-id: 3dm.poll_data
-    doc: Poll Data. Asks for one data packet of the descriptor set with the fields listed, in their order.
+    doc: Poll Data. Requests one data packet of the descriptor set with the listed fields, in the listed order.
     seq:
       - id: descriptor_set
         type: u1
@@ -2944,7 +2944,7 @@ types:
         doc: Field descriptors.
   mip_3dm_get_base_rate:
     -orig-id: 3dm.get_base_rate
-    doc: Get Data Base Rate. Asks for the rate that the decimations of a descriptor set divide.
+    doc: Get Data Base Rate. Gets the rate that is divided by the decimations of a descriptor set.
     seq:
       - id: descriptor_set
         type: u1
@@ -2976,12 +2976,12 @@ types:
         doc: Fields and decimations.
   mip_3dm_factory_streaming:
     -orig-id: 3dm.factory_streaming
-    doc: Factory Streaming. Sets all message formats to those that technical support wants to have recorded.
+    doc: Factory Streaming. Sets all message formats to those that technical support needs in a recording.
     seq:
       - id: action
         type: u1
         enum: mip_3dm_factory_streaming_action
-        doc: What happens to the present formats.
+        doc: What happens to the existing formats.
       - id: reserved
         type: u1
         doc: "Reserved: send 0."
@@ -3014,7 +3014,7 @@ types:
       - id: max_channels
         type: u2
         if: function_value == function_selector::write or _io.size >= 3
-        doc: "Tracking channels in use at most; no more than the response reports as available. Unit: 1."
+        doc: "Maximum number of tracking channels in use; at most the number that the response reports as available. Unit: 1."
       - id: config_count
         type: u1
         valid:
@@ -3058,7 +3058,7 @@ types:
         doc: PRN numbers of the SBAS satellites to search for.
   mip_3dm_gnss_assisted_fix:
     -orig-id: 3dm.gnss_assisted_fix
-    doc: GNSS Assisted Fix. Whether the GNSS receiver keeps the data of its last fix to start from at the next power-up.
+    doc: GNSS Assisted Fix. Whether the GNSS receiver keeps the data of its last fix and starts from it at the next power-up.
     seq:
       - id: function_value
         -orig-id: function
@@ -3076,7 +3076,7 @@ types:
         doc: "Reserved: send 255."
   mip_3dm_gnss_time_assistance:
     -orig-id: 3dm.gnss_time_assistance
-    doc: GNSS Time Assistance. Tells the GNSS receiver the present GPS time.
+    doc: GNSS Time Assistance. Gives the GNSS receiver the current GPS time.
     seq:
       - id: function_value
         -orig-id: function
@@ -3111,7 +3111,7 @@ types:
         doc: "Source of the pulse. Default: `receiver_1`."
   mip_3dm_get_event_support:
     -orig-id: 3dm.get_event_support
-    doc: Get Supported Events. Asks which types of event triggers or actions there are and how many of each.
+    doc: Get Supported Events. Gets the types of event triggers or actions that the device has, and how many of each.
     seq:
       - id: query
         type: u1
@@ -3137,13 +3137,13 @@ types:
         doc: "New mode. Default: `disabled`."
   mip_3dm_get_event_trigger_status:
     -orig-id: 3dm.get_event_trigger_status
-    doc: Get Event Trigger Status. Asks for the type and the state of event triggers.
+    doc: Get Event Trigger Status. Gets the type and the state of event triggers.
     seq:
       - id: requested_count
         type: u1
         valid:
           expr: _ <= 252 and _ <= _io.size - _io.pos
-        doc: Number of triggers asked for; 0 asks for all slots.
+        doc: Number of requested triggers; 0 requests all slots.
       - id: requested_instances
         type: u1
         repeat: expr
@@ -3151,13 +3151,13 @@ types:
         doc: Trigger instances.
   mip_3dm_get_event_action_status:
     -orig-id: 3dm.get_event_action_status
-    doc: Get Event Action Status. Asks for the type and the trigger of event actions.
+    doc: Get Event Action Status. Gets the type and the trigger of event actions.
     seq:
       - id: requested_count
         type: u1
         valid:
           expr: _ <= 252 and _ <= _io.size - _io.pos
-        doc: Number of actions asked for; 0 asks for all slots.
+        doc: Number of requested actions; 0 requests all slots.
       - id: requested_instances
         type: u1
         repeat: expr
@@ -3324,7 +3324,7 @@ types:
         doc: "Gyroscope bias. Unit: rad/s. Frame: sensor."
   mip_3dm_capture_gyro_bias:
     -orig-id: 3dm.capture_gyro_bias
-    doc: Capture Gyroscope Bias. Averages the angular rate of the device at rest and takes the result as the gyroscope bias.
+    doc: Capture Gyroscope Bias. Averages the angular rate of the device at rest and uses the result as the gyroscope bias.
     seq:
       - id: averaging_time_ms
         type: u2
@@ -3402,7 +3402,7 @@ types:
       - id: behavior
         type: u1
         if: function_value == function_selector::write or _io.size >= 4
-        doc: Role of the pin within the feature; 0 where the feature names none.
+        doc: Role of the pin within the feature; 0 if the feature has no roles.
       - id: pin_mode
         type: gpio_pin_mode
         if: function_value == function_selector::write or _io.size >= 5
@@ -3441,7 +3441,7 @@ types:
       - id: scaling
         type: f4
         if: function_value == function_selector::write or _io.size >= 6
-        doc: "Pulses over the distance travelled; negative if the encoder turns backwards. Unit: pulse/m."
+        doc: "Pulses per distance travelled; negative if the encoder turns backwards. Unit: pulse/m."
       - id: uncertainty
         type: f4
         if: function_value == function_selector::write or _io.size >= 10
@@ -3466,18 +3466,18 @@ types:
       - id: manual
         type: u1
         if: function_value == function_selector::write or _io.size >= 4
-        doc: "True uses the frequency; false follows half the rate of the message format. Default: false."
+        doc: "True uses `frequency`; false uses half the rate of the message format. Default: false."
       - id: frequency
         type: u2
         if: function_value == function_selector::write or _io.size >= 6
-        doc: "Cutoff (-3 dB). It has no meaning if manual is false. Unit: Hz."
+        doc: "Cutoff (-3 dB). It has no meaning if `manual` is false. Unit: Hz."
       - id: reserved
         type: u1
         if: function_value == function_selector::write or _io.size >= 7
         doc: "Reserved: send 0."
   mip_3dm_complementary_filter:
     -orig-id: 3dm.complementary_filter
-    doc: Complementary Filter Configuration. Corrections of the complementary filter, which makes attitudes apart from the estimation filter.
+    doc: Complementary Filter Configuration. Corrections of the complementary filter, which computes the attitude independently of the estimation filter.
     seq:
       - id: function_value
         -orig-id: function
@@ -3520,7 +3520,7 @@ types:
         doc: Number of the range.
   mip_3dm_get_calibrated_sensor_ranges:
     -orig-id: 3dm.get_calibrated_sensor_ranges
-    doc: Get Calibrated Sensor Ranges. Asks for the ranges that a sensor supports.
+    doc: Get Calibrated Sensor Ranges. Gets the ranges that a sensor supports.
     seq:
       - id: sensor
         type: u1
@@ -3550,22 +3550,22 @@ types:
       - id: manual
         type: u1
         if: function_value == function_selector::write or _io.size >= 5
-        doc: True uses the frequency; false follows half the rate of the field in the message format.
+        doc: "True uses `frequency`; false uses half the rate of the field in the message format."
       - id: frequency
         type: f4
         if: function_value == function_selector::write or _io.size >= 9
-        doc: "Cutoff; a write ignores it if manual is false, a read gives the cutoff in use. Unit: Hz."
+        doc: "Cutoff; a write ignores it if `manual` is false, a read returns the cutoff in use. Unit: Hz."
   mip_3dm_device_status:
     -orig-id: 3dm.device_status
-    doc: Device Status. Asks for the state of the device, in short or with counters.
+    doc: Device Status. Gets the state of the device, in basic form or with counters.
     seq:
       - id: model_number
         type: u2
-        doc: Model number of the device that is asked.
+        doc: Model number of the device that answers.
       - id: status_selector
         type: u1
         enum: mip_3dm_device_status_selector
-        doc: How much the answer tells.
+        doc: Level of detail of the answer.
   mip_3dm_imu_message_format_response:
     -orig-id: 3dm.imu_message_format_response
     doc: "IMU Message Format response. "
@@ -3628,7 +3628,7 @@ types:
     seq:
       - id: descriptor_set
         type: u1
-        doc: Stream of the command.
+        doc: Stream given in the command.
       - id: enabled
         type: u1
         doc: Whether the stream is sent.
@@ -3658,10 +3658,10 @@ types:
         doc: "Whether the quantity is filtered. Default: true."
       - id: manual
         type: u1
-        doc: "True uses the frequency; false follows half the rate of the message format. Default: false."
+        doc: "True uses `frequency`; false uses half the rate of the message format. Default: false."
       - id: frequency
         type: u2
-        doc: "Cutoff (-3 dB). It has no meaning if manual is false. Unit: Hz."
+        doc: "Cutoff (-3 dB). It has no meaning if `manual` is false. Unit: Hz."
       - id: reserved
         type: u1
         doc: Reserved.
@@ -3685,10 +3685,10 @@ types:
     seq:
       - id: descriptor_set
         type: u1
-        doc: Data descriptor set of the command.
+        doc: Data descriptor set given in the command.
       - id: rate
         type: u2
-        doc: "Base rate; 0 if the rate is variable or unknown and data is sent as it comes. Unit: Hz."
+        doc: "Base rate; 0 if the rate is variable or unknown and data is sent as it arrives. Unit: Hz."
   mip_3dm_message_format_response:
     -orig-id: 3dm.message_format_response
     doc: "Message Format response. "
@@ -3728,7 +3728,7 @@ types:
         doc: "Time since start-up. Unit: ms."
   mip_3dm_device_status_basic_without_state_response:
     -orig-id: 3dm.device_status_basic_without_state_response
-    doc: Basic Device Status without a state. Timer alone.
+    doc: Basic Device Status without a state. Timer only.
     seq:
       - id: model_number
         type: u2
@@ -3875,7 +3875,7 @@ types:
         doc: "System timer at the last message of the receiver. Unit: ms."
   mip_3dm_device_status_diagnostic_gq4_45_response:
     -orig-id: 3dm.device_status_diagnostic_gq4_45_response
-    doc: Diagnostic Device Status of the 3DM-GQ4-45. The layout with GNSS, and what could not be started.
+    doc: Diagnostic Device Status of the 3DM-GQ4-45. The layout with GNSS, plus what could not be started.
     seq:
       - id: model_number
         type: u2
@@ -3961,7 +3961,7 @@ types:
         doc: Whether the GNSS receiver could not be started.
   mip_3dm_device_status_diagnostic_rq1_45_response:
     -orig-id: 3dm.device_status_diagnostic_rq1_45_response
-    doc: Diagnostic Device Status of the 3DM-RQ1-45. The layout with GNSS, and the temperature.
+    doc: Diagnostic Device Status of the 3DM-RQ1-45. The layout with GNSS, plus the temperature.
     seq:
       - id: model_number
         type: u2
@@ -3987,7 +3987,7 @@ types:
         doc: Whether the receiver starts cold at power-on.
       - id: temperature
         type: f4
-        doc: "Of the board. Unit: degC."
+        doc: "Temperature of the board. Unit: degC."
       - id: temperature_last_time
         type: u4
         doc: "System timer at the last temperature. Unit: ms."
@@ -4115,7 +4115,7 @@ types:
         doc: "System timer at the last message of the IMU. Unit: ms."
   mip_3dm_device_status_diagnostic_imu_response:
     -orig-id: 3dm.device_status_diagnostic_imu_response
-    doc: Diagnostic Device Status of an IMU. Timer with the sensors that there are, temperature, and the counters of pulses, stream and port.
+    doc: Diagnostic Device Status of an IMU. Timer, available sensors, temperature, and the counters of pulses, stream and port.
     seq:
       - id: model_number
         type: u2
@@ -4150,7 +4150,7 @@ types:
         doc: Reserved.
       - id: temperature
         type: f4
-        doc: "Of the board. Unit: degC."
+        doc: "Temperature of the board. Unit: degC."
       - id: temperature_last_time
         type: u4
         doc: "System timer at the last temperature. Unit: ms."
@@ -4241,7 +4241,7 @@ types:
         doc: "Channels that the receiver has. Unit: 1."
       - id: max_channels_use
         type: u2
-        doc: "Channels in use at most. Unit: 1."
+        doc: "Maximum number of channels in use. Unit: 1."
       - id: config_count
         type: u1
         valid:
@@ -4338,7 +4338,7 @@ types:
       - id: query
         type: u1
         enum: mip_3dm_event_support_query
-        doc: Query of the command.
+        doc: Query given in the command.
       - id: max_instances
         type: u1
         doc: "Number of slots; instances go from 1 to this. Unit: 1."
@@ -4376,7 +4376,7 @@ types:
         type: mip_3dm_event_trigger_status_entry
         repeat: expr
         repeat-expr: count
-        doc: One entry per trigger, in the order asked for, or by instance if all were asked for.
+        doc: One entry per trigger, in the requested order, or by instance if all were requested.
   mip_3dm_get_event_action_status_response:
     -orig-id: 3dm.get_event_action_status_response
     doc: "Get Event Action Status response. "
@@ -4390,7 +4390,7 @@ types:
         type: mip_3dm_event_action_status_entry
         repeat: expr
         repeat-expr: count
-        doc: One entry per action, in the order asked for, or by instance if all were asked for.
+        doc: One entry per action, in the requested order, or by instance if all were requested.
   mip_3dm_event_trigger_config_response:
     -orig-id: 3dm.event_trigger_config_response
     doc: "Event Trigger Configuration response. "
@@ -4458,7 +4458,7 @@ types:
         doc: "Use of the pin. Default: `unused`."
       - id: behavior
         type: u1
-        doc: Role of the pin within the feature; 0 where the feature names none.
+        doc: Role of the pin within the feature; 0 if the feature has no roles.
       - id: pin_mode
         type: gpio_pin_mode
         doc: Electrical options.
@@ -4482,7 +4482,7 @@ types:
         doc: How the input works.
       - id: scaling
         type: f4
-        doc: "Pulses over the distance travelled; negative if the encoder turns backwards. Unit: pulse/m."
+        doc: "Pulses per distance travelled; negative if the encoder turns backwards. Unit: pulse/m."
       - id: uncertainty
         type: f4
         doc: "Relative uncertainty of the scaling, 1 sigma. Unit: 1."
@@ -4504,7 +4504,7 @@ types:
       - id: sensor
         type: u1
         enum: mip_3dm_sensor_range_type
-        doc: Sensor of the command.
+        doc: Sensor given in the command.
       - id: num_ranges
         type: u1
         valid:
@@ -4530,13 +4530,13 @@ types:
         doc: Whether the field is filtered.
       - id: manual
         type: u1
-        doc: True uses the frequency; false follows half the rate of the field in the message format.
+        doc: "True uses `frequency`; false uses half the rate of the field in the message format."
       - id: frequency
         type: f4
-        doc: "Cutoff; a write ignores it if manual is false, a read gives the cutoff in use. Unit: Hz."
+        doc: "Cutoff; a write ignores it if `manual` is false, a read returns the cutoff in use. Unit: Hz."
   filter_reset:
     -orig-id: filter.reset
-    doc: Reset navigation filter. Puts the filter back into its initialization state.
+    doc: Reset navigation filter. Returns the filter to its initialization state.
   filter_set_initial_attitude:
     -orig-id: filter.set_initial_attitude
     doc: Set initial attitude. Gives the filter its initial attitude, the orientation of the sensor frame in the NED frame.
@@ -4559,7 +4559,7 @@ types:
         doc: "Initial heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793."
   filter_run:
     -orig-id: filter.run
-    doc: Run navigation filter. Starts a filter that was set up to wait for this command.
+    doc: Run navigation filter. Starts a filter that is configured to wait for this command.
   filter_vehicle_dynamics_mode:
     -orig-id: filter.vehicle_dynamics_mode
     doc: Vehicle dynamics mode. Kind of vehicle that the filter is tuned for.
@@ -4779,7 +4779,7 @@ types:
         doc: "Standard deviation of the noise per axis. Unit: rad/s. Range: greater than 0."
   filter_auto_zupt:
     -orig-id: filter.auto_zupt
-    doc: Automatic zero velocity update. Lets the filter take the device as standing still while its GNSS speed is small.
+    doc: Automatic zero velocity update. Lets the filter assume that the device is at rest while its GNSS speed is low.
     seq:
       - id: function_value
         -orig-id: function
@@ -4793,7 +4793,7 @@ types:
       - id: threshold
         type: f4
         if: function_value == function_selector::write or _io.size >= 6
-        doc: "Largest speed that is taken as zero. Unit: m/s. Range: at least 0."
+        doc: "Highest speed that is treated as zero. Unit: m/s. Range: at least 0."
   filter_external_heading_update_with_time:
     -orig-id: filter.external_heading_update_with_time
     doc: External heading update with time. Gives the filter one measurement of the heading of the sensor frame with its GPS time.
@@ -4816,7 +4816,7 @@ types:
         doc: North that the heading refers to.
   filter_auto_angular_zupt:
     -orig-id: filter.auto_angular_zupt
-    doc: Zero angular rate update. Lets the filter take the device as not rotating while its angular rate is small.
+    doc: Zero angular rate update. Lets the filter assume that the device is not rotating while its angular rate is low.
     seq:
       - id: function_value
         -orig-id: function
@@ -4830,7 +4830,7 @@ types:
       - id: threshold
         type: f4
         if: function_value == function_selector::write or _io.size >= 6
-        doc: "Largest angular rate that is taken as zero. Unit: rad/s. Range: at least 0."
+        doc: "Highest angular rate that is treated as zero. Unit: rad/s. Range: at least 0."
   filter_tare_orientation:
     -orig-id: filter.tare_orientation
     doc: Tare orientation. Makes the present orientation in the NED frame the sensor-to-vehicle transformation.
@@ -4846,7 +4846,7 @@ types:
         doc: Axes to tare; 0 resets all axes.
   filter_commanded_zupt:
     -orig-id: filter.commanded_zupt
-    doc: Commanded zero velocity update. Tells the filter once that the device stands still.
+    doc: Commanded zero velocity update. Tells the filter once that the device is at rest.
   filter_commanded_angular_zupt:
     -orig-id: filter.commanded_angular_zupt
     doc: Commanded zero angular rate update. Tells the filter once that the device is not rotating.
@@ -5087,7 +5087,7 @@ types:
         doc: "Smallest standard deviation. Unit: rad."
   filter_altitude_aiding:
     -orig-id: filter.altitude_aiding
-    doc: Altitude aiding. What aids the altitude beside GNSS.
+    doc: Altitude aiding. What aids the altitude in addition to GNSS.
     seq:
       - id: function_value
         -orig-id: function
@@ -5229,41 +5229,41 @@ types:
       - id: wait_for_run_command
         type: u1
         if: function_value == function_selector::write or _io.size >= 2
-        doc: "1: the filter starts only after `filter_run`; 0: as soon as it can. Range: 0 to 1."
+        doc: "1: the filter starts only after `filter_run`; 0: it starts as soon as it can. Range: 0 to 1."
       - id: initial_condition_source
         type: u1
         enum: filter_initial_condition_source
         if: function_value == function_selector::write or _io.size >= 3
-        doc: Which initial conditions are found and which are given.
+        doc: Which initial conditions are automatic and which the user provides.
       - id: auto_heading_alignment_selector
         type: filter_heading_alignment
         if: function_value == function_selector::write or _io.size >= 4
-        doc: Ways in which the initial heading may be found.
+        doc: Methods by which the initial heading may be determined.
       - id: initial_heading
         type: f4
         if: function_value == function_selector::write or _io.size >= 8
-        doc: "Given heading. Unit: deg."
+        doc: "Initial heading that the user provides. Unit: deg."
       - id: initial_pitch
         type: f4
         if: function_value == function_selector::write or _io.size >= 12
-        doc: "Given pitch. Unit: deg."
+        doc: "Initial pitch that the user provides. Unit: deg."
       - id: initial_roll
         type: f4
         if: function_value == function_selector::write or _io.size >= 16
-        doc: "Given roll. Unit: deg."
+        doc: "Initial roll that the user provides. Unit: deg."
       - id: initial_position
         type: vector3f
         if: function_value == function_selector::write or _io.size >= 28
-        doc: Given position.
+        doc: Initial position that the user provides.
       - id: initial_velocity
         type: vector3f
         if: function_value == function_selector::write or _io.size >= 40
-        doc: "Given velocity. Unit: m/s."
+        doc: "Initial velocity that the user provides. Unit: m/s."
       - id: reference_frame_selector
         type: u1
         enum: filter_reference_frame
         if: function_value == function_selector::write or _io.size >= 41
-        doc: Frame of the given position and velocity.
+        doc: Frame of the initial position and velocity.
   filter_adaptive_filter_options:
     -orig-id: filter.adaptive_filter_options
     doc: Adaptive filter control. How the filter adapts to measurements that do not fit its model.
@@ -5375,7 +5375,7 @@ types:
         doc: "From the sensor to the point of measurement. Unit: m. Frame: vehicle."
   filter_vertical_gyro_constraint_control:
     -orig-id: filter.vertical_gyro_constraint_control
-    doc: Vertical gyro constraint. Lets the filter hold pitch and roll by the accelerometers while there is no GNSS.
+    doc: Vertical gyro constraint. Lets the filter maintain pitch and roll by the accelerometers while there is no GNSS.
     seq:
       - id: function_value
         -orig-id: function
@@ -5524,7 +5524,7 @@ types:
         doc: "0 disables, 1 enables. Range: 0 to 1."
       - id: threshold
         type: f4
-        doc: "Largest speed that is taken as zero. Unit: m/s. Range: at least 0."
+        doc: "Highest speed that is treated as zero. Unit: m/s. Range: at least 0."
   filter_auto_angular_zupt_response:
     -orig-id: filter.auto_angular_zupt_response
     doc: "Zero angular rate update response. "
@@ -5534,7 +5534,7 @@ types:
         doc: "0 disables, 1 enables. Range: 0 to 1."
       - id: threshold
         type: f4
-        doc: "Largest angular rate that is taken as zero. Unit: rad/s. Range: at least 0."
+        doc: "Highest angular rate that is treated as zero. Unit: rad/s. Range: at least 0."
   filter_reference_position_response:
     -orig-id: filter.reference_position_response
     doc: "Set reference position response. "
@@ -5767,33 +5767,33 @@ types:
     seq:
       - id: wait_for_run_command
         type: u1
-        doc: "1: the filter starts only after `filter_run`; 0: as soon as it can. Range: 0 to 1."
+        doc: "1: the filter starts only after `filter_run`; 0: it starts as soon as it can. Range: 0 to 1."
       - id: initial_condition_source
         type: u1
         enum: filter_initial_condition_source
-        doc: Which initial conditions are found and which are given.
+        doc: Which initial conditions are automatic and which the user provides.
       - id: auto_heading_alignment_selector
         type: filter_heading_alignment
-        doc: Ways in which the initial heading may be found.
+        doc: Methods by which the initial heading may be determined.
       - id: initial_heading
         type: f4
-        doc: "Given heading. Unit: deg."
+        doc: "Initial heading that the user provides. Unit: deg."
       - id: initial_pitch
         type: f4
-        doc: "Given pitch. Unit: deg."
+        doc: "Initial pitch that the user provides. Unit: deg."
       - id: initial_roll
         type: f4
-        doc: "Given roll. Unit: deg."
+        doc: "Initial roll that the user provides. Unit: deg."
       - id: initial_position
         type: vector3f
-        doc: Given position.
+        doc: Initial position that the user provides.
       - id: initial_velocity
         type: vector3f
-        doc: "Given velocity. Unit: m/s."
+        doc: "Initial velocity that the user provides. Unit: m/s."
       - id: reference_frame_selector
         type: u1
         enum: filter_reference_frame
-        doc: Frame of the given position and velocity.
+        doc: Frame of the initial position and velocity.
   filter_adaptive_filter_options_response:
     -orig-id: filter.adaptive_filter_options_response
     doc: "Adaptive filter control response. "
@@ -5877,7 +5877,7 @@ types:
         doc: "Largest absolute error that is tracked; the limits are those of the 3DM-CV7. Unit: m. Frame: vehicle. Range: 0 to 0.5. Default: 0.1."
   gnss_receiver_info:
     -orig-id: gnss.receiver_info
-    doc: Receiver info. Asks which GNSS receivers the device has.
+    doc: Receiver info. Gets the GNSS receivers of the device.
   gnss_signal_config:
     -orig-id: gnss.signal_config
     doc: Signal configuration. GNSS signals that the device uses.
@@ -5945,7 +5945,7 @@ types:
         type: u1
         enum: gnss_spartn_connection
         if: function_value == function_selector::write or _io.size >= 3
-        doc: How the corrections come.
+        doc: How the corrections are received.
       - id: current_key_tow
         type: u4
         if: function_value == function_selector::write or _io.size >= 7
@@ -6031,7 +6031,7 @@ types:
       - id: type
         type: u1
         enum: gnss_spartn_connection
-        doc: How the corrections come.
+        doc: How the corrections are received.
       - id: current_key_tow
         type: u4
         doc: "GPS time of week until which the current key is valid. Unit: s."
@@ -6056,19 +6056,19 @@ types:
         doc: Next key in ASCII digits.
   rtk_get_status_flags:
     -orig-id: rtk.get_status_flags
-    doc: Get status flags. Asks for the state of the modem and of the corrections.
+    doc: Get status flags. Gets the state of the modem and of the corrections.
   rtk_get_imei:
     -orig-id: rtk.get_imei
-    doc: Get IMEI. Asks for the identity of the modem.
+    doc: Get IMEI. Gets the identity of the modem.
   rtk_get_imsi:
     -orig-id: rtk.get_imsi
-    doc: Get IMSI. Asks for the identity of the subscriber.
+    doc: Get IMSI. Gets the identity of the subscriber.
   rtk_get_iccid:
     -orig-id: rtk.get_iccid
-    doc: Get ICCID. Asks for the number of the SIM card.
+    doc: Get ICCID. Gets the number of the SIM card.
   rtk_get_rssi:
     -orig-id: rtk.get_rssi
-    doc: Get RSSI. Asks for the strength of the cellular signal.
+    doc: Get RSSI. Gets the strength of the cellular signal.
   rtk_connected_device_type:
     -orig-id: rtk.connected_device_type
     doc: Connected device type. The device that the modem serves.
@@ -6085,13 +6085,13 @@ types:
         doc: Type of the device.
   rtk_get_activation_code:
     -orig-id: rtk.get_activation_code
-    doc: Get activation code. Asks for the activation code.
+    doc: Get activation code. Gets the activation code.
   rtk_get_modem_firmware_version:
     -orig-id: rtk.get_modem_firmware_version
-    doc: Get modem firmware version. Asks for the firmware version of the cellular modem.
+    doc: Get modem firmware version. Gets the firmware version of the cellular modem.
   rtk_service_status:
     -orig-id: rtk.service_status
-    doc: Service status. Asks a correction server about the connection, and so keeps it open.
+    doc: Service status. Queries a correction server about the connection, which also keeps it open.
     seq:
       - id: reserved1
         type: u4
@@ -6270,7 +6270,7 @@ types:
         type: u1
         enum: aiding_aiding_echo_mode
         if: function_value == function_selector::write or _io.size >= 2
-        doc: How they are answered.
+        doc: How the measurements are answered.
   aiding_ecef_position:
     -orig-id: aiding.ecef_position
     doc: ECEF position. A measured position in Earth-fixed coordinates.
@@ -6487,10 +6487,10 @@ types:
       - id: mode
         type: u1
         enum: aiding_aiding_echo_mode
-        doc: How they are answered.
+        doc: How the measurements are answered.
   system_interface_control:
     -orig-id: system.interface_control
-    doc: Interface control. Protocols that a port takes in and gives out.
+    doc: Interface control. Protocols that a port receives and sends.
     seq:
       - id: function_value
         -orig-id: function
@@ -6505,14 +6505,14 @@ types:
       - id: protocols_incoming
         type: system_comm_protocols
         if: function_value == function_selector::write or _io.size >= 6
-        doc: Protocols that it takes in.
+        doc: Protocols that it receives.
       - id: protocols_outgoing
         type: system_comm_protocols
         if: function_value == function_selector::write or _io.size >= 10
-        doc: Protocols that it gives out.
+        doc: Protocols that it sends.
   system_comm_mode:
     -orig-id: system.comm_mode
-    doc: Communication mode. Switches the port between the device and one of the sensors inside it.
+    doc: Communication mode. Switches the port between the device and one of its internal sensors.
     seq:
       - id: function_value
         -orig-id: function
@@ -6534,10 +6534,10 @@ types:
         doc: The port.
       - id: protocols_incoming
         type: system_comm_protocols
-        doc: Protocols that it takes in.
+        doc: Protocols that it receives.
       - id: protocols_outgoing
         type: system_comm_protocols
-        doc: Protocols that it gives out.
+        doc: Protocols that it sends.
   system_comm_mode_response:
     -orig-id: system.comm_mode_response
     doc: "Communication mode response. "
@@ -6604,28 +6604,28 @@ types:
         doc: "Integral of the acceleration. Unit: g*s. Frame: vehicle."
   sensor_comp_orientation_matrix:
     -orig-id: sensor.comp_orientation_matrix
-    doc: Complementary filter orientation matrix. Attitude by the complementary filter as a direction cosine matrix, relative to the NED frame.
+    doc: Complementary filter orientation matrix. Attitude from the complementary filter as a direction cosine matrix, relative to the NED frame.
     seq:
       - id: m
         type: matrix3f
         doc: "Rotation from the NED frame to the vehicle frame. Unit: 1."
   sensor_comp_quaternion:
     -orig-id: sensor.comp_quaternion
-    doc: Complementary filter quaternion. Attitude by the complementary filter as a quaternion, relative to the NED frame.
+    doc: Complementary filter quaternion. Attitude from the complementary filter as a quaternion, relative to the NED frame.
     seq:
       - id: q
         type: quatf
         doc: "Rotation between the NED frame and the vehicle frame. Unit: 1."
   sensor_comp_orientation_update_matrix:
     -orig-id: sensor.comp_orientation_update_matrix
-    doc: Complementary filter orientation update matrix. Change of the attitude by the complementary filter as a matrix.
+    doc: Complementary filter orientation update matrix. Change of the attitude from the complementary filter as a matrix.
     seq:
       - id: m
         type: matrix3f
         doc: "Matrix in row-major order. Unit: 1."
   sensor_comp_euler_angles:
     -orig-id: sensor.comp_euler_angles
-    doc: Complementary filter Euler angles. Attitude by the complementary filter as Euler angles, relative to the NED frame.
+    doc: Complementary filter Euler angles. Attitude from the complementary filter as Euler angles, relative to the NED frame.
     seq:
       - id: roll
         type: f4
@@ -6654,7 +6654,7 @@ types:
         doc: "Counter. Unit: 1."
   sensor_pps_timestamp:
     -orig-id: sensor.pps_timestamp
-    doc: PPS timestamp. Time that is counted with the pulse per second.
+    doc: PPS timestamp. Time counted by the pulse per second.
     seq:
       - id: seconds
         type: u4
@@ -6725,7 +6725,7 @@ types:
         doc: One bit for each axis.
   sensor_odometer:
     -orig-id: sensor.odometer
-    doc: Odometer data. Speed by the wheel encoder.
+    doc: Odometer data. Speed measured by the wheel encoder.
     seq:
       - id: speed
         type: f4
@@ -6894,7 +6894,7 @@ types:
         doc: Validity of the values.
   filter_data_linear_accel:
     -orig-id: filter_data.linear_accel
-    doc: Linear acceleration. Compensated acceleration less the estimated gravity.
+    doc: Linear acceleration. Compensated acceleration minus the estimated gravity.
     seq:
       - id: accel
         type: vector3f
@@ -6914,7 +6914,7 @@ types:
         doc: Validity of the values.
   filter_data_wgs84_gravity_magnitude:
     -orig-id: filter_data.wgs84_gravity_magnitude
-    doc: WGS84 local gravity magnitude. Magnitude of gravity at the position of the device by the WGS84 model.
+    doc: WGS84 local gravity magnitude. Magnitude of gravity at the position of the device according to the WGS84 model.
     seq:
       - id: gravity_magnitude
         type: f4
@@ -6931,7 +6931,7 @@ types:
         doc: State of the filter.
       - id: dynamics_mode
         type: u2
-        doc: Motion for which the filter is set up.
+        doc: Motion for which the filter is configured.
       - id: status_flags
         type: u2
         doc: Condition and warnings.
@@ -6986,7 +6986,7 @@ types:
         doc: Validity of the values.
   filter_data_magnetic_model:
     -orig-id: filter_data.magnetic_model
-    doc: Magnetic model. Magnetic field at the position of the device by the World Magnetic Model.
+    doc: Magnetic model. Magnetic field at the position of the device according to the World Magnetic Model.
     seq:
       - id: intensity_north
         type: f4
@@ -7068,7 +7068,7 @@ types:
         doc: Validity of the values.
   filter_data_comp_accel:
     -orig-id: filter_data.comp_accel
-    doc: Compensated acceleration. Acceleration without the estimated bias; gravity is still in it.
+    doc: Compensated acceleration. Acceleration without the estimated bias; it includes gravity.
     seq:
       - id: accel
         type: vector3f
@@ -7082,7 +7082,7 @@ types:
     seq:
       - id: geometric_altitude
         type: f4
-        doc: "Altitude that goes into the model. Unit: m. Valid if `valid_flags.valid` is set."
+        doc: "Altitude used in the model. Unit: m. Valid if `valid_flags.valid` is set."
       - id: geopotential_altitude
         type: f4
         doc: "Geopotential altitude. Unit: m. Valid if `valid_flags.valid` is set."
@@ -7411,7 +7411,7 @@ types:
         doc: Kind of solution.
       - id: status_flags
         type: filter_data_dual_antenna_status_flags
-        doc: What the solution has to work with.
+        doc: Inputs available to the solution.
       - id: valid_flags
         type: filter_data_valid_flags
         doc: Validity of the values.
@@ -7572,7 +7572,7 @@ types:
         doc: "Fraction of the second. Unit: ms. Range: 0 to 999. Valid if `valid_flags.gnss_date_time` is set."
       - id: valid_flags
         type: gnss_1_utc_time_flags
-        doc: How far the time is valid.
+        doc: Which parts of the time are valid.
   gnss_1_gps_time:
     -orig-id: gnss_1.gps_time
     doc: GPS time. GPS time as the receiver knows it.
@@ -7604,7 +7604,7 @@ types:
         doc: Which values are valid.
   gnss_1_fix_info:
     -orig-id: gnss_1.fix_info
-    doc: Fix info. Type of the position fix and what it is made of.
+    doc: Fix info. Type of the position fix and what it is based on.
     seq:
       - id: fix_type
         type: u1
@@ -7612,10 +7612,10 @@ types:
         doc: "Type of the fix. Valid if `valid_flags.fix_type` is set."
       - id: num_sv
         type: u1
-        doc: "Number of satellites of the fix. Unit: 1. Valid if `valid_flags.num_sv` is set."
+        doc: "Number of satellites used in the fix. Unit: 1. Valid if `valid_flags.num_sv` is set."
       - id: fix_flags
         type: gnss_1_fix_flags
-        doc: "Aids of the fix. Valid if `valid_flags.fix_flags` is set."
+        doc: "What the fix uses. Valid if `valid_flags.fix_flags` is set."
       - id: valid_flags
         type: gnss_1_fix_info_flags
         doc: Which values are valid.
@@ -7781,7 +7781,7 @@ types:
         doc: Satellite within the constellation.
       - id: udrei
         type: u1
-        doc: "Indicator of the range error that is left after fast and long-term corrections, the atmosphere apart; 14 is not monitored, 15 not usable. Range: 0 to 15. Valid if `valid_flags.udrei` is set."
+        doc: "Indicator of the range error that remains after fast and long-term corrections, not counting the atmosphere; 14 is not monitored, 15 not usable. Range: 0 to 15. Valid if `valid_flags.udrei` is set."
       - id: pseudorange_correction
         type: f4
         doc: "Correction of the pseudorange. Unit: m. Valid if `valid_flags.pseudorange_correction` is set."
@@ -7793,7 +7793,7 @@ types:
         doc: Which values are valid.
   gnss_1_rf_error_detection:
     -orig-id: gnss_1.rf_error_detection
-    doc: RF error detection. Jamming and spoofing as the receiver detects them in one band.
+    doc: RF error detection. Jamming and spoofing that the receiver detects in one band.
     seq:
       - id: rf_band
         type: u1
@@ -7817,7 +7817,7 @@ types:
         doc: Which values are valid.
   gnss_1_satellite_status:
     -orig-id: gnss_1.satellite_status
-    doc: Satellite status. Where one satellite stands, and its health.
+    doc: Satellite status. Direction to one satellite, and its health.
     seq:
       - id: index
         type: u1
@@ -7941,7 +7941,7 @@ types:
         doc: Which values are valid.
   gnss_1_rtk_corrections_status:
     -orig-id: gnss_1.rtk_corrections_status
-    doc: RTK corrections status. Which corrections come, and how old they are.
+    doc: RTK corrections status. Which corrections are received, and how old they are.
     seq:
       - id: tow
         type: f8
@@ -7951,7 +7951,7 @@ types:
         doc: "GPS week number. Unit: week. Valid if `valid_flags.week_number` is set."
       - id: epoch_status
         type: gnss_1_rtk_epoch_status
-        doc: "Corrections that came during this epoch. Valid if `valid_flags.epoch_status` is set."
+        doc: "Corrections received during this epoch. Valid if `valid_flags.epoch_status` is set."
       - id: dongle_status
         type: rtk_status_flags
         doc: "Status flags of the RTK dongle; of use only with a dongle. Valid if `valid_flags.dongle_status` is set."
@@ -8127,7 +8127,7 @@ types:
         doc: "Velocity of the satellite in PZ-90. Unit: m/s. Valid if `valid_flags.ephemeris` is set."
       - id: accel
         type: vector3f
-        doc: "Acceleration of the satellite by perturbations, in PZ-90. Unit: m/s^2. Valid if `valid_flags.ephemeris` is set."
+        doc: "Acceleration of the satellite due to perturbations, in PZ-90. Unit: m/s^2. Valid if `valid_flags.ephemeris` is set."
       - id: health
         type: u1
         doc: "Health (Bn); not 0 if the satellite fails. Valid if `valid_flags.ephemeris` is set."
@@ -11144,7 +11144,7 @@ enums:
       doc: Apply the new setting.
     2:
       id: read
-      doc: Send the current setting back in a response.
+      doc: Return the current setting in a response.
     3:
       id: save
       doc: Save the current setting to non-volatile memory.
@@ -11186,16 +11186,16 @@ enums:
   event_trigger_mode:
     0:
       id: disabled
-      doc: The trigger is never active; so it is after configuration.
+      doc: The trigger is never active. This is its mode after configuration.
     1:
       id: enabled
-      doc: The trigger does what it is configured for.
+      doc: The trigger works as configured.
     2:
       id: test
       doc: The trigger is active all the time.
     3:
       id: test_pulse
-      doc: The trigger is active for one event cycle and then goes back to its earlier mode.
+      doc: The trigger is active for one event cycle and then returns to its previous mode.
   event_trigger_gpio_mode:
     0:
       id: disabled
@@ -11215,11 +11215,11 @@ enums:
       doc: The value lies between two thresholds.
     2:
       id: interval
-      doc: The remainder of the value by an interval is at most a threshold.
+      doc: The remainder of the value divided by an interval is at most a threshold.
   event_action_gpio_mode:
     0:
       id: disabled
-      doc: The pin is left alone.
+      doc: The pin is not changed.
     1:
       id: active_high
       doc: High while the trigger is active and low otherwise.
@@ -11493,7 +11493,7 @@ enums:
       doc: Input of a motor encoder or odometer.
     4:
       id: timestamp
-      doc: Input whose edges get exact timestamps for event triggers.
+      doc: Input whose edges get precise timestamps for event triggers.
     5:
       id: uart
       doc: Data or control line of a UART.
@@ -11514,17 +11514,17 @@ enums:
   gpio_pps_behavior:
     1:
       id: input
-      doc: The pin receives the pulse; the PPS source must be gpio. One pin at most.
+      doc: The pin receives the pulse; the PPS source must be gpio. At most one pin.
     2:
       id: output
       doc: The pin sends the pulse of the device.
   gpio_encoder_behavior:
     1:
       id: a
-      doc: Quadrature input A. One pin at most; the latest one configured has it.
+      doc: Quadrature input A. At most one pin; the last one configured takes precedence.
     2:
       id: b
-      doc: Quadrature input B. One pin at most; the latest one configured has it.
+      doc: Quadrature input B. At most one pin; the last one configured takes precedence.
   gpio_timestamp_behavior:
     1:
       id: rising
@@ -11538,13 +11538,13 @@ enums:
   gpio_uart_behavior:
     33:
       id: port_2_tx
-      doc: UART 2 sends.
+      doc: UART 2 transmits.
     34:
       id: port_2_rx
       doc: UART 2 receives.
     49:
       id: port_3_tx
-      doc: UART 3 sends.
+      doc: UART 3 transmits.
     50:
       id: port_3_rx
       doc: UART 3 receives.
@@ -11582,7 +11582,7 @@ enums:
   nmea_talker_id:
     0:
       id: ignored
-      doc: For sentences whose talker is not free (GSV and the proprietary ones).
+      doc: For sentences whose talker cannot be chosen (GSV and the proprietary ones).
     1:
       id: gnss
       doc: GN.
@@ -11610,7 +11610,7 @@ enums:
       doc: A parameter is out of range, or of the wrong size or type.
     4:
       id: command_failed
-      doc: The device could not carry the command out.
+      doc: The device could not carry out the command.
     5:
       id: command_timeout
       doc: The command did not finish in time.
@@ -11633,7 +11633,7 @@ enums:
       doc: The support fields are merged into the formats; the order may change.
     2:
       id: add
-      doc: The support fields are added behind the formats; fields may occur twice.
+      doc: The support fields are appended to the formats; fields may occur twice.
   mip_3dm_constellation_id:
     0:
       id: gps
@@ -11886,16 +11886,16 @@ enums:
   filter_initial_condition_source:
     0:
       id: auto_position_velocity_attitude
-      doc: Position, velocity and attitude are found.
+      doc: Position, velocity and attitude are automatic.
     1:
       id: auto_position_velocity_pitch_roll
-      doc: Position, velocity, pitch and roll are found; the heading is given.
+      doc: Position, velocity, pitch and roll are automatic; the user provides the heading.
     2:
       id: auto_position_velocity
-      doc: Position and velocity are found; the attitude is given.
+      doc: Position and velocity are automatic; the user provides the attitude.
     3:
       id: manual
-      doc: Position, velocity and attitude are given.
+      doc: The user provides position, velocity and attitude.
   filter_reference_frame:
     1:
       id: ecef
@@ -11935,7 +11935,7 @@ enums:
       doc: No connection.
     1:
       id: network
-      doc: By a network.
+      doc: Over a network.
     2:
       id: l_band
       doc: By satellite in the L band.
@@ -11980,7 +11980,7 @@ enums:
       doc: Acknowledge as for any command.
     2:
       id: response
-      doc: The data come back in a response.
+      doc: The data is returned in a response.
   aiding_timebase:
     1:
       id: internal_reference
@@ -12019,10 +12019,10 @@ enums:
       doc: The device itself, MIP.
     2:
       id: sensor_direct
-      doc: The inertial sensor inside, MIP.
+      doc: The internal inertial sensor, MIP.
     3:
       id: gnss_direct
-      doc: The GNSS receiver inside, NMEA and UBX; only on models that have one.
+      doc: The internal GNSS receiver, NMEA and UBX; only on models that have one.
   filter_data_heading_aiding_type:
     1:
       id: dual_antenna
@@ -12089,16 +12089,16 @@ enums:
   filter_data_gx5_filter_state:
     0:
       id: startup
-      doc: The device starts.
+      doc: The device is starting.
     1:
       id: init
-      doc: Initialization; the status flags tell what is missing.
+      doc: Initialization; the status flags show what is missing.
     2:
       id: run_solution_valid
       doc: Running with a valid solution.
     3:
       id: run_solution_error
-      doc: Running with an error; the status flags tell which.
+      doc: Running with an error; the status flags show which.
   filter_data_cv7_filter_state:
     1:
       id: init
@@ -12238,7 +12238,7 @@ enums:
       doc: No signal.
     1:
       id: searching
-      doc: The signal is searched.
+      doc: The signal is being searched for.
     2:
       id: acquired
       doc: The signal is acquired.

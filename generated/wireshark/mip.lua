@@ -20,62 +20,62 @@ F["gx5_built_in_test"] = {
   { name = "solution_fault", at = 0, size = 4, mask = 16777216, shift = 24, width = 1, doc = "Fault of the estimation filter solution." },
 }
 F["cv7_built_in_test"] = {
-  { name = "general_hardware_fault", at = 0, size = 4, mask = 1, shift = 0, width = 1, doc = "A vital part, such as the oscillator, has failed." },
-  { name = "general_firmware_fault", at = 0, size = 4, mask = 2, shift = 1, width = 1, doc = "The firmware met a serious or unexpected condition." },
+  { name = "general_hardware_fault", at = 0, size = 4, mask = 1, shift = 0, width = 1, doc = "A critical part, such as the oscillator, has failed." },
+  { name = "general_firmware_fault", at = 0, size = 4, mask = 2, shift = 1, width = 1, doc = "The firmware encountered a serious or unexpected condition." },
   { name = "timing_overload", at = 0, size = 4, mask = 4, shift = 2, width = 1, doc = "The processor cannot keep up; cleared by reading the result." },
-  { name = "buffer_overrun", at = 0, size = 4, mask = 8, shift = 3, width = 1, doc = "A data buffer was full, mostly because too much is streamed." },
+  { name = "buffer_overrun", at = 0, size = 4, mask = 8, shift = 3, width = 1, doc = "A data buffer was full, usually because too much data is streamed." },
   { name = "accel_fault", at = 0, size = 4, mask = 4096, shift = 12, width = 1, doc = "The accelerometer is damaged or does not work." },
   { name = "gyro_fault", at = 0, size = 4, mask = 8192, shift = 13, width = 1, doc = "The gyroscope is damaged or does not work." },
   { name = "mag_fault", at = 0, size = 4, mask = 16384, shift = 14, width = 1, doc = "The magnetometer is damaged or does not work." },
   { name = "pressure_sensor_fault", at = 0, size = 4, mask = 32768, shift = 15, width = 1, doc = "The pressure sensor is damaged or does not work." },
   { name = "calibration_error", at = 0, size = 4, mask = 262144, shift = 18, width = 1, doc = "At least one calibration table of the sensors is invalid." },
-  { name = "general_imu_fault", at = 0, size = 4, mask = 524288, shift = 19, width = 1, doc = "A fault of the inertial sensor subsystem that no other bit names." },
+  { name = "general_imu_fault", at = 0, size = 4, mask = 524288, shift = 19, width = 1, doc = "A fault of the inertial sensor subsystem that no other bit covers." },
   { name = "filter_solution_fault", at = 0, size = 4, mask = 4194304, shift = 22, width = 1, doc = "The filter output is invalid (not a number); reset the filter." },
-  { name = "general_filter_fault", at = 0, size = 4, mask = 8388608, shift = 23, width = 1, doc = "A fault of the filter subsystem that no other bit names." },
+  { name = "general_filter_fault", at = 0, size = 4, mask = 8388608, shift = 23, width = 1, doc = "A fault of the filter subsystem that no other bit covers." },
 }
 F["cv7_continuous_built_in_test"] = {
   { name = "system_clock_failure", at = 0, size = 1, mask = 1, shift = 0, width = 1, doc = "The system clock does not work properly." },
   { name = "power_fault", at = 0, size = 1, mask = 2, shift = 1, width = 1, doc = "The supply voltage is out of range, or an internal supply has failed." },
-  { name = "firmware_fault", at = 0, size = 1, mask = 16, shift = 4, width = 1, doc = "The firmware met an unexpected condition." },
+  { name = "firmware_fault", at = 0, size = 1, mask = 16, shift = 4, width = 1, doc = "The firmware encountered an unexpected condition." },
   { name = "timing_overload", at = 0, size = 1, mask = 32, shift = 5, width = 1, doc = "The processor cannot keep up." },
   { name = "buffer_overrun", at = 0, size = 1, mask = 64, shift = 6, width = 1, doc = "A data buffer was full and data may be lost." },
-  { name = "imu_process_fault", at = 2, size = 1, mask = 1, shift = 0, width = 1, doc = "The inertial sensor subsystem does not run or did not start." },
+  { name = "imu_process_fault", at = 2, size = 1, mask = 1, shift = 0, width = 1, doc = "The inertial sensor subsystem is not running or did not start." },
   { name = "imu_data_process_time_exceeded", at = 2, size = 1, mask = 2, shift = 1, width = 1, doc = "The processing of sensor data took too long." },
-  { name = "imu_data_rate_error", at = 2, size = 1, mask = 4, shift = 2, width = 1, doc = "Sensor data does not come at its base rate." },
+  { name = "imu_data_rate_error", at = 2, size = 1, mask = 4, shift = 2, width = 1, doc = "Sensor data is not produced at its base rate." },
   { name = "imu_stall", at = 2, size = 1, mask = 8, shift = 3, width = 1, doc = "The inertial sensor subsystem produces no data." },
-  { name = "filter_process_fault", at = 2, size = 1, mask = 240, shift = 4, width = 4, doc = "Any of these: the filter does not work normally." },
-  { name = "filter_major_cycle_fault", at = 2, size = 1, mask = 16, shift = 4, width = 1, doc = "Major cycle of the filter; bits 22 and 23 say what." },
-  { name = "filter_minor_cycle_fault", at = 2, size = 1, mask = 32, shift = 5, width = 1, doc = "Minor cycle of the filter; bits 22 and 23 say what." },
+  { name = "filter_process_fault", at = 2, size = 1, mask = 240, shift = 4, width = 4, doc = "Any of these faults: the filter does not work normally." },
+  { name = "filter_major_cycle_fault", at = 2, size = 1, mask = 16, shift = 4, width = 1, doc = "Fault of the major cycle of the filter; bits 22 and 23 say which fault." },
+  { name = "filter_minor_cycle_fault", at = 2, size = 1, mask = 32, shift = 5, width = 1, doc = "Fault of the minor cycle of the filter; bits 22 and 23 say which fault." },
   { name = "filter_data_rate_error", at = 2, size = 1, mask = 64, shift = 6, width = 1, doc = "A filter process misses its base rate; bits 20 and 21 say which." },
   { name = "filter_process_stall", at = 2, size = 1, mask = 128, shift = 7, width = 1, doc = "A filter process produces no data; bits 20 and 21 say which." },
-  { name = "gnss_subsystem_fault", at = 3, size = 1, mask = 15, shift = 0, width = 4, doc = "Any of these: GNSS does not work normally." },
+  { name = "gnss_subsystem_fault", at = 3, size = 1, mask = 15, shift = 0, width = 4, doc = "Any of these faults: GNSS does not work normally." },
   { name = "gnss_main_process_fault", at = 3, size = 1, mask = 1, shift = 0, width = 1, doc = "The main GNSS process did not run in time." },
   { name = "gnss_receiver_1_stall", at = 3, size = 1, mask = 2, shift = 1, width = 1, doc = "No data from internal receiver 1 in time." },
   { name = "gnss_receiver_2_stall", at = 3, size = 1, mask = 4, shift = 2, width = 1, doc = "No data from internal receiver 2 in time." },
   { name = "imu_comm_fault", at = 4, size = 1, mask = 2, shift = 1, width = 1, doc = "No communication with the inertial sensors." },
-  { name = "imu_timing_overrun", at = 4, size = 1, mask = 4, shift = 2, width = 1, doc = "Inertial sensor processes take longer than their time." },
+  { name = "imu_timing_overrun", at = 4, size = 1, mask = 4, shift = 2, width = 1, doc = "Inertial sensor processes take longer than their time slot." },
   { name = "imu_calibration_error_accel", at = 4, size = 1, mask = 16, shift = 4, width = 1, doc = "Fault of the accelerometer calibration." },
   { name = "imu_calibration_error_gyro", at = 4, size = 1, mask = 32, shift = 5, width = 1, doc = "Fault of the gyroscope calibration." },
   { name = "imu_calibration_error_mag", at = 4, size = 1, mask = 64, shift = 6, width = 1, doc = "Fault of the magnetometer calibration." },
-  { name = "accel_general_fault", at = 5, size = 1, mask = 1, shift = 0, width = 1, doc = "The accelerometer does not initialize." },
+  { name = "accel_general_fault", at = 5, size = 1, mask = 1, shift = 0, width = 1, doc = "The accelerometer failed to initialize." },
   { name = "accel_over_range", at = 5, size = 1, mask = 2, shift = 1, width = 1, doc = "An axis is near or outside the selected range." },
   { name = "accel_self_test_fail", at = 5, size = 1, mask = 4, shift = 2, width = 1, doc = "The self test failed; updated by the commanded test." },
-  { name = "gyro_general_fault", at = 5, size = 1, mask = 16, shift = 4, width = 1, doc = "The gyroscope does not initialize." },
+  { name = "gyro_general_fault", at = 5, size = 1, mask = 16, shift = 4, width = 1, doc = "The gyroscope failed to initialize." },
   { name = "gyro_over_range", at = 5, size = 1, mask = 32, shift = 5, width = 1, doc = "An axis is near or outside the selected range." },
   { name = "gyro_self_test_fail", at = 5, size = 1, mask = 64, shift = 6, width = 1, doc = "The self test failed; updated by the commanded test." },
-  { name = "mag_general_fault", at = 6, size = 1, mask = 1, shift = 0, width = 1, doc = "The magnetometer does not initialize." },
+  { name = "mag_general_fault", at = 6, size = 1, mask = 1, shift = 0, width = 1, doc = "The magnetometer failed to initialize." },
   { name = "mag_over_range", at = 6, size = 1, mask = 2, shift = 1, width = 1, doc = "An axis is near or outside the supported range." },
   { name = "mag_self_test_fail", at = 6, size = 1, mask = 4, shift = 2, width = 1, doc = "The self test failed; updated by the commanded test." },
-  { name = "pressure_sensor_general_fault", at = 6, size = 1, mask = 16, shift = 4, width = 1, doc = "The pressure sensor does not initialize." },
+  { name = "pressure_sensor_general_fault", at = 6, size = 1, mask = 16, shift = 4, width = 1, doc = "The pressure sensor failed to initialize." },
   { name = "pressure_sensor_over_range", at = 6, size = 1, mask = 32, shift = 5, width = 1, doc = "The pressure is outside the supported range." },
   { name = "pressure_sensor_self_test_fail", at = 6, size = 1, mask = 64, shift = 6, width = 1, doc = "The self test failed; updated by the commanded test." },
   { name = "factory_bits_invalid", at = 7, size = 1, mask = 1, shift = 0, width = 1, doc = "The device has lost its factory configuration." },
-  { name = "filter_timing_overrun", at = 8, size = 1, mask = 4, shift = 2, width = 1, doc = "Filter processes take longer than their time." },
+  { name = "filter_timing_overrun", at = 8, size = 1, mask = 4, shift = 2, width = 1, doc = "Filter processes take longer than their time slot." },
   { name = "filter_timing_underrun", at = 8, size = 1, mask = 8, shift = 3, width = 1, doc = "Filter processes are skipped." },
   { name = "receiver_1_fault", at = 13, size = 1, mask = 2, shift = 1, width = 1, doc = "No communication with internal receiver 1." },
-  { name = "receiver_1_no_solution", at = 13, size = 1, mask = 16, shift = 4, width = 1, doc = "Internal receiver 1 has no valid solution; mostly no sky view." },
+  { name = "receiver_1_no_solution", at = 13, size = 1, mask = 16, shift = 4, width = 1, doc = "Internal receiver 1 has no valid solution; usually for lack of a sky view." },
   { name = "receiver_2_fault", at = 13, size = 1, mask = 64, shift = 6, width = 1, doc = "No communication with internal receiver 2." },
-  { name = "receiver_2_no_solution", at = 14, size = 1, mask = 2, shift = 1, width = 1, doc = "Internal receiver 2 has no valid solution; mostly no sky view." },
+  { name = "receiver_2_no_solution", at = 14, size = 1, mask = 2, shift = 1, width = 1, doc = "Internal receiver 2 has no valid solution; usually for lack of a sky view." },
 }
 E["event_trigger_type"] = { [0] = "none", [1] = "gpio", [2] = "threshold", [3] = "combination", }
 E["event_action_type"] = { [0] = "none", [1] = "gpio", [2] = "message", }
@@ -111,10 +111,10 @@ F["rtk_status_flags"] = {
   { name = "rssi", at = 0, size = 4, mask = 65280, shift = 8, width = 8, doc = "Received signal strength." },
   { name = "signal_quality", at = 0, size = 4, mask = 983040, shift = 16, width = 4, doc = "Signal quality." },
   { name = "tower_change_indicator", at = 0, size = 4, mask = 15728640, shift = 20, width = 4, doc = "Changes of the cell tower." },
-  { name = "nmea_timeout", at = 0, size = 4, mask = 16777216, shift = 24, width = 1, doc = "No NMEA came from the device in time." },
+  { name = "nmea_timeout", at = 0, size = 4, mask = 16777216, shift = 24, width = 1, doc = "No NMEA was received from the device in time." },
   { name = "server_timeout", at = 0, size = 4, mask = 33554432, shift = 25, width = 1, doc = "The server did not answer in time." },
-  { name = "corrections_timeout", at = 0, size = 4, mask = 67108864, shift = 26, width = 1, doc = "No corrections came in time." },
-  { name = "device_out_of_range", at = 0, size = 4, mask = 134217728, shift = 27, width = 1, doc = "The device is outside of the area of the service." },
+  { name = "corrections_timeout", at = 0, size = 4, mask = 67108864, shift = 26, width = 1, doc = "No corrections were received in time." },
+  { name = "device_out_of_range", at = 0, size = 4, mask = 134217728, shift = 27, width = 1, doc = "The device is outside the service area." },
   { name = "corrections_unavailable", at = 0, size = 4, mask = 268435456, shift = 28, width = 1, doc = "There are no corrections." },
   { name = "version", at = 0, size = 4, mask = 3221225472, shift = 30, width = 2, doc = "Form of these flags." },
 }
@@ -132,14 +132,14 @@ F["rtk_status_flags_legacy"] = {
 }
 F["sensor_gps_timestamp_flags"] = {
   { name = "pps_valid", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "The PPS signal is present." },
-  { name = "time_refresh", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Toggles each time that the time is updated." },
+  { name = "time_refresh", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Toggles each time the time is updated." },
   { name = "time_initialized", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "The time has been set at least once." },
   { name = "tow_valid", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "The time of week is valid." },
   { name = "week_number_valid", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "The week number is valid." },
 }
 F["gx5_sensor_gps_timestamp_flags"] = {
   { name = "pps_valid", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "The PPS signal is present; without it, the internal clock drives the time." },
-  { name = "time_refresh", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Toggles each time that the time is updated." },
+  { name = "time_refresh", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Toggles each time the time is updated." },
   { name = "time_initialized", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "The time has been set at least once." },
 }
 E["base.gps_time_field"] = { [1] = "week_number", [2] = "tow", }
@@ -149,7 +149,7 @@ F["3dm.constellation_options"] = {
   { name = "l1saif", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "The L1-SAIF signal; QZSS only." },
 }
 F["3dm.sbas_options"] = {
-  { name = "enable_ranging", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "SBAS pseudoranges take part in the position solution." },
+  { name = "enable_ranging", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "SBAS pseudoranges are used in the position solution." },
   { name = "enable_corrections", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "SBAS differential corrections are applied." },
   { name = "apply_integrity", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "Only GPS satellites with SBAS integrity information are used." },
 }
@@ -302,8 +302,8 @@ F["filter_data.aiding_measurement_indicator"] = {
 }
 E["filter_data.dual_antenna_fix_type"] = { [0] = "fix_none", [1] = "fix_da_float", [2] = "fix_da_fixed", }
 F["filter_data.dual_antenna_status_flags"] = {
-  { name = "receiver_1_data_valid", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Data of receiver 1 are valid." },
-  { name = "receiver_2_data_valid", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Data of receiver 2 are valid." },
+  { name = "receiver_1_data_valid", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Data of receiver 1 is valid." },
+  { name = "receiver_2_data_valid", at = 0, size = 2, mask = 2, shift = 1, width = 1, doc = "Data of receiver 2 is valid." },
   { name = "antenna_offsets_valid", at = 0, size = 2, mask = 4, shift = 2, width = 1, doc = "The antenna offsets are valid." },
 }
 E["filter_data.gx5_filter_state"] = { [0] = "startup", [1] = "init", [2] = "run_solution_valid", [3] = "run_solution_error", }
@@ -317,7 +317,7 @@ F["filter_data.gx5_status_flags"] = {
   { name = "run_position_covariance_warning", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "A position covariance is above its normal limit." },
   { name = "run_velocity_covariance_warning", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "A velocity covariance is above its normal limit." },
   { name = "run_attitude_covariance_warning", at = 0, size = 2, mask = 64, shift = 6, width = 1, doc = "An attitude covariance is above its normal limit." },
-  { name = "run_nan_in_solution_warning", at = 0, size = 2, mask = 128, shift = 7, width = 1, doc = "The solution holds values that are not numbers." },
+  { name = "run_nan_in_solution_warning", at = 0, size = 2, mask = 128, shift = 7, width = 1, doc = "The solution contains values that are not numbers." },
   { name = "run_gyro_bias_est_high_warning", at = 0, size = 2, mask = 256, shift = 8, width = 1, doc = "The estimated gyroscope bias is high." },
   { name = "run_accel_bias_est_high_warning", at = 0, size = 2, mask = 512, shift = 9, width = 1, doc = "The estimated accelerometer bias is high." },
   { name = "run_gyro_scale_factor_est_high_warning", at = 0, size = 2, mask = 1024, shift = 10, width = 1, doc = "The estimated gyroscope scale factor is high." },
@@ -337,11 +337,11 @@ F["filter_data.cv7_status_flags"] = {
   { name = "position_warning", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "The position is doubtful; check the GNSS reception and antennas." },
   { name = "velocity_warning", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "The velocity is doubtful; check the GNSS reception and antennas." },
   { name = "imu_bias_warning", at = 0, size = 2, mask = 64, shift = 6, width = 1, doc = "The sensor biases are doubtful; capture the gyroscope bias." },
-  { name = "gnss_clock_warning", at = 0, size = 2, mask = 128, shift = 7, width = 1, doc = "The GNSS clock is doubtful; navigation goes on." },
+  { name = "gnss_clock_warning", at = 0, size = 2, mask = 128, shift = 7, width = 1, doc = "The GNSS clock is doubtful; navigation continues." },
   { name = "antenna_lever_arm_warning", at = 0, size = 2, mask = 256, shift = 8, width = 1, doc = "The antenna offsets are probably wrong." },
   { name = "mounting_transform_warning", at = 0, size = 2, mask = 512, shift = 9, width = 1, doc = "The mounting transformation is probably wrong." },
-  { name = "time_sync_warning", at = 0, size = 2, mask = 1024, shift = 10, width = 1, doc = "No pulse per second is found, or the time of an external heading is too old." },
-  { name = "solution_error", at = 0, size = 2, mask = 61440, shift = 12, width = 4, doc = "Not 0 if the solution holds values that are not numbers; reset the filter." },
+  { name = "time_sync_warning", at = 0, size = 2, mask = 1024, shift = 10, width = 1, doc = "No pulse per second is detected, or the time of an external heading is too old." },
+  { name = "solution_error", at = 0, size = 2, mask = 61440, shift = 12, width = 4, doc = "Not 0 if the solution contains values that are not numbers; reset the filter." },
 }
 F["gnss_1.llh_position_flags"] = {
   { name = "lat_lon", at = 0, size = 2, mask = 1, shift = 0, width = 1, doc = "Latitude and longitude." },
@@ -540,8 +540,8 @@ F["gnss_1.rtk_epoch_status"] = {
   { name = "glonass_received", at = 0, size = 2, mask = 8, shift = 3, width = 1, doc = "GLONASS corrections." },
   { name = "galileo_received", at = 0, size = 2, mask = 16, shift = 4, width = 1, doc = "Galileo corrections." },
   { name = "beidou_received", at = 0, size = 2, mask = 32, shift = 5, width = 1, doc = "BeiDou corrections." },
-  { name = "using_gps_msm_messages", at = 0, size = 2, mask = 64, shift = 6, width = 1, doc = "GPS corrections come in MSM messages, not in the RTCM messages 1001-1004." },
-  { name = "using_glonass_msm_messages", at = 0, size = 2, mask = 128, shift = 7, width = 1, doc = "GLONASS corrections come in MSM messages, not in the RTCM messages 1009-1012." },
+  { name = "using_gps_msm_messages", at = 0, size = 2, mask = 64, shift = 6, width = 1, doc = "GPS corrections are received in MSM messages, not in the RTCM messages 1001-1004." },
+  { name = "using_glonass_msm_messages", at = 0, size = 2, mask = 128, shift = 7, width = 1, doc = "GLONASS corrections are received in MSM messages, not in the RTCM messages 1009-1012." },
   { name = "dongle_status_read_failed", at = 0, size = 2, mask = 256, shift = 8, width = 1, doc = "The status of the dongle could not be read." },
 }
 F["gnss_1.rtk_corrections_status_flags"] = {
@@ -614,7 +614,7 @@ S["event_trigger_gpio"] = {
 }
 S["event_threshold_window"] = {
   { kind = "scalar", name = "low_threshold", type = "double", size = 8, doc = "Lower threshold, in the unit of the watched value." },
-  { kind = "scalar", name = "high_threshold", type = "double", size = 8, doc = "Upper threshold, in the unit of the watched value. If it is below the lower one, the trigger is active outside of the window." },
+  { kind = "scalar", name = "high_threshold", type = "double", size = 8, doc = "Upper threshold, in the unit of the watched value. If it is below the lower one, the trigger is active outside the window." },
 }
 S["event_threshold_interval"] = {
   { kind = "scalar", name = "interval_threshold", type = "double", size = 8, doc = "The trigger is active while the remainder is at most this, in the unit of the watched value." },
@@ -630,22 +630,22 @@ S["event_trigger_threshold"] = {
       [2] = { label = "interval", item = { kind = "struct", name = "interval", record = S["event_threshold_interval"], doc = "" } }, } },
 }
 S["event_trigger_combination"] = {
-  { kind = "scalar", name = "logic_table", type = "u16", size = 2, doc = "Bit n is the output when n = a + 2b + 4c + 8d, with a to d the states (0 or 1) of the four inputs." },
+  { kind = "scalar", name = "logic_table", type = "u16", size = 2, doc = "Bit n is the output for n = a + 2b + 4c + 8d, where a to d are the states (0 or 1) of the four inputs." },
   { kind = "array", name = "input_triggers", count = 4, capacity = 4, size = 1, doc = "Trigger instances for the inputs a to d; 0 is always inactive.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
 }
 S["event_action_gpio"] = {
   { kind = "scalar", name = "pin", type = "u8", size = 1, doc = "GPIO pin, counted from 1. Range: at least 1." },
-  { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["event_action_gpio_mode"], doc = "What happens to the pin." },
+  { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["event_action_gpio_mode"], doc = "How the action controls the pin." },
 }
 S["event_action_message"] = {
   { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Data descriptor set of the packet." },
-  { kind = "scalar", name = "decimation", type = "u16", size = 2, doc = "0 sends one packet per activation. Any other value streams while the trigger is active, at the base rate of the descriptor set divided by it; a packet is sent at once, and the count begins anew at each activation." },
+  { kind = "scalar", name = "decimation", type = "u16", size = 2, doc = "0 sends one packet per activation. Any other value streams while the trigger is active, at the base rate of the descriptor set divided by this value. At each activation, a packet is sent immediately and the count restarts." },
   { kind = "counter", name = "num_fields", type = "u8", size = 1, doc = "Number of fields in the packet. Range: 0 to 12." },
   { kind = "array", name = "descriptors", counter = "num_fields", capacity = 249, size = 1, doc = "Field descriptors, in order.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
 }
 S["nmea_message"] = {
   { kind = "scalar", name = "message_id", type = "u8", size = 1, enum = E["nmea_message_id"], doc = "The sentence." },
-  { kind = "scalar", name = "talker_id", type = "u8", size = 1, enum = E["nmea_talker_id"], doc = "The talker that the sentence names." },
+  { kind = "scalar", name = "talker_id", type = "u8", size = 1, enum = E["nmea_talker_id"], doc = "The talker in the sentence." },
   { kind = "scalar", name = "source_descriptor_set", type = "u8", size = 1, doc = "Data descriptor set that the contents are taken from." },
   { kind = "scalar", name = "decimation", type = "u16", size = 2, doc = "Base rate of the source descriptor set divided by the wanted rate; a poll ignores it." },
 }
@@ -654,7 +654,7 @@ S["descriptor_rate"] = {
   { kind = "scalar", name = "decimation", type = "u16", size = 2, doc = "Base rate divided by the wanted rate." },
 }
 S["base.base_device_info"] = {
-  { kind = "scalar", name = "firmware_version", type = "u16", size = 2, doc = "Firmware version as one decimal number: 1202 stands for 1.2.02." },
+  { kind = "scalar", name = "firmware_version", type = "u16", size = 2, doc = "Firmware version as one decimal number: 1202 means 1.2.02." },
   { kind = "text", name = "model_name", count = 16, capacity = 16, doc = "Name of the model." },
   { kind = "text", name = "model_number", count = 16, capacity = 16, doc = "Part number of the model." },
   { kind = "text", name = "serial_number", count = 16, capacity = 16, doc = "Serial number." },
@@ -668,13 +668,13 @@ S["3dm.poll_entry"] = {
 S["3dm.constellation_settings_entry"] = {
   { kind = "scalar", name = "constellation_id", type = "u8", size = 1, enum = E["3dm.constellation_id"], doc = "Constellation." },
   { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "1 switches it on, 0 off. Range: 0 to 1." },
-  { kind = "scalar", name = "reserved_channels", type = "u8", size = 1, doc = "Channels that are kept for it. Unit: 1. Range: 0 to 32." },
-  { kind = "scalar", name = "max_channels", type = "u8", size = 1, doc = "Channels that it takes at most. Unit: 1. Range: 0 to 32." },
+  { kind = "scalar", name = "reserved_channels", type = "u8", size = 1, doc = "Channels reserved for it. Unit: 1. Range: 0 to 32." },
+  { kind = "scalar", name = "max_channels", type = "u8", size = 1, doc = "Maximum number of channels that it uses. Unit: 1. Range: 0 to 32." },
   { kind = "scalar", name = "option_flags", type = "u16", size = 2, flags = F["3dm.constellation_options"], doc = "Options." },
 }
 S["3dm.event_support_info"] = {
   { kind = "scalar", name = "type", type = "u8", size = 1, doc = "Type of triggers, or of actions." },
-  { kind = "scalar", name = "count", type = "u8", size = 1, doc = "Instances of this type at most. Unit: 1." },
+  { kind = "scalar", name = "count", type = "u8", size = 1, doc = "Maximum number of instances of this type. Unit: 1." },
 }
 S["3dm.event_trigger_status_entry"] = {
   { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["event_trigger_type"], doc = "Configured type." },
@@ -691,7 +691,7 @@ S["3dm.sensor_range_entry"] = {
 S["gnss.receiver_info_entry"] = {
   { kind = "scalar", name = "receiver_id", type = "u8", size = 1, doc = "Receiver, counted from 1. Range: at least 1." },
   { kind = "scalar", name = "mip_data_descriptor_set", type = "u8", size = 1, doc = "Descriptor set of the data of this receiver. Range: 128 to 254." },
-  { kind = "text", name = "description", count = 32, capacity = 32, doc = "Module name or model and firmware version, with a comma between." },
+  { kind = "text", name = "description", count = 32, capacity = 32, doc = "Module name or model and firmware version, separated by a comma." },
 }
 S["aiding.measurement_time"] = {
   { kind = "scalar", name = "timebase", type = "u8", size = 1, enum = E["aiding.timebase"], doc = "Clock of the time." },
@@ -711,7 +711,7 @@ local ACKNOWLEDGE_FIELD = { descriptor = 0xF1, name = "protocol.acknowledge", ro
     always = 2,
     rows = rows("protocol.acknowledge", {
       { kind = "scalar", name = "command", type = "u8", size = 1, doc = "Descriptor of the command that is answered." },
-      { kind = "scalar", name = "code", type = "u8", size = 1, enum = E["ack_code"], doc = "Zero acknowledges, any other value refuses." },
+      { kind = "scalar", name = "code", type = "u8", size = 1, enum = E["ack_code"], doc = "0 if the command is acknowledged, else the reason why it is refused." },
     }) }
 
 -- Descriptor sets.
@@ -741,12 +741,12 @@ local function field(set, f)
   table.insert(known[f.descriptor], f)
 end
 field(0x01, { descriptor = 0x01, name = "base.ping", role = "command", title = "Ping",
-    doc = "Asks whether a device is there and answers commands.", least = 0,
+    doc = "Checks whether a device is present and answers commands.", least = 0,
     always = 0,
     rows = rows("base.ping", {
     }) })
 field(0x01, { descriptor = 0x02, name = "base.set_idle", role = "command", title = "Set to idle",
-    doc = "Stops all data streams, and wakes a sleeping device, so that it can be set up.", least = 0,
+    doc = "Stops all data streams, and wakes a sleeping device, so that it can be configured.", least = 0,
     always = 0,
     rows = rows("base.set_idle", {
     }) })
@@ -794,11 +794,11 @@ field(0x01, { descriptor = 0x72, name = "base.gps_time_update", role = "command"
     required = { [1] = 2, [2] = 1, [6] = 2, }, silent = { [6] = true, },
     rows = rows("base.gps_time_update", {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "field_id", type = "u8", size = 1, enum = E["base.gps_time_field"], doc = "What the value is." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "value", type = "u32", size = 4, doc = "What `field_id` says. If field_id is week_number: unit week. GPS week number since 6 January 1980. If field_id is tow: unit s. Whole seconds of the GPS week." }, } },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "field_id", type = "u8", size = 1, enum = E["base.gps_time_field"], doc = "Meaning of the value." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "value", type = "u32", size = 4, doc = "Time, as `field_id` says. If field_id is week_number: unit week. GPS week number since 6 January 1980. If field_id is tow: unit s. Whole seconds of the GPS week." }, } },
     }) })
 field(0x01, { descriptor = 0x7E, name = "base.soft_reset", role = "command", title = "Reset device",
-    doc = "Acknowledges the command, then resets the device at once.", least = 0,
+    doc = "Acknowledges the command, then resets the device immediately.", least = 0,
     always = 0,
     rows = rows("base.soft_reset", {
     }) })
@@ -852,7 +852,7 @@ field(0x01, { descriptor = 0x89, name = "base.comm_speed_response", role = "resp
       { kind = "scalar", name = "baud", type = "u32", size = 4, units = {"Bd", }, doc = "Baud rate; one that the port supports. Unit: Bd." },
     }) })
 field(0x0C, { descriptor = 0x01, name = "3dm.poll_imu_data", role = "command", title = "Poll IMU Data",
-    doc = "Asks for one sensor data packet (0x80) with the fields listed, in their order.", least = 2,
+    doc = "Requests one sensor data packet (0x80) with the listed fields, in the listed order.", least = 2,
     always = 3,
     silent_when = { { name = "suppress_ack", value = 1 }, },
     rows = rows("3dm.poll_imu_data", {
@@ -861,7 +861,7 @@ field(0x0C, { descriptor = 0x01, name = "3dm.poll_imu_data", role = "command", t
       { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 83, size = 3, doc = "Fields to send.", item = { kind = "struct", name = "item", record = S["3dm.poll_entry"] } },
     }) })
 field(0x0C, { descriptor = 0x02, name = "3dm.poll_gnss_data", role = "command", title = "Poll GNSS Data",
-    doc = "Asks for one GNSS data packet with the fields listed, in their order.", least = 2,
+    doc = "Requests one GNSS data packet with the listed fields, in the listed order.", least = 2,
     always = 3,
     silent_when = { { name = "suppress_ack", value = 1 }, },
     rows = rows("3dm.poll_gnss_data", {
@@ -870,7 +870,7 @@ field(0x0C, { descriptor = 0x02, name = "3dm.poll_gnss_data", role = "command", 
       { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 83, size = 3, doc = "Fields to send.", item = { kind = "struct", name = "item", record = S["3dm.poll_entry"] } },
     }) })
 field(0x0C, { descriptor = 0x03, name = "3dm.poll_filter_data", role = "command", title = "Poll Estimation Filter Data",
-    doc = "Asks for one filter data packet (0x82) with the fields listed, in their order.", least = 2,
+    doc = "Requests one filter data packet (0x82) with the listed fields, in the listed order.", least = 2,
     always = 3,
     silent_when = { { name = "suppress_ack", value = 1 }, },
     rows = rows("3dm.poll_filter_data", {
@@ -879,7 +879,7 @@ field(0x0C, { descriptor = 0x03, name = "3dm.poll_filter_data", role = "command"
       { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 83, size = 3, doc = "Fields to send.", item = { kind = "struct", name = "item", record = S["3dm.poll_entry"] } },
     }) })
 field(0x0C, { descriptor = 0x04, name = "3dm.poll_nmea_data", role = "command", title = "Poll NMEA Data",
-    doc = "Asks for the NMEA sentences listed, once.", least = 2,
+    doc = "Requests the listed NMEA sentences once.", least = 2,
     always = 3,
     silent_when = { { name = "suppress_ack", value = 1 }, },
     rows = rows("3dm.poll_nmea_data", {
@@ -888,12 +888,12 @@ field(0x0C, { descriptor = 0x04, name = "3dm.poll_nmea_data", role = "command", 
       { kind = "array", name = "format_entries", counter = "count", capacity = 50, size = 5, doc = "Sentences to send.", item = { kind = "struct", name = "item", record = S["nmea_message"] } },
     }) })
 field(0x0C, { descriptor = 0x06, name = "3dm.get_imu_base_rate", role = "command", title = "Get IMU Data Base Rate",
-    doc = "Asks for the rate that the decimations of the IMU message format divide.", least = 0,
+    doc = "Gets the rate that is divided by the decimations of the IMU message format.", least = 0,
     always = 0,
     rows = rows("3dm.get_imu_base_rate", {
     }) })
 field(0x0C, { descriptor = 0x07, name = "3dm.get_gnss_base_rate", role = "command", title = "Get GNSS Data Base Rate",
-    doc = "Asks for the rate that the decimations of the GNSS message format divide.", least = 0,
+    doc = "Gets the rate that is divided by the decimations of the GNSS message format.", least = 0,
     always = 0,
     rows = rows("3dm.get_gnss_base_rate", {
     }) })
@@ -919,7 +919,7 @@ field(0x0C, { descriptor = 0x0A, name = "3dm.filter_message_format", role = "com
       { kind = "group", first = 1, last = 2, body = { { kind = "counter", name = "num_descriptors", type = "u8", size = 1, doc = "Number of fields." }, { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 83, size = 3, doc = "Fields and decimations.", item = { kind = "struct", name = "item", record = S["descriptor_rate"] } }, } },
     }) })
 field(0x0C, { descriptor = 0x0B, name = "3dm.get_filter_base_rate", role = "command", title = "Get Estimation Filter Data Base Rate",
-    doc = "Asks for the rate that the decimations of the estimation filter message format divide.", least = 0,
+    doc = "Gets the rate that is divided by the decimations of the estimation filter message format.", least = 0,
     always = 0,
     rows = rows("3dm.get_filter_base_rate", {
     }) })
@@ -931,7 +931,7 @@ field(0x0C, { descriptor = 0x0C, name = "3dm.nmea_message_format", role = "comma
       { kind = "group", first = 1, last = 2, body = { { kind = "counter", name = "count", type = "u8", size = 1, doc = "Number of sentences." }, { kind = "array", name = "format_entries", counter = "count", capacity = 50, size = 5, doc = "Sentences to stream.", item = { kind = "struct", name = "item", record = S["nmea_message"] } }, } },
     }) })
 field(0x0C, { descriptor = 0x0D, name = "3dm.poll_data", role = "command", title = "Poll Data",
-    doc = "Asks for one data packet of the descriptor set with the fields listed, in their order.", least = 3,
+    doc = "Requests one data packet of the descriptor set with the listed fields, in the listed order.", least = 3,
     always = 4,
     silent_when = { { name = "suppress_ack", value = 1 }, },
     rows = rows("3dm.poll_data", {
@@ -941,7 +941,7 @@ field(0x0C, { descriptor = 0x0D, name = "3dm.poll_data", role = "command", title
       { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 250, size = 1, doc = "Field descriptors.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
     }) })
 field(0x0C, { descriptor = 0x0E, name = "3dm.get_base_rate", role = "command", title = "Get Data Base Rate",
-    doc = "Asks for the rate that the decimations of a descriptor set divide.", least = 1,
+    doc = "Gets the rate that is divided by the decimations of a descriptor set.", least = 1,
     always = 1,
     rows = rows("3dm.get_base_rate", {
       { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Data descriptor set. Range: 128 to 254." },
@@ -955,10 +955,10 @@ field(0x0C, { descriptor = 0x0F, name = "3dm.message_format", role = "command", 
       { kind = "group", first = 2, last = 3, body = { { kind = "counter", name = "num_descriptors", type = "u8", size = 1, doc = "Number of fields." }, { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 83, size = 3, doc = "Fields and decimations.", item = { kind = "struct", name = "item", record = S["descriptor_rate"] } }, } },
     }) })
 field(0x0C, { descriptor = 0x10, name = "3dm.factory_streaming", role = "command", title = "Factory Streaming",
-    doc = "Sets all message formats to those that technical support wants to have recorded.", least = 2,
+    doc = "Sets all message formats to those that technical support needs in a recording.", least = 2,
     always = 2,
     rows = rows("3dm.factory_streaming", {
-      { kind = "scalar", name = "action", type = "u8", size = 1, enum = E["3dm.factory_streaming_action"], doc = "What happens to the present formats." },
+      { kind = "scalar", name = "action", type = "u8", size = 1, enum = E["3dm.factory_streaming_action"], doc = "What happens to the existing formats." },
       { kind = "scalar", name = "reserved", type = "u8", size = 1, doc = "Reserved: send 0." },
     }) })
 field(0x0C, { descriptor = 0x11, name = "3dm.data_stream_control", role = "command", title = "Data Stream Control",
@@ -974,7 +974,7 @@ field(0x0C, { descriptor = 0x21, name = "3dm.constellation_settings", role = "co
     required = { [1] = 3, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = rows("3dm.constellation_settings", {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "max_channels", type = "u16", size = 2, doc = "Tracking channels in use at most; no more than the response reports as available. Unit: 1." }, } },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "max_channels", type = "u16", size = 2, doc = "Maximum number of tracking channels in use; at most the number that the response reports as available. Unit: 1." }, } },
       { kind = "group", first = 2, last = 3, body = { { kind = "counter", name = "config_count", type = "u8", size = 1, doc = "Number of entries. Range: 0 to 41." }, { kind = "array", name = "settings", counter = "config_count", capacity = 41, size = 6, doc = "One entry for each constellation.", item = { kind = "struct", name = "item", record = S["3dm.constellation_settings_entry"] } }, } },
     }) })
 field(0x0C, { descriptor = 0x22, name = "3dm.gnss_sbas_settings", role = "command", title = "GNSS SBAS Settings",
@@ -987,7 +987,7 @@ field(0x0C, { descriptor = 0x22, name = "3dm.gnss_sbas_settings", role = "comman
       { kind = "group", first = 3, last = 4, body = { { kind = "counter", name = "num_included_prns", type = "u8", size = 1, doc = "Number of satellites listed; 0 searches for all." }, { kind = "array", name = "included_prns", counter = "num_included_prns", capacity = 124, size = 2, doc = "PRN numbers of the SBAS satellites to search for.", item = { kind = "scalar", name = "item", type = "u16", size = 2 } }, } },
     }) })
 field(0x0C, { descriptor = 0x23, name = "3dm.gnss_assisted_fix", role = "command", title = "GNSS Assisted Fix",
-    doc = "Whether the GNSS receiver keeps the data of its last fix to start from at the next power-up.", least = 1,
+    doc = "Whether the GNSS receiver keeps the data of its last fix and starts from it at the next power-up.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = rows("3dm.gnss_assisted_fix", {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
@@ -995,7 +995,7 @@ field(0x0C, { descriptor = 0x23, name = "3dm.gnss_assisted_fix", role = "command
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "flags", type = "u8", size = 1, doc = "Reserved: send 255. On the 3DM-GX5-35: default 255." }, } },
     }) })
 field(0x0C, { descriptor = 0x24, name = "3dm.gnss_time_assistance", role = "command", title = "GNSS Time Assistance",
-    doc = "Tells the GNSS receiver the present GPS time.", least = 1,
+    doc = "Gives the GNSS receiver the current GPS time.", least = 1,
     required = { [1] = 3, [2] = 0, }, silent = { },
     rows = rows("3dm.gnss_time_assistance", {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
@@ -1011,7 +1011,7 @@ field(0x0C, { descriptor = 0x28, name = "3dm.pps_source_control", role = "comman
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "source", type = "u8", size = 1, enum = E["3dm.pps_source"], doc = "Source of the pulse. Default: receiver_1. On the 3DM-CV7-AHRS and 3DM-CV7-AR: only disabled, gpio and generated." }, } },
     }) })
 field(0x0C, { descriptor = 0x2A, name = "3dm.get_event_support", role = "command", title = "Get Supported Events",
-    doc = "Asks which types of event triggers or actions there are and how many of each.", least = 1,
+    doc = "Gets the types of event triggers or actions that the device has, and how many of each.", least = 1,
     always = 1,
     rows = rows("3dm.get_event_support", {
       { kind = "scalar", name = "query", type = "u8", size = 1, enum = E["3dm.event_support_query"], doc = "Triggers or actions." },
@@ -1025,17 +1025,17 @@ field(0x0C, { descriptor = 0x2B, name = "3dm.event_control", role = "command", t
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["event_trigger_mode"], doc = "New mode. Default: disabled." }, } },
     }) })
 field(0x0C, { descriptor = 0x2C, name = "3dm.get_event_trigger_status", role = "command", title = "Get Event Trigger Status",
-    doc = "Asks for the type and the state of event triggers.", least = 1,
+    doc = "Gets the type and the state of event triggers.", least = 1,
     always = 2,
     rows = rows("3dm.get_event_trigger_status", {
-      { kind = "counter", name = "requested_count", type = "u8", size = 1, doc = "Number of triggers asked for; 0 asks for all slots." },
+      { kind = "counter", name = "requested_count", type = "u8", size = 1, doc = "Number of requested triggers; 0 requests all slots." },
       { kind = "array", name = "requested_instances", counter = "requested_count", capacity = 252, size = 1, doc = "Trigger instances.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
     }) })
 field(0x0C, { descriptor = 0x2D, name = "3dm.get_event_action_status", role = "command", title = "Get Event Action Status",
-    doc = "Asks for the type and the trigger of event actions.", least = 1,
+    doc = "Gets the type and the trigger of event actions.", least = 1,
     always = 2,
     rows = rows("3dm.get_event_action_status", {
-      { kind = "counter", name = "requested_count", type = "u8", size = 1, doc = "Number of actions asked for; 0 asks for all slots." },
+      { kind = "counter", name = "requested_count", type = "u8", size = 1, doc = "Number of requested actions; 0 requests all slots." },
       { kind = "array", name = "requested_instances", counter = "requested_count", capacity = 252, size = 1, doc = "Action instances.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
     }) })
 field(0x0C, { descriptor = 0x2E, name = "3dm.event_trigger_config", role = "command", title = "Event Trigger Configuration",
@@ -1109,7 +1109,7 @@ field(0x0C, { descriptor = 0x38, name = "3dm.gyro_bias", role = "command", title
       { kind = "group", first = 1, last = 1, body = { { kind = "array", name = "bias", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Gyroscope bias. Unit: rad/s. Frame: sensor.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     }) })
 field(0x0C, { descriptor = 0x39, name = "3dm.capture_gyro_bias", role = "command", title = "Capture Gyroscope Bias",
-    doc = "Averages the angular rate of the device at rest and takes the result as the gyroscope bias.", least = 2,
+    doc = "Averages the angular rate of the device at rest and uses the result as the gyroscope bias.", least = 2,
     always = 1,
     timeout = 31.0,
     rows = rows("3dm.capture_gyro_bias", {
@@ -1150,7 +1150,7 @@ field(0x0C, { descriptor = 0x41, name = "3dm.gpio_config", role = "command", tit
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "pin", type = "u8", size = 1, doc = "GPIO pin, counted from 1; 0 means all pins (save, load, default)." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "feature", type = "u8", size = 1, enum = E["gpio_feature"], doc = "Use of the pin. Default: unused." }, } },
-      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "behavior", type = "u8", size = 1, doc = "Role of the pin within the feature; 0 where the feature names none. If feature is unused: values of gpio_unused_behavior. If feature is gpio: values of gpio_behavior. If feature is pps: values of gpio_pps_behavior. If feature is encoder: values of gpio_encoder_behavior. If feature is timestamp: values of gpio_timestamp_behavior. If feature is uart: values of gpio_uart_behavior.", readings = { {by = "feature", value = 0, enum = E["gpio_unused_behavior"] }, {by = "feature", value = 1, enum = E["gpio_behavior"] }, {by = "feature", value = 2, enum = E["gpio_pps_behavior"] }, {by = "feature", value = 3, enum = E["gpio_encoder_behavior"] }, {by = "feature", value = 4, enum = E["gpio_timestamp_behavior"] }, {by = "feature", value = 5, enum = E["gpio_uart_behavior"] }, } }, } },
+      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "behavior", type = "u8", size = 1, doc = "Role of the pin within the feature; 0 if the feature has no roles. If feature is unused: values of gpio_unused_behavior. If feature is gpio: values of gpio_behavior. If feature is pps: values of gpio_pps_behavior. If feature is encoder: values of gpio_encoder_behavior. If feature is timestamp: values of gpio_timestamp_behavior. If feature is uart: values of gpio_uart_behavior.", readings = { {by = "feature", value = 0, enum = E["gpio_unused_behavior"] }, {by = "feature", value = 1, enum = E["gpio_behavior"] }, {by = "feature", value = 2, enum = E["gpio_pps_behavior"] }, {by = "feature", value = 3, enum = E["gpio_encoder_behavior"] }, {by = "feature", value = 4, enum = E["gpio_timestamp_behavior"] }, {by = "feature", value = 5, enum = E["gpio_uart_behavior"] }, } }, } },
       { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "pin_mode", type = "u8", size = 1, flags = F["gpio_pin_mode"], doc = "Electrical options." }, } },
     }) })
 field(0x0C, { descriptor = 0x42, name = "3dm.gpio_state", role = "command", title = "GPIO State",
@@ -1167,7 +1167,7 @@ field(0x0C, { descriptor = 0x43, name = "3dm.odometer_config", role = "command",
     rows = rows("3dm.odometer_config", {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["3dm.odometer_mode"], doc = "How the input works." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "scaling", type = "float", size = 4, units = {"pulse/m", }, doc = "Pulses over the distance travelled; negative if the encoder turns backwards. Unit: pulse/m." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "scaling", type = "float", size = 4, units = {"pulse/m", }, doc = "Pulses per distance travelled; negative if the encoder turns backwards. Unit: pulse/m." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "uncertainty", type = "float", size = 4, doc = "Relative uncertainty of the scaling, 1 sigma. Unit: 1." }, } },
     }) })
 field(0x0C, { descriptor = 0x50, name = "3dm.imu_low_pass_filter", role = "command", title = "Advanced Low-Pass Filter Settings",
@@ -1177,12 +1177,12 @@ field(0x0C, { descriptor = 0x50, name = "3dm.imu_low_pass_filter", role = "comma
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "target_descriptor", type = "u8", size = 1, doc = "Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17. On the 3DM-CV7-GNSS/INS: Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "Whether the quantity is filtered. Default: true." }, } },
-      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "manual", type = "bool", size = 1, doc = "True uses the frequency; false follows half the rate of the message format. Default: false." }, } },
-      { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "frequency", type = "u16", size = 2, units = {"Hz", }, doc = "Cutoff (-3 dB). It has no meaning if manual is false. Unit: Hz. On the 3DM-GX5-15: range at most 250." }, } },
+      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "manual", type = "bool", size = 1, doc = "True uses `frequency`; false uses half the rate of the message format. Default: false." }, } },
+      { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "frequency", type = "u16", size = 2, units = {"Hz", }, doc = "Cutoff (-3 dB). It has no meaning if `manual` is false. Unit: Hz. On the 3DM-GX5-15: range at most 250." }, } },
       { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "reserved", type = "u8", size = 1, doc = "Reserved: send 0." }, } },
     }) })
 field(0x0C, { descriptor = 0x51, name = "3dm.complementary_filter", role = "command", title = "Complementary Filter Configuration",
-    doc = "Corrections of the complementary filter, which makes attitudes apart from the estimation filter.", least = 1,
+    doc = "Corrections of the complementary filter, which computes the attitude independently of the estimation filter.", least = 1,
     required = { [1] = 4, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = rows("3dm.complementary_filter", {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
@@ -1200,7 +1200,7 @@ field(0x0C, { descriptor = 0x52, name = "3dm.sensor_range", role = "command", ti
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "setting", type = "u8", size = 1, doc = "Number of the range." }, } },
     }) })
 field(0x0C, { descriptor = 0x53, name = "3dm.get_calibrated_sensor_ranges", role = "command", title = "Get Calibrated Sensor Ranges",
-    doc = "Asks for the ranges that a sensor supports.", least = 1,
+    doc = "Gets the ranges that a sensor supports.", least = 1,
     always = 1,
     rows = rows("3dm.get_calibrated_sensor_ranges", {
       { kind = "scalar", name = "sensor", type = "u8", size = 1, enum = E["3dm.sensor_range_type"], doc = "The sensor; not all." },
@@ -1213,15 +1213,15 @@ field(0x0C, { descriptor = 0x54, name = "3dm.low_pass_filter", role = "command",
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Descriptor set of the field." }, } },
       { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "field_descriptor", type = "u8", size = 1, doc = "Field descriptor; 0 if the set is 0." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "Whether the field is filtered." }, } },
-      { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "manual", type = "bool", size = 1, doc = "True uses the frequency; false follows half the rate of the field in the message format." }, } },
-      { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cutoff; a write ignores it if manual is false, a read gives the cutoff in use. Unit: Hz." }, } },
+      { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "manual", type = "bool", size = 1, doc = "True uses `frequency`; false uses half the rate of the field in the message format." }, } },
+      { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cutoff; a write ignores it if `manual` is false, a read returns the cutoff in use. Unit: Hz." }, } },
     }) })
 field(0x0C, { descriptor = 0x64, name = "3dm.device_status", role = "command", title = "Device Status",
-    doc = "Asks for the state of the device, in short or with counters.", least = 3,
+    doc = "Gets the state of the device, in basic form or with counters.", least = 3,
     always = 2,
     rows = rows("3dm.device_status", {
-      { kind = "scalar", name = "model_number", type = "u16", size = 2, doc = "Model number of the device that is asked. On the 3DM-GX5-15: always 6254. On the 3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251." },
-      { kind = "scalar", name = "status_selector", type = "u8", size = 1, enum = E["3dm.device_status_selector"], doc = "How much the answer tells." },
+      { kind = "scalar", name = "model_number", type = "u16", size = 2, doc = "Model number of the device that answers. On the 3DM-GX5-15: always 6254. On the 3DM-GX5-35: always 6252. On the 3DM-GX5-45: always 6251." },
+      { kind = "scalar", name = "status_selector", type = "u8", size = 1, enum = E["3dm.device_status_selector"], doc = "Level of detail of the answer." },
     }) })
 field(0x0C, { descriptor = 0x80, name = "3dm.imu_message_format_response", role = "response", title = "IMU Message Format response",
     doc = "", least = 1,
@@ -1260,7 +1260,7 @@ field(0x0C, { descriptor = 0x85, name = "3dm.data_stream_control_response", role
     doc = "", least = 2,
     always = 2,
     rows = rows("3dm.data_stream_control_response", {
-      { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Stream of the command. On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-15, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of legacy_data_stream.", readings = { {device = "3dm-cl5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cl5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-dh3", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gq4-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-mv5-ar", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-rq1-45-lt", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-rq1-45-st", enum = E["3dm.legacy_data_stream"] }, } },
+      { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Stream given in the command. On the 3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35, 3DM-CX5-45, 3DM-DH3, 3DM-GQ4-45, 3DM-GX3-15, 3DM-GX3-25, 3DM-GX3-35, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10, 3DM-GX5-15, 3DM-GX5-25, 3DM-GX5-35, 3DM-GX5-45, 3DM-MV5-AR, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values of legacy_data_stream.", readings = { {device = "3dm-cl5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cl5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cv5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-cx5-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-dh3", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gq4-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx3-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx4-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-10", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-15", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-25", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-35", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-gx5-45", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-mv5-ar", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-rq1-45-lt", enum = E["3dm.legacy_data_stream"] }, {device = "3dm-rq1-45-st", enum = E["3dm.legacy_data_stream"] }, } },
       { kind = "scalar", name = "enabled", type = "bool", size = 1, doc = "Whether the stream is sent." },
     }) })
 field(0x0C, { descriptor = 0x87, name = "3dm.uart_baud_rate_response", role = "response", title = "UART Baud Rate response",
@@ -1281,8 +1281,8 @@ field(0x0C, { descriptor = 0x8B, name = "3dm.imu_low_pass_filter_response", role
     rows = rows("3dm.imu_low_pass_filter_response", {
       { kind = "scalar", name = "target_descriptor", type = "u8", size = 1, doc = "Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17." },
       { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "Whether the quantity is filtered. Default: true." },
-      { kind = "scalar", name = "manual", type = "bool", size = 1, doc = "True uses the frequency; false follows half the rate of the message format. Default: false." },
-      { kind = "scalar", name = "frequency", type = "u16", size = 2, units = {"Hz", }, doc = "Cutoff (-3 dB). It has no meaning if manual is false. Unit: Hz." },
+      { kind = "scalar", name = "manual", type = "bool", size = 1, doc = "True uses `frequency`; false uses half the rate of the message format. Default: false." },
+      { kind = "scalar", name = "frequency", type = "u16", size = 2, units = {"Hz", }, doc = "Cutoff (-3 dB). It has no meaning if `manual` is false. Unit: Hz." },
       { kind = "scalar", name = "reserved", type = "u8", size = 1, doc = "Reserved." },
     }) })
 field(0x0C, { descriptor = 0x8C, name = "3dm.nmea_message_format_response", role = "response", title = "NMEA Message Format response",
@@ -1296,8 +1296,8 @@ field(0x0C, { descriptor = 0x8E, name = "3dm.get_base_rate_response", role = "re
     doc = "", least = 3,
     always = 2,
     rows = rows("3dm.get_base_rate_response", {
-      { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Data descriptor set of the command." },
-      { kind = "scalar", name = "rate", type = "u16", size = 2, units = {"Hz", }, doc = "Base rate; 0 if the rate is variable or unknown and data is sent as it comes. Unit: Hz." },
+      { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Data descriptor set given in the command." },
+      { kind = "scalar", name = "rate", type = "u16", size = 2, units = {"Hz", }, doc = "Base rate; 0 if the rate is variable or unknown and data is sent as it arrives. Unit: Hz." },
     }) })
 field(0x0C, { descriptor = 0x8F, name = "3dm.message_format_response", role = "response", title = "Message Format response",
     doc = "", least = 2,
@@ -1319,7 +1319,7 @@ field(0x0C, { descriptor = 0x90, name = "3dm.device_status_basic_response", role
       { kind = "scalar", name = "system_timer", type = "u32", size = 4, units = {"ms", }, doc = "Time since start-up. Unit: ms." },
     }) })
 field(0x0C, { descriptor = 0x90, name = "3dm.device_status_basic_without_state_response", role = "response", title = "Basic Device Status without a state",
-    doc = "Timer alone.", least = 11,
+    doc = "Timer only.", least = 11,
     always = 4,
     constants = { { at = 2, value = "\1" }, },
     rows = rows("3dm.device_status_basic_without_state_response", {
@@ -1381,7 +1381,7 @@ field(0x0C, { descriptor = 0x90, name = "3dm.device_status_diagnostic_gnss_respo
       { kind = "scalar", name = "gnss_last_message_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last message of the receiver. Unit: ms." },
     }) })
 field(0x0C, { descriptor = 0x90, name = "3dm.device_status_diagnostic_gq4_45_response", role = "response", title = "Diagnostic Device Status of the 3DM-GQ4-45",
-    doc = "The layout with GNSS, and what could not be started.", least = 80,
+    doc = "The layout with GNSS, plus what could not be started.", least = 80,
     always = 27,
     constants = { { at = 2, value = "\2" }, },
     rows = rows("3dm.device_status_diagnostic_gq4_45_response", {
@@ -1414,7 +1414,7 @@ field(0x0C, { descriptor = 0x90, name = "3dm.device_status_diagnostic_gq4_45_res
       { kind = "scalar", name = "receiver_init_failed", type = "bool", size = 1, doc = "Whether the GNSS receiver could not be started." },
     }) })
 field(0x0C, { descriptor = 0x90, name = "3dm.device_status_diagnostic_rq1_45_response", role = "response", title = "Diagnostic Device Status of the 3DM-RQ1-45",
-    doc = "The layout with GNSS, and the temperature.", least = 86,
+    doc = "The layout with GNSS, plus the temperature.", least = 86,
     always = 27,
     constants = { { at = 2, value = "\2" }, },
     rows = rows("3dm.device_status_diagnostic_rq1_45_response", {
@@ -1425,7 +1425,7 @@ field(0x0C, { descriptor = 0x90, name = "3dm.device_status_diagnostic_rq1_45_res
       { kind = "scalar", name = "system_timer", type = "u32", size = 4, units = {"ms", }, doc = "Time since start-up. Unit: ms." },
       { kind = "scalar", name = "gnss_power_state", type = "u8", size = 1, doc = "Power state of the GNSS receiver." },
       { kind = "scalar", name = "cold_start_on_power_on", type = "u8", size = 1, doc = "Whether the receiver starts cold at power-on." },
-      { kind = "scalar", name = "temperature", type = "float", size = 4, units = {"degC", }, doc = "Of the board. Unit: degC." },
+      { kind = "scalar", name = "temperature", type = "float", size = 4, units = {"degC", }, doc = "Temperature of the board. Unit: degC." },
       { kind = "scalar", name = "temperature_last_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last temperature. Unit: ms." },
       { kind = "scalar", name = "pps_count", type = "u32", size = 4, doc = "Pulses per second that were counted. Unit: 1." },
       { kind = "scalar", name = "pps_last_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last pulse. Unit: ms." },
@@ -1474,7 +1474,7 @@ field(0x0C, { descriptor = 0x90, name = "3dm.device_status_diagnostic_gx4_respon
       { kind = "scalar", name = "imu_last_message_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last message of the IMU. Unit: ms." },
     }) })
 field(0x0C, { descriptor = 0x90, name = "3dm.device_status_diagnostic_imu_response", role = "response", title = "Diagnostic Device Status of an IMU",
-    doc = "Timer with the sensors that there are, temperature, and the counters of pulses, stream and port.", least = 60,
+    doc = "Timer, available sensors, temperature, and the counters of pulses, stream and port.", least = 60,
     always = 21,
     constants = { { at = 2, value = "\2" }, },
     rows = rows("3dm.device_status_diagnostic_imu_response", {
@@ -1488,7 +1488,7 @@ field(0x0C, { descriptor = 0x90, name = "3dm.device_status_diagnostic_imu_respon
       { kind = "scalar", name = "gyro_range", type = "u16", size = 2, doc = "Range of the gyroscope." },
       { kind = "scalar", name = "accel_range", type = "u16", size = 2, doc = "Range of the accelerometer." },
       { kind = "scalar", name = "reserved", type = "u32", size = 4, doc = "Reserved." },
-      { kind = "scalar", name = "temperature", type = "float", size = 4, units = {"degC", }, doc = "Of the board. Unit: degC." },
+      { kind = "scalar", name = "temperature", type = "float", size = 4, units = {"degC", }, doc = "Temperature of the board. Unit: degC." },
       { kind = "scalar", name = "temperature_last_time", type = "u32", size = 4, units = {"ms", }, doc = "System timer at the last temperature. Unit: ms." },
       { kind = "scalar", name = "temperature_error", type = "u8", size = 1, doc = "State of the temperature measurement." },
       { kind = "scalar", name = "pps_count", type = "u32", size = 4, doc = "Pulses per second that were counted. Unit: 1." },
@@ -1544,7 +1544,7 @@ field(0x0C, { descriptor = 0xA0, name = "3dm.constellation_settings_response", r
     always = 4,
     rows = rows("3dm.constellation_settings_response", {
       { kind = "scalar", name = "max_channels_available", type = "u16", size = 2, doc = "Channels that the receiver has. Unit: 1." },
-      { kind = "scalar", name = "max_channels_use", type = "u16", size = 2, doc = "Channels in use at most. Unit: 1." },
+      { kind = "scalar", name = "max_channels_use", type = "u16", size = 2, doc = "Maximum number of channels in use. Unit: 1." },
       { kind = "counter", name = "config_count", type = "u8", size = 1, doc = "Number of entries. Range: 0 to 41." },
       { kind = "array", name = "settings", counter = "config_count", capacity = 41, size = 6, doc = "One entry for each constellation.", item = { kind = "struct", name = "item", record = S["3dm.constellation_settings_entry"] } },
     }) })
@@ -1602,7 +1602,7 @@ field(0x0C, { descriptor = 0xB4, name = "3dm.get_event_support_response", role =
     doc = "", least = 3,
     always = 4,
     rows = rows("3dm.get_event_support_response", {
-      { kind = "scalar", name = "query", type = "u8", size = 1, enum = E["3dm.event_support_query"], doc = "Query of the command." },
+      { kind = "scalar", name = "query", type = "u8", size = 1, enum = E["3dm.event_support_query"], doc = "Query given in the command." },
       { kind = "scalar", name = "max_instances", type = "u8", size = 1, doc = "Number of slots; instances go from 1 to this. Unit: 1." },
       { kind = "counter", name = "num_entries", type = "u8", size = 1, doc = "Number of types." },
       { kind = "array", name = "entries", counter = "num_entries", capacity = 125, size = 2, doc = "The types. If query is trigger_types: type has values of event_trigger_type. If query is action_types: type has values of event_action_type.", readings = { {by = "query", value = 1, member = "type", enum = E["event_trigger_type"] }, {by = "query", value = 2, member = "type", enum = E["event_action_type"] }, }, item = { kind = "struct", name = "item", record = S["3dm.event_support_info"] } },
@@ -1619,14 +1619,14 @@ field(0x0C, { descriptor = 0xB6, name = "3dm.get_event_trigger_status_response",
     always = 2,
     rows = rows("3dm.get_event_trigger_status_response", {
       { kind = "counter", name = "count", type = "u8", size = 1, doc = "Number of entries." },
-      { kind = "array", name = "triggers", counter = "count", capacity = 126, size = 2, doc = "One entry per trigger, in the order asked for, or by instance if all were asked for.", item = { kind = "struct", name = "item", record = S["3dm.event_trigger_status_entry"] } },
+      { kind = "array", name = "triggers", counter = "count", capacity = 126, size = 2, doc = "One entry per trigger, in the requested order, or by instance if all were requested.", item = { kind = "struct", name = "item", record = S["3dm.event_trigger_status_entry"] } },
     }) })
 field(0x0C, { descriptor = 0xB7, name = "3dm.get_event_action_status_response", role = "response", title = "Get Event Action Status response",
     doc = "", least = 1,
     always = 2,
     rows = rows("3dm.get_event_action_status_response", {
       { kind = "counter", name = "count", type = "u8", size = 1, doc = "Number of entries." },
-      { kind = "array", name = "actions", counter = "count", capacity = 126, size = 2, doc = "One entry per action, in the order asked for, or by instance if all were asked for.", item = { kind = "struct", name = "item", record = S["3dm.event_action_status_entry"] } },
+      { kind = "array", name = "actions", counter = "count", capacity = 126, size = 2, doc = "One entry per action, in the requested order, or by instance if all were requested.", item = { kind = "struct", name = "item", record = S["3dm.event_action_status_entry"] } },
     }) })
 field(0x0C, { descriptor = 0xB8, name = "3dm.event_trigger_config_response", role = "response", title = "Event Trigger Configuration response",
     doc = "", least = 2,
@@ -1658,7 +1658,7 @@ field(0x0C, { descriptor = 0xC1, name = "3dm.gpio_config_response", role = "resp
     rows = rows("3dm.gpio_config_response", {
       { kind = "scalar", name = "pin", type = "u8", size = 1, doc = "GPIO pin, counted from 1; 0 means all pins (save, load, default)." },
       { kind = "scalar", name = "feature", type = "u8", size = 1, enum = E["gpio_feature"], doc = "Use of the pin. Default: unused." },
-      { kind = "scalar", name = "behavior", type = "u8", size = 1, doc = "Role of the pin within the feature; 0 where the feature names none. If feature is unused: values of gpio_unused_behavior. If feature is gpio: values of gpio_behavior. If feature is pps: values of gpio_pps_behavior. If feature is encoder: values of gpio_encoder_behavior. If feature is timestamp: values of gpio_timestamp_behavior. If feature is uart: values of gpio_uart_behavior.", readings = { {by = "feature", value = 0, enum = E["gpio_unused_behavior"] }, {by = "feature", value = 1, enum = E["gpio_behavior"] }, {by = "feature", value = 2, enum = E["gpio_pps_behavior"] }, {by = "feature", value = 3, enum = E["gpio_encoder_behavior"] }, {by = "feature", value = 4, enum = E["gpio_timestamp_behavior"] }, {by = "feature", value = 5, enum = E["gpio_uart_behavior"] }, } },
+      { kind = "scalar", name = "behavior", type = "u8", size = 1, doc = "Role of the pin within the feature; 0 if the feature has no roles. If feature is unused: values of gpio_unused_behavior. If feature is gpio: values of gpio_behavior. If feature is pps: values of gpio_pps_behavior. If feature is encoder: values of gpio_encoder_behavior. If feature is timestamp: values of gpio_timestamp_behavior. If feature is uart: values of gpio_uart_behavior.", readings = { {by = "feature", value = 0, enum = E["gpio_unused_behavior"] }, {by = "feature", value = 1, enum = E["gpio_behavior"] }, {by = "feature", value = 2, enum = E["gpio_pps_behavior"] }, {by = "feature", value = 3, enum = E["gpio_encoder_behavior"] }, {by = "feature", value = 4, enum = E["gpio_timestamp_behavior"] }, {by = "feature", value = 5, enum = E["gpio_uart_behavior"] }, } },
       { kind = "scalar", name = "pin_mode", type = "u8", size = 1, flags = F["gpio_pin_mode"], doc = "Electrical options." },
     }) })
 field(0x0C, { descriptor = 0xC2, name = "3dm.gpio_state_response", role = "response", title = "GPIO State response",
@@ -1673,7 +1673,7 @@ field(0x0C, { descriptor = 0xC3, name = "3dm.odometer_config_response", role = "
     always = 3,
     rows = rows("3dm.odometer_config_response", {
       { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["3dm.odometer_mode"], doc = "How the input works." },
-      { kind = "scalar", name = "scaling", type = "float", size = 4, units = {"pulse/m", }, doc = "Pulses over the distance travelled; negative if the encoder turns backwards. Unit: pulse/m." },
+      { kind = "scalar", name = "scaling", type = "float", size = 4, units = {"pulse/m", }, doc = "Pulses per distance travelled; negative if the encoder turns backwards. Unit: pulse/m." },
       { kind = "scalar", name = "uncertainty", type = "float", size = 4, doc = "Relative uncertainty of the scaling, 1 sigma. Unit: 1." },
     }) })
 field(0x0C, { descriptor = 0xD2, name = "3dm.sensor_range_response", role = "response", title = "Sensor Range response",
@@ -1687,7 +1687,7 @@ field(0x0C, { descriptor = 0xD3, name = "3dm.get_calibrated_sensor_ranges_respon
     doc = "", least = 2,
     always = 3,
     rows = rows("3dm.get_calibrated_sensor_ranges_response", {
-      { kind = "scalar", name = "sensor", type = "u8", size = 1, enum = E["3dm.sensor_range_type"], doc = "Sensor of the command." },
+      { kind = "scalar", name = "sensor", type = "u8", size = 1, enum = E["3dm.sensor_range_type"], doc = "Sensor given in the command." },
       { kind = "counter", name = "num_ranges", type = "u8", size = 1, doc = "Number of ranges." },
       { kind = "array", name = "ranges", counter = "num_ranges", capacity = 50, size = 5, doc = "The ranges. If sensor is accel: range has unit g. If sensor is gyro: range has unit deg/s. If sensor is mag: range has unit gauss. If sensor is pressure: range has unit mbar.", item = { kind = "struct", name = "item", record = S["3dm.sensor_range_entry"] } },
     }) })
@@ -1698,11 +1698,11 @@ field(0x0C, { descriptor = 0xD4, name = "3dm.low_pass_filter_response", role = "
       { kind = "scalar", name = "descriptor_set", type = "u8", size = 1, doc = "Descriptor set of the field." },
       { kind = "scalar", name = "field_descriptor", type = "u8", size = 1, doc = "Field descriptor; 0 if the set is 0." },
       { kind = "scalar", name = "enable", type = "bool", size = 1, doc = "Whether the field is filtered." },
-      { kind = "scalar", name = "manual", type = "bool", size = 1, doc = "True uses the frequency; false follows half the rate of the field in the message format." },
-      { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cutoff; a write ignores it if manual is false, a read gives the cutoff in use. Unit: Hz." },
+      { kind = "scalar", name = "manual", type = "bool", size = 1, doc = "True uses `frequency`; false uses half the rate of the field in the message format." },
+      { kind = "scalar", name = "frequency", type = "float", size = 4, units = {"Hz", }, doc = "Cutoff; a write ignores it if `manual` is false, a read returns the cutoff in use. Unit: Hz." },
     }) })
 field(0x0D, { descriptor = 0x01, name = "filter.reset", role = "command", title = "Reset navigation filter",
-    doc = "Puts the filter back into its initialization state.", least = 0,
+    doc = "Returns the filter to its initialization state.", least = 0,
     always = 0,
     rows = rows("filter.reset", {
     }) })
@@ -1721,7 +1721,7 @@ field(0x0D, { descriptor = 0x03, name = "filter.set_initial_heading", role = "co
       { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Initial heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793." },
     }) })
 field(0x0D, { descriptor = 0x05, name = "filter.run", role = "command", title = "Run navigation filter",
-    doc = "Starts a filter that was set up to wait for this command.", least = 0,
+    doc = "Starts a filter that is configured to wait for this command.", least = 0,
     always = 0,
     rows = rows("filter.run", {
     }) })
@@ -1835,12 +1835,12 @@ field(0x0D, { descriptor = 0x1D, name = "filter.gyro_bias_model", role = "comman
       { kind = "group", first = 2, last = 2, body = { { kind = "array", name = "noise", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"rad/s", }, doc = "Standard deviation of the noise per axis. Unit: rad/s. Range: greater than 0.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     }) })
 field(0x0D, { descriptor = 0x1E, name = "filter.auto_zupt", role = "command", title = "Automatic zero velocity update",
-    doc = "Lets the filter take the device as standing still while its GNSS speed is small.", least = 1,
+    doc = "Lets the filter assume that the device is at rest while its GNSS speed is low.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = rows("filter.auto_zupt", {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "0 disables, 1 enables. Range: 0 to 1." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "threshold", type = "float", size = 4, units = {"m/s", }, doc = "Largest speed that is taken as zero. Unit: m/s. Range: at least 0." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "threshold", type = "float", size = 4, units = {"m/s", }, doc = "Highest speed that is treated as zero. Unit: m/s. Range: at least 0." }, } },
     }) })
 field(0x0D, { descriptor = 0x1F, name = "filter.external_heading_update_with_time", role = "command", title = "External heading update with time",
     doc = "Gives the filter one measurement of the heading of the sensor frame with its GPS time.", least = 19,
@@ -1853,12 +1853,12 @@ field(0x0D, { descriptor = 0x1F, name = "filter.external_heading_update_with_tim
       { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["filter.heading_type"], doc = "North that the heading refers to." },
     }) })
 field(0x0D, { descriptor = 0x20, name = "filter.auto_angular_zupt", role = "command", title = "Zero angular rate update",
-    doc = "Lets the filter take the device as not rotating while its angular rate is small.", least = 1,
+    doc = "Lets the filter assume that the device is not rotating while its angular rate is low.", least = 1,
     required = { [1] = 2, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = rows("filter.auto_angular_zupt", {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "0 disables, 1 enables. Range: 0 to 1." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "threshold", type = "float", size = 4, units = {"rad/s", }, doc = "Largest angular rate that is taken as zero. Unit: rad/s. Range: at least 0." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "threshold", type = "float", size = 4, units = {"rad/s", }, doc = "Highest angular rate that is treated as zero. Unit: rad/s. Range: at least 0." }, } },
     }) })
 field(0x0D, { descriptor = 0x21, name = "filter.tare_orientation", role = "command", title = "Tare orientation",
     doc = "Makes the present orientation in the NED frame the sensor-to-vehicle transformation.", least = 1,
@@ -1868,7 +1868,7 @@ field(0x0D, { descriptor = 0x21, name = "filter.tare_orientation", role = "comma
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "axes", type = "u8", size = 1, flags = F["filter.tare_axes"], doc = "Axes to tare; 0 resets all axes." }, } },
     }) })
 field(0x0D, { descriptor = 0x22, name = "filter.commanded_zupt", role = "command", title = "Commanded zero velocity update",
-    doc = "Tells the filter once that the device stands still.", least = 0,
+    doc = "Tells the filter once that the device is at rest.", least = 0,
     always = 0,
     rows = rows("filter.commanded_zupt", {
     }) })
@@ -1981,7 +1981,7 @@ field(0x0D, { descriptor = 0x46, name = "filter.mag_dip_angle_error_adaptive_mea
       { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "minimum_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Smallest standard deviation. Unit: rad." }, } },
     }) })
 field(0x0D, { descriptor = 0x47, name = "filter.altitude_aiding", role = "command", title = "Altitude aiding",
-    doc = "What aids the altitude beside GNSS.", least = 1,
+    doc = "What aids the altitude in addition to GNSS.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = rows("filter.altitude_aiding", {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
@@ -2046,15 +2046,15 @@ field(0x0D, { descriptor = 0x52, name = "filter.initialization_config", role = "
     required = { [1] = 9, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = rows("filter.initialization_config", {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "wait_for_run_command", type = "u8", size = 1, doc = "1: the filter starts only after filter.run; 0: as soon as it can. Range: 0 to 1." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "initial_condition_source", type = "u8", size = 1, enum = E["filter.initial_condition_source"], doc = "Which initial conditions are found and which are given." }, } },
-      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "auto_heading_alignment_selector", type = "u8", size = 1, flags = F["filter.heading_alignment"], doc = "Ways in which the initial heading may be found." }, } },
-      { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "initial_heading", type = "float", size = 4, units = {"deg", }, doc = "Given heading. Unit: deg." }, } },
-      { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "initial_pitch", type = "float", size = 4, units = {"deg", }, doc = "Given pitch. Unit: deg." }, } },
-      { kind = "group", first = 6, last = 6, body = { { kind = "scalar", name = "initial_roll", type = "float", size = 4, units = {"deg", }, doc = "Given roll. Unit: deg." }, } },
-      { kind = "group", first = 7, last = 7, body = { { kind = "array", name = "initial_position", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Given position. If reference_frame_selector is ecef: unit m; frame ecef. If reference_frame_selector is llh: unit deg, deg, m; frame llh.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
-      { kind = "group", first = 8, last = 8, body = { { kind = "array", name = "initial_velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Given velocity. Unit: m/s. If reference_frame_selector is ecef: frame ecef. If reference_frame_selector is llh: frame ned.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
-      { kind = "group", first = 9, last = 9, body = { { kind = "scalar", name = "reference_frame_selector", type = "u8", size = 1, enum = E["filter.reference_frame"], doc = "Frame of the given position and velocity." }, } },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "wait_for_run_command", type = "u8", size = 1, doc = "1: the filter starts only after filter.run; 0: it starts as soon as it can. Range: 0 to 1." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "initial_condition_source", type = "u8", size = 1, enum = E["filter.initial_condition_source"], doc = "Which initial conditions are automatic and which the user provides." }, } },
+      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "auto_heading_alignment_selector", type = "u8", size = 1, flags = F["filter.heading_alignment"], doc = "Methods by which the initial heading may be determined." }, } },
+      { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "initial_heading", type = "float", size = 4, units = {"deg", }, doc = "Initial heading that the user provides. Unit: deg." }, } },
+      { kind = "group", first = 5, last = 5, body = { { kind = "scalar", name = "initial_pitch", type = "float", size = 4, units = {"deg", }, doc = "Initial pitch that the user provides. Unit: deg." }, } },
+      { kind = "group", first = 6, last = 6, body = { { kind = "scalar", name = "initial_roll", type = "float", size = 4, units = {"deg", }, doc = "Initial roll that the user provides. Unit: deg." }, } },
+      { kind = "group", first = 7, last = 7, body = { { kind = "array", name = "initial_position", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Initial position that the user provides. If reference_frame_selector is ecef: unit m; frame ecef. If reference_frame_selector is llh: unit deg, deg, m; frame llh.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
+      { kind = "group", first = 8, last = 8, body = { { kind = "array", name = "initial_velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Initial velocity that the user provides. Unit: m/s. If reference_frame_selector is ecef: frame ecef. If reference_frame_selector is llh: frame ned.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
+      { kind = "group", first = 9, last = 9, body = { { kind = "scalar", name = "reference_frame_selector", type = "u8", size = 1, enum = E["filter.reference_frame"], doc = "Frame of the initial position and velocity." }, } },
     }) })
 field(0x0D, { descriptor = 0x53, name = "filter.adaptive_filter_options", role = "command", title = "Adaptive filter control",
     doc = "How the filter adapts to measurements that do not fit its model.", least = 1,
@@ -2107,7 +2107,7 @@ field(0x0D, { descriptor = 0x61, name = "filter.speed_lever_arm", role = "comman
       { kind = "group", first = 2, last = 2, body = { { kind = "array", name = "lever_arm_offset", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m", }, doc = "From the sensor to the point of measurement. Unit: m. Frame: vehicle.", item = { kind = "scalar", name = "item", type = "float", size = 4 } }, } },
     }) })
 field(0x0D, { descriptor = 0x62, name = "filter.vertical_gyro_constraint_control", role = "command", title = "Vertical gyro constraint",
-    doc = "Lets the filter hold pitch and roll by the accelerometers while there is no GNSS.", least = 1,
+    doc = "Lets the filter maintain pitch and roll by the accelerometers while there is no GNSS.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = rows("filter.vertical_gyro_constraint_control", {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
@@ -2209,14 +2209,14 @@ field(0x0D, { descriptor = 0x8D, name = "filter.auto_zupt_response", role = "res
     always = 2,
     rows = rows("filter.auto_zupt_response", {
       { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "0 disables, 1 enables. Range: 0 to 1." },
-      { kind = "scalar", name = "threshold", type = "float", size = 4, units = {"m/s", }, doc = "Largest speed that is taken as zero. Unit: m/s. Range: at least 0." },
+      { kind = "scalar", name = "threshold", type = "float", size = 4, units = {"m/s", }, doc = "Highest speed that is treated as zero. Unit: m/s. Range: at least 0." },
     }) })
 field(0x0D, { descriptor = 0x8E, name = "filter.auto_angular_zupt_response", role = "response", title = "Zero angular rate update response",
     doc = "", least = 5,
     always = 2,
     rows = rows("filter.auto_angular_zupt_response", {
       { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "0 disables, 1 enables. Range: 0 to 1." },
-      { kind = "scalar", name = "threshold", type = "float", size = 4, units = {"rad/s", }, doc = "Largest angular rate that is taken as zero. Unit: rad/s. Range: at least 0." },
+      { kind = "scalar", name = "threshold", type = "float", size = 4, units = {"rad/s", }, doc = "Highest angular rate that is treated as zero. Unit: rad/s. Range: at least 0." },
     }) })
 field(0x0D, { descriptor = 0x90, name = "filter.reference_position_response", role = "response", title = "Set reference position response",
     doc = "", least = 25,
@@ -2367,15 +2367,15 @@ field(0x0D, { descriptor = 0xD2, name = "filter.initialization_config_response",
     doc = "", least = 40,
     always = 9,
     rows = rows("filter.initialization_config_response", {
-      { kind = "scalar", name = "wait_for_run_command", type = "u8", size = 1, doc = "1: the filter starts only after filter.run; 0: as soon as it can. Range: 0 to 1." },
-      { kind = "scalar", name = "initial_condition_source", type = "u8", size = 1, enum = E["filter.initial_condition_source"], doc = "Which initial conditions are found and which are given." },
-      { kind = "scalar", name = "auto_heading_alignment_selector", type = "u8", size = 1, flags = F["filter.heading_alignment"], doc = "Ways in which the initial heading may be found." },
-      { kind = "scalar", name = "initial_heading", type = "float", size = 4, units = {"deg", }, doc = "Given heading. Unit: deg." },
-      { kind = "scalar", name = "initial_pitch", type = "float", size = 4, units = {"deg", }, doc = "Given pitch. Unit: deg." },
-      { kind = "scalar", name = "initial_roll", type = "float", size = 4, units = {"deg", }, doc = "Given roll. Unit: deg." },
-      { kind = "array", name = "initial_position", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Given position. If reference_frame_selector is ecef: unit m; frame ecef. If reference_frame_selector is llh: unit deg, deg, m; frame llh.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "array", name = "initial_velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Given velocity. Unit: m/s. If reference_frame_selector is ecef: frame ecef. If reference_frame_selector is llh: frame ned.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "scalar", name = "reference_frame_selector", type = "u8", size = 1, enum = E["filter.reference_frame"], doc = "Frame of the given position and velocity." },
+      { kind = "scalar", name = "wait_for_run_command", type = "u8", size = 1, doc = "1: the filter starts only after filter.run; 0: it starts as soon as it can. Range: 0 to 1." },
+      { kind = "scalar", name = "initial_condition_source", type = "u8", size = 1, enum = E["filter.initial_condition_source"], doc = "Which initial conditions are automatic and which the user provides." },
+      { kind = "scalar", name = "auto_heading_alignment_selector", type = "u8", size = 1, flags = F["filter.heading_alignment"], doc = "Methods by which the initial heading may be determined." },
+      { kind = "scalar", name = "initial_heading", type = "float", size = 4, units = {"deg", }, doc = "Initial heading that the user provides. Unit: deg." },
+      { kind = "scalar", name = "initial_pitch", type = "float", size = 4, units = {"deg", }, doc = "Initial pitch that the user provides. Unit: deg." },
+      { kind = "scalar", name = "initial_roll", type = "float", size = 4, units = {"deg", }, doc = "Initial roll that the user provides. Unit: deg." },
+      { kind = "array", name = "initial_position", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, doc = "Initial position that the user provides. If reference_frame_selector is ecef: unit m; frame ecef. If reference_frame_selector is llh: unit deg, deg, m; frame llh.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "initial_velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Initial velocity that the user provides. Unit: m/s. If reference_frame_selector is ecef: frame ecef. If reference_frame_selector is llh: frame ned.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "scalar", name = "reference_frame_selector", type = "u8", size = 1, enum = E["filter.reference_frame"], doc = "Frame of the initial position and velocity." },
     }) })
 field(0x0D, { descriptor = 0xD3, name = "filter.adaptive_filter_options_response", role = "response", title = "Adaptive filter control response",
     doc = "", least = 3,
@@ -2433,7 +2433,7 @@ field(0x0D, { descriptor = 0xE4, name = "filter.gnss_antenna_calibration_control
       { kind = "scalar", name = "max_offset", type = "float", size = 4, units = {"m", }, doc = "Largest absolute error that is tracked; the limits are those of the 3DM-CV7. Unit: m. Frame: vehicle. Range: 0 to 0.5. Default: 0.1." },
     }) })
 field(0x0E, { descriptor = 0x01, name = "gnss.receiver_info", role = "command", title = "Receiver info",
-    doc = "Asks which GNSS receivers the device has.", least = 0,
+    doc = "Gets the GNSS receivers of the device.", least = 0,
     always = 0,
     rows = rows("gnss.receiver_info", {
     }) })
@@ -2462,7 +2462,7 @@ field(0x0E, { descriptor = 0x20, name = "gnss.spartn_config", role = "command", 
     rows = rows("gnss.spartn_config", {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "1 enables SPARTN corrections, 0 disables them. Range: 0 to 1." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["gnss.spartn_connection"], doc = "How the corrections come." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["gnss.spartn_connection"], doc = "How the corrections are received." }, } },
       { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "current_key_tow", type = "u32", size = 4, units = {"s", }, doc = "GPS time of week until which the current key is valid. Unit: s." }, } },
       { kind = "group", first = 4, last = 4, body = { { kind = "scalar", name = "current_key_week", type = "u16", size = 2, units = {"week", }, doc = "GPS week number until which the current key is valid. Unit: week." }, } },
       { kind = "group", first = 5, last = 5, body = { { kind = "array", name = "current_key", count = 32, capacity = 32, size = 1, doc = "Current key in ASCII digits.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } }, } },
@@ -2499,7 +2499,7 @@ field(0x0E, { descriptor = 0xA0, name = "gnss.spartn_config_response", role = "r
     always = 8,
     rows = rows("gnss.spartn_config_response", {
       { kind = "scalar", name = "enable", type = "u8", size = 1, doc = "1 enables SPARTN corrections, 0 disables them. Range: 0 to 1." },
-      { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["gnss.spartn_connection"], doc = "How the corrections come." },
+      { kind = "scalar", name = "type", type = "u8", size = 1, enum = E["gnss.spartn_connection"], doc = "How the corrections are received." },
       { kind = "scalar", name = "current_key_tow", type = "u32", size = 4, units = {"s", }, doc = "GPS time of week until which the current key is valid. Unit: s." },
       { kind = "scalar", name = "current_key_week", type = "u16", size = 2, units = {"week", }, doc = "GPS week number until which the current key is valid. Unit: week." },
       { kind = "array", name = "current_key", count = 32, capacity = 32, size = 1, doc = "Current key in ASCII digits.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
@@ -2508,27 +2508,27 @@ field(0x0E, { descriptor = 0xA0, name = "gnss.spartn_config_response", role = "r
       { kind = "array", name = "next_key", count = 32, capacity = 32, size = 1, doc = "Next key in ASCII digits.", item = { kind = "scalar", name = "item", type = "u8", size = 1 } },
     }) })
 field(0x0F, { descriptor = 0x01, name = "rtk.get_status_flags", role = "command", title = "Get status flags",
-    doc = "Asks for the state of the modem and of the corrections.", least = 0,
+    doc = "Gets the state of the modem and of the corrections.", least = 0,
     always = 0,
     rows = rows("rtk.get_status_flags", {
     }) })
 field(0x0F, { descriptor = 0x02, name = "rtk.get_imei", role = "command", title = "Get IMEI",
-    doc = "Asks for the identity of the modem.", least = 0,
+    doc = "Gets the identity of the modem.", least = 0,
     always = 0,
     rows = rows("rtk.get_imei", {
     }) })
 field(0x0F, { descriptor = 0x03, name = "rtk.get_imsi", role = "command", title = "Get IMSI",
-    doc = "Asks for the identity of the subscriber.", least = 0,
+    doc = "Gets the identity of the subscriber.", least = 0,
     always = 0,
     rows = rows("rtk.get_imsi", {
     }) })
 field(0x0F, { descriptor = 0x04, name = "rtk.get_iccid", role = "command", title = "Get ICCID",
-    doc = "Asks for the number of the SIM card.", least = 0,
+    doc = "Gets the number of the SIM card.", least = 0,
     always = 0,
     rows = rows("rtk.get_iccid", {
     }) })
 field(0x0F, { descriptor = 0x05, name = "rtk.get_rssi", role = "command", title = "Get RSSI",
-    doc = "Asks for the strength of the cellular signal.", least = 0,
+    doc = "Gets the strength of the cellular signal.", least = 0,
     always = 0,
     rows = rows("rtk.get_rssi", {
     }) })
@@ -2540,17 +2540,17 @@ field(0x0F, { descriptor = 0x06, name = "rtk.connected_device_type", role = "com
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "device_type", type = "u8", size = 1, enum = E["rtk.connected_device"], doc = "Type of the device." }, } },
     }) })
 field(0x0F, { descriptor = 0x07, name = "rtk.get_activation_code", role = "command", title = "Get activation code",
-    doc = "Asks for the activation code.", least = 0,
+    doc = "Gets the activation code.", least = 0,
     always = 0,
     rows = rows("rtk.get_activation_code", {
     }) })
 field(0x0F, { descriptor = 0x08, name = "rtk.get_modem_firmware_version", role = "command", title = "Get modem firmware version",
-    doc = "Asks for the firmware version of the cellular modem.", least = 0,
+    doc = "Gets the firmware version of the cellular modem.", least = 0,
     always = 0,
     rows = rows("rtk.get_modem_firmware_version", {
     }) })
 field(0x0F, { descriptor = 0x0A, name = "rtk.service_status", role = "command", title = "Service status",
-    doc = "Asks a correction server about the connection, and so keeps it open.", least = 8,
+    doc = "Queries a correction server about the connection, which also keeps it open.", least = 8,
     always = 2,
     from_device = true,
     rows = rows("rtk.service_status", {
@@ -2654,7 +2654,7 @@ field(0x13, { descriptor = 0x1F, name = "aiding.echo_control", role = "command",
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = rows("aiding.echo_control", {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
-      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["aiding.aiding_echo_mode"], doc = "How they are answered." }, } },
+      { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["aiding.aiding_echo_mode"], doc = "How the measurements are answered." }, } },
     }) })
 field(0x13, { descriptor = 0x21, name = "aiding.ecef_position", role = "command", title = "ECEF position",
     doc = "A measured position in Earth-fixed coordinates.", least = 49,
@@ -2765,19 +2765,19 @@ field(0x13, { descriptor = 0x9F, name = "aiding.echo_control_response", role = "
     doc = "", least = 1,
     always = 1,
     rows = rows("aiding.echo_control_response", {
-      { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["aiding.aiding_echo_mode"], doc = "How they are answered." },
+      { kind = "scalar", name = "mode", type = "u8", size = 1, enum = E["aiding.aiding_echo_mode"], doc = "How the measurements are answered." },
     }) })
 field(0x7F, { descriptor = 0x02, name = "system.interface_control", role = "command", title = "Interface control",
-    doc = "Protocols that a port takes in and gives out.", least = 1,
+    doc = "Protocols that a port receives and sends.", least = 1,
     required = { [1] = 3, [2] = 1, [3] = 1, [4] = 1, [5] = 1, }, silent = { },
     rows = rows("system.interface_control", {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
       { kind = "group", first = 1, last = 1, body = { { kind = "scalar", name = "port", type = "u8", size = 1, enum = E["system.comm_interface"], doc = "The port." }, } },
-      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "protocols_incoming", type = "u32", size = 4, flags = F["system.comm_protocols"], doc = "Protocols that it takes in." }, } },
-      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "protocols_outgoing", type = "u32", size = 4, flags = F["system.comm_protocols"], doc = "Protocols that it gives out." }, } },
+      { kind = "group", first = 2, last = 2, body = { { kind = "scalar", name = "protocols_incoming", type = "u32", size = 4, flags = F["system.comm_protocols"], doc = "Protocols that it receives." }, } },
+      { kind = "group", first = 3, last = 3, body = { { kind = "scalar", name = "protocols_outgoing", type = "u32", size = 4, flags = F["system.comm_protocols"], doc = "Protocols that it sends." }, } },
     }) })
 field(0x7F, { descriptor = 0x10, name = "system.comm_mode", role = "command", title = "Communication mode",
-    doc = "Switches the port between the device and one of the sensors inside it.", least = 1,
+    doc = "Switches the port between the device and one of its internal sensors.", least = 1,
     required = { [1] = 1, [2] = 0, [3] = 0, [4] = 0, [5] = 0, }, silent = { },
     rows = rows("system.comm_mode", {
       { kind = "scalar", name = "function", type = "u8", size = 1, enum = E["function_selector"], doc = "What to do with the setting." },
@@ -2788,8 +2788,8 @@ field(0x7F, { descriptor = 0x82, name = "system.interface_control_response", rol
     always = 3,
     rows = rows("system.interface_control_response", {
       { kind = "scalar", name = "port", type = "u8", size = 1, enum = E["system.comm_interface"], doc = "The port." },
-      { kind = "scalar", name = "protocols_incoming", type = "u32", size = 4, flags = F["system.comm_protocols"], doc = "Protocols that it takes in." },
-      { kind = "scalar", name = "protocols_outgoing", type = "u32", size = 4, flags = F["system.comm_protocols"], doc = "Protocols that it gives out." },
+      { kind = "scalar", name = "protocols_incoming", type = "u32", size = 4, flags = F["system.comm_protocols"], doc = "Protocols that it receives." },
+      { kind = "scalar", name = "protocols_outgoing", type = "u32", size = 4, flags = F["system.comm_protocols"], doc = "Protocols that it sends." },
     }) })
 field(0x7F, { descriptor = 0x90, name = "system.comm_mode_response", role = "response", title = "Communication mode response",
     doc = "", least = 1,
@@ -2846,25 +2846,25 @@ field(0x80, { descriptor = 0x08, name = "sensor.delta_velocity", role = "data", 
       { kind = "array", name = "delta_velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g*s", }, doc = "Integral of the acceleration. Unit: g*s. Frame: vehicle.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     }) })
 field(0x80, { descriptor = 0x09, name = "sensor.comp_orientation_matrix", role = "data", title = "Complementary filter orientation matrix",
-    doc = "Attitude by the complementary filter as a direction cosine matrix, relative to the NED frame.", least = 36,
+    doc = "Attitude from the complementary filter as a direction cosine matrix, relative to the NED frame.", least = 36,
     always = 1,
     rows = rows("sensor.comp_orientation_matrix", {
       { kind = "array", name = "m", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Rotation from the NED frame to the vehicle frame. Unit: 1. On the 3DM-GX5-15: From the NED frame to the sensor frame.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     }) })
 field(0x80, { descriptor = 0x0A, name = "sensor.comp_quaternion", role = "data", title = "Complementary filter quaternion",
-    doc = "Attitude by the complementary filter as a quaternion, relative to the NED frame.", least = 16,
+    doc = "Attitude from the complementary filter as a quaternion, relative to the NED frame.", least = 16,
     always = 1,
     rows = rows("sensor.comp_quaternion", {
       { kind = "array", name = "q", count = 4, capacity = 4, size = 4, elements = {"w", "x", "y", "z", }, doc = "Rotation between the NED frame and the vehicle frame. Unit: 1. On the 3DM-GX5-15: Between NED and the sensor frame.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     }) })
 field(0x80, { descriptor = 0x0B, name = "sensor.comp_orientation_update_matrix", role = "data", title = "Complementary filter orientation update matrix",
-    doc = "Change of the attitude by the complementary filter as a matrix.", least = 36,
+    doc = "Change of the attitude from the complementary filter as a matrix.", least = 36,
     always = 1,
     rows = rows("sensor.comp_orientation_update_matrix", {
       { kind = "array", name = "m", count = 9, capacity = 9, size = 4, elements = {"m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33", }, doc = "Matrix in row-major order. Unit: 1.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
     }) })
 field(0x80, { descriptor = 0x0C, name = "sensor.comp_euler_angles", role = "data", title = "Complementary filter Euler angles",
-    doc = "Attitude by the complementary filter as Euler angles, relative to the NED frame.", least = 12,
+    doc = "Attitude from the complementary filter as Euler angles, relative to the NED frame.", least = 12,
     always = 3,
     rows = rows("sensor.comp_euler_angles", {
       { kind = "scalar", name = "roll", type = "float", size = 4, units = {"rad", }, doc = "Roll angle. Unit: rad." },
@@ -2884,7 +2884,7 @@ field(0x80, { descriptor = 0x0E, name = "sensor.internal_timestamp", role = "dat
       { kind = "scalar", name = "counts", type = "u32", size = 4, doc = "Counter. Unit: 1." },
     }) })
 field(0x80, { descriptor = 0x0F, name = "sensor.pps_timestamp", role = "data", title = "PPS timestamp",
-    doc = "Time that is counted with the pulse per second.", least = 8,
+    doc = "Time counted by the pulse per second.", least = 8,
     always = 2,
     rows = rows("sensor.pps_timestamp", {
       { kind = "scalar", name = "seconds", type = "u32", size = 4, units = {"s", }, doc = "Whole seconds. Unit: s." },
@@ -2939,7 +2939,7 @@ field(0x80, { descriptor = 0x18, name = "sensor.overrange_status", role = "data"
       { kind = "scalar", name = "status", type = "u16", size = 2, flags = F["sensor.overrange_flags"], doc = "One bit for each axis." },
     }) })
 field(0x80, { descriptor = 0x40, name = "sensor.odometer", role = "data", title = "Odometer data",
-    doc = "Speed by the wheel encoder.", least = 10,
+    doc = "Speed measured by the wheel encoder.", least = 10,
     always = 3,
     rows = rows("sensor.odometer", {
       { kind = "scalar", name = "speed", type = "float", size = 4, units = {"m/s", }, doc = "Average speed over the interval; negative values come from quadrature encoders only. Unit: m/s. Valid if valid_flags.odometer is set." },
@@ -3043,7 +3043,7 @@ field(0x82, { descriptor = 0x0C, name = "filter_data.accel_bias_uncertainty", ro
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
     }) })
 field(0x82, { descriptor = 0x0D, name = "filter_data.linear_accel", role = "data", title = "Linear acceleration",
-    doc = "Compensated acceleration less the estimated gravity.", least = 14,
+    doc = "Compensated acceleration minus the estimated gravity.", least = 14,
     always = 2,
     rows = rows("filter_data.linear_accel", {
       { kind = "array", name = "accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Linear acceleration. Unit: m/s^2. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
@@ -3057,7 +3057,7 @@ field(0x82, { descriptor = 0x0E, name = "filter_data.comp_angular_rate", role = 
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
     }) })
 field(0x82, { descriptor = 0x0F, name = "filter_data.wgs84_gravity_magnitude", role = "data", title = "WGS84 local gravity magnitude",
-    doc = "Magnitude of gravity at the position of the device by the WGS84 model.", least = 6,
+    doc = "Magnitude of gravity at the position of the device according to the WGS84 model.", least = 6,
     always = 2,
     rows = rows("filter_data.wgs84_gravity_magnitude", {
       { kind = "scalar", name = "gravity_magnitude", type = "float", size = 4, units = {"m/s^2", }, doc = "Magnitude of gravity. Unit: m/s^2. Valid if valid_flags.valid is set." },
@@ -3068,7 +3068,7 @@ field(0x82, { descriptor = 0x10, name = "filter_data.status", role = "data", tit
     always = 3,
     rows = rows("filter_data.status", {
       { kind = "scalar", name = "filter_state", type = "u16", size = 2, doc = "State of the filter. On the 3DM-CV7-GNSS/INS: values of cv7_filter_state. On the 3DM-GX5-15: values of gx5_filter_state.", readings = { {device = "3dm-cv7-gnss-ins", enum = E["filter_data.cv7_filter_state"] }, {device = "3dm-gx5-15", enum = E["filter_data.gx5_filter_state"] }, } },
-      { kind = "scalar", name = "dynamics_mode", type = "u16", size = 2, doc = "Motion for which the filter is set up. On the 3DM-CV7-GNSS/INS: values of cv7_dynamics_mode. On the 3DM-GX5-15: values of gx5_dynamics_mode.", readings = { {device = "3dm-cv7-gnss-ins", enum = E["filter_data.cv7_dynamics_mode"] }, {device = "3dm-gx5-15", enum = E["filter_data.gx5_dynamics_mode"] }, } },
+      { kind = "scalar", name = "dynamics_mode", type = "u16", size = 2, doc = "Motion for which the filter is configured. On the 3DM-CV7-GNSS/INS: values of cv7_dynamics_mode. On the 3DM-GX5-15: values of gx5_dynamics_mode.", readings = { {device = "3dm-cv7-gnss-ins", enum = E["filter_data.cv7_dynamics_mode"] }, {device = "3dm-gx5-15", enum = E["filter_data.gx5_dynamics_mode"] }, } },
       { kind = "scalar", name = "status_flags", type = "u16", size = 2, doc = "Condition and warnings. On the 3DM-CV7-GNSS/INS: values of cv7_status_flags. On the 3DM-GX5-15: values of gx5_status_flags.", readings = { {device = "3dm-cv7-gnss-ins", flags = F["filter_data.cv7_status_flags"] }, {device = "3dm-gx5-15", flags = F["filter_data.gx5_status_flags"] }, } },
     }) })
 field(0x82, { descriptor = 0x11, name = "filter_data.timestamp", role = "data", title = "Filter timestamp",
@@ -3103,7 +3103,7 @@ field(0x82, { descriptor = 0x14, name = "filter_data.heading_update_state", role
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
     }) })
 field(0x82, { descriptor = 0x15, name = "filter_data.magnetic_model", role = "data", title = "Magnetic model",
-    doc = "Magnetic field at the position of the device by the World Magnetic Model.", least = 22,
+    doc = "Magnetic field at the position of the device according to the World Magnetic Model.", least = 22,
     always = 6,
     rows = rows("filter_data.magnetic_model", {
       { kind = "scalar", name = "intensity_north", type = "float", size = 4, units = {"gauss", }, doc = "Intensity north. Unit: gauss. Frame: ned. Valid if valid_flags.valid is set." },
@@ -3156,7 +3156,7 @@ field(0x82, { descriptor = 0x1B, name = "filter_data.mag_bias_uncertainty", role
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
     }) })
 field(0x82, { descriptor = 0x1C, name = "filter_data.comp_accel", role = "data", title = "Compensated acceleration",
-    doc = "Acceleration without the estimated bias; gravity is still in it.", least = 14,
+    doc = "Acceleration without the estimated bias; it includes gravity.", least = 14,
     always = 2,
     rows = rows("filter_data.comp_accel", {
       { kind = "array", name = "accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Acceleration. Unit: m/s^2. Frame: vehicle. Valid if valid_flags.valid is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
@@ -3166,7 +3166,7 @@ field(0x82, { descriptor = 0x20, name = "filter_data.standard_atmosphere", role 
     doc = "US Standard Atmosphere of 1976 at the altitude of the device.", least = 22,
     always = 6,
     rows = rows("filter_data.standard_atmosphere", {
-      { kind = "scalar", name = "geometric_altitude", type = "float", size = 4, units = {"m", }, doc = "Altitude that goes into the model. Unit: m. Valid if valid_flags.valid is set." },
+      { kind = "scalar", name = "geometric_altitude", type = "float", size = 4, units = {"m", }, doc = "Altitude used in the model. Unit: m. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "geopotential_altitude", type = "float", size = 4, units = {"m", }, doc = "Geopotential altitude. Unit: m. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "standard_temperature", type = "float", size = 4, units = {"degC", }, doc = "Temperature. Unit: degC. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "standard_pressure", type = "float", size = 4, units = {"mbar", }, doc = "Pressure. Unit: mbar. Valid if valid_flags.valid is set." },
@@ -3370,7 +3370,7 @@ field(0x82, { descriptor = 0x49, name = "filter_data.gnss_dual_antenna_status", 
       { kind = "scalar", name = "heading", type = "float", size = 4, units = {"rad", }, doc = "Heading. Unit: rad. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "heading_uncertainty", type = "float", size = 4, units = {"rad", }, doc = "Uncertainty of the heading. Unit: rad. Valid if valid_flags.valid is set." },
       { kind = "scalar", name = "fix_type", type = "u8", size = 1, enum = E["filter_data.dual_antenna_fix_type"], doc = "Kind of solution." },
-      { kind = "scalar", name = "status_flags", type = "u16", size = 2, flags = F["filter_data.dual_antenna_status_flags"], doc = "What the solution has to work with." },
+      { kind = "scalar", name = "status_flags", type = "u16", size = 2, flags = F["filter_data.dual_antenna_status_flags"], doc = "Inputs available to the solution." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["filter_data.valid_flags"], doc = "Validity of the values." },
     }) })
 field(0x82, { descriptor = 0x50, name = "filter_data.aiding_frame_config_error", role = "data", title = "Aiding frame configuration error",
@@ -3453,7 +3453,7 @@ field(0x91, { descriptor = 0x08, name = "gnss_1.utc_time", role = "data", title 
       { kind = "scalar", name = "min", type = "u8", size = 1, doc = "Minute. Range: 0 to 59. Valid if valid_flags.gnss_date_time is set." },
       { kind = "scalar", name = "sec", type = "u8", size = 1, units = {"s", }, doc = "Second. Unit: s. Range: 0 to 59. Valid if valid_flags.gnss_date_time is set." },
       { kind = "scalar", name = "msec", type = "u32", size = 4, units = {"ms", }, doc = "Fraction of the second. Unit: ms. Range: 0 to 999. Valid if valid_flags.gnss_date_time is set." },
-      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_1.utc_time_flags"], doc = "How far the time is valid." },
+      { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_1.utc_time_flags"], doc = "Which parts of the time are valid." },
     }) })
 field(0x91, { descriptor = 0x09, name = "gnss_1.gps_time", role = "data", title = "GPS time",
     doc = "GPS time as the receiver knows it.", least = 12,
@@ -3473,12 +3473,12 @@ field(0x91, { descriptor = 0x0A, name = "gnss_1.clock_info", role = "data", titl
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_1.clock_info_flags"], doc = "Which values are valid." },
     }) })
 field(0x91, { descriptor = 0x0B, name = "gnss_1.fix_info", role = "data", title = "Fix info",
-    doc = "Type of the position fix and what it is made of.", least = 6,
+    doc = "Type of the position fix and what it is based on.", least = 6,
     always = 4,
     rows = rows("gnss_1.fix_info", {
       { kind = "scalar", name = "fix_type", type = "u8", size = 1, enum = E["gnss_fix_type"], doc = "Type of the fix. Valid if valid_flags.fix_type is set." },
-      { kind = "scalar", name = "num_sv", type = "u8", size = 1, doc = "Number of satellites of the fix. Unit: 1. Valid if valid_flags.num_sv is set." },
-      { kind = "scalar", name = "fix_flags", type = "u16", size = 2, flags = F["gnss_1.fix_flags"], doc = "Aids of the fix. Valid if valid_flags.fix_flags is set." },
+      { kind = "scalar", name = "num_sv", type = "u8", size = 1, doc = "Number of satellites used in the fix. Unit: 1. Valid if valid_flags.num_sv is set." },
+      { kind = "scalar", name = "fix_flags", type = "u16", size = 2, flags = F["gnss_1.fix_flags"], doc = "What the fix uses. Valid if valid_flags.fix_flags is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_1.fix_info_flags"], doc = "Which values are valid." },
     }) })
 field(0x91, { descriptor = 0x0C, name = "gnss_1.sv_info", role = "data", title = "Satellite info",
@@ -3561,13 +3561,13 @@ field(0x91, { descriptor = 0x13, name = "gnss_1.sbas_correction", role = "data",
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week." },
       { kind = "scalar", name = "gnss_id", type = "u8", size = 1, enum = E["gnss_constellation"], doc = "Constellation." },
       { kind = "scalar", name = "satellite_id", type = "u8", size = 1, doc = "Satellite within the constellation." },
-      { kind = "scalar", name = "udrei", type = "u8", size = 1, doc = "Indicator of the range error that is left after fast and long-term corrections, the atmosphere apart; 14 is not monitored, 15 not usable. Range: 0 to 15. Valid if valid_flags.udrei is set." },
+      { kind = "scalar", name = "udrei", type = "u8", size = 1, doc = "Indicator of the range error that remains after fast and long-term corrections, not counting the atmosphere; 14 is not monitored, 15 not usable. Range: 0 to 15. Valid if valid_flags.udrei is set." },
       { kind = "scalar", name = "pseudorange_correction", type = "float", size = 4, units = {"m", }, doc = "Correction of the pseudorange. Unit: m. Valid if valid_flags.pseudorange_correction is set." },
       { kind = "scalar", name = "iono_correction", type = "float", size = 4, units = {"m", }, doc = "Correction of the ionospheric delay. Unit: m. Valid if valid_flags.iono_correction is set." },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_1.sbas_correction_flags"], doc = "Which values are valid." },
     }) })
 field(0x91, { descriptor = 0x14, name = "gnss_1.rf_error_detection", role = "data", title = "RF error detection",
-    doc = "Jamming and spoofing as the receiver detects them in one band.", least = 9,
+    doc = "Jamming and spoofing that the receiver detects in one band.", least = 9,
     always = 5,
     rows = rows("gnss_1.rf_error_detection", {
       { kind = "scalar", name = "rf_band", type = "u8", size = 1, enum = E["gnss_1.rf_band"], doc = "Band. Valid if valid_flags.rf_band is set." },
@@ -3577,7 +3577,7 @@ field(0x91, { descriptor = 0x14, name = "gnss_1.rf_error_detection", role = "dat
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_1.rf_error_detection_flags"], doc = "Which values are valid." },
     }) })
 field(0x91, { descriptor = 0x20, name = "gnss_1.satellite_status", role = "data", title = "Satellite status",
-    doc = "Where one satellite stands, and its health.", least = 25,
+    doc = "Direction to one satellite, and its health.", least = 25,
     always = 10,
     rows = rows("gnss_1.satellite_status", {
       { kind = "scalar", name = "index", type = "u8", size = 1, doc = "Number of this field within the epoch." },
@@ -3628,12 +3628,12 @@ field(0x91, { descriptor = 0x30, name = "gnss_1.base_station_info", role = "data
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["gnss_1.base_station_info_flags"], doc = "Which values are valid." },
     }) })
 field(0x91, { descriptor = 0x31, name = "gnss_1.rtk_corrections_status", role = "data", title = "RTK corrections status",
-    doc = "Which corrections come, and how old they are.", least = 50,
+    doc = "Which corrections are received, and how old they are.", least = 50,
     always = 10,
     rows = rows("gnss_1.rtk_corrections_status", {
       { kind = "scalar", name = "tow", type = "double", size = 8, units = {"s", }, doc = "GPS time of week. Unit: s. Valid if valid_flags.tow is set." },
       { kind = "scalar", name = "week_number", type = "u16", size = 2, units = {"week", }, doc = "GPS week number. Unit: week. Valid if valid_flags.week_number is set." },
-      { kind = "scalar", name = "epoch_status", type = "u16", size = 2, flags = F["gnss_1.rtk_epoch_status"], doc = "Corrections that came during this epoch. Valid if valid_flags.epoch_status is set." },
+      { kind = "scalar", name = "epoch_status", type = "u16", size = 2, flags = F["gnss_1.rtk_epoch_status"], doc = "Corrections received during this epoch. Valid if valid_flags.epoch_status is set." },
       { kind = "scalar", name = "dongle_status", type = "u32", size = 4, flags = F["rtk_status_flags"], doc = "Status flags of the RTK dongle; of use only with a dongle. Valid if valid_flags.dongle_status is set." },
       { kind = "scalar", name = "gps_correction_latency", type = "float", size = 4, units = {"s", }, doc = "Latency of the last GPS correction. Unit: s. Valid if valid_flags.gps_latency is set." },
       { kind = "scalar", name = "glonass_correction_latency", type = "float", size = 4, units = {"s", }, doc = "Latency of the last GLONASS correction. Unit: s. Valid if valid_flags.glonass_latency is set." },
@@ -3698,7 +3698,7 @@ field(0x91, { descriptor = 0x62, name = "gnss_1.glonass_ephemeris", role = "data
       { kind = "scalar", name = "tau_n", type = "double", size = 8, units = {"s", }, doc = "Correction of the satellite time relative to GLONASS time. Unit: s. Valid if valid_flags.ephemeris is set." },
       { kind = "array", name = "position", count = 3, capacity = 3, size = 8, elements = {"x", "y", "z", }, units = {"m", }, doc = "Position of the satellite in PZ-90. Unit: m. Valid if valid_flags.ephemeris is set.", item = { kind = "scalar", name = "item", type = "double", size = 8 } },
       { kind = "array", name = "velocity", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s", }, doc = "Velocity of the satellite in PZ-90. Unit: m/s. Valid if valid_flags.ephemeris is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
-      { kind = "array", name = "accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Acceleration of the satellite by perturbations, in PZ-90. Unit: m/s^2. Valid if valid_flags.ephemeris is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"m/s^2", }, doc = "Acceleration of the satellite due to perturbations, in PZ-90. Unit: m/s^2. Valid if valid_flags.ephemeris is set.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "health", type = "u8", size = 1, doc = "Health (Bn); not 0 if the satellite fails. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "p", type = "u8", size = 1, doc = "Mode of operation of the satellite. Valid if valid_flags.ephemeris is set." },
       { kind = "scalar", name = "nt", type = "u8", size = 1, units = {"day", }, doc = "Day within a period of four years. Unit: day. Valid if valid_flags.ephemeris is set." },
@@ -3938,7 +3938,7 @@ field(0x81, { descriptor = 0x0A, name = "gnss_data.clock_info", role = "data", t
     always = 4,
     rows = L["gnss_1.clock_info"] })
 field(0x81, { descriptor = 0x0B, name = "gnss_data.fix_info", role = "data", title = "Fix info",
-    doc = "Type of the position fix and what it is made of.", least = 6,
+    doc = "Type of the position fix and what it is based on.", least = 6,
     always = 4,
     rows = L["gnss_1.fix_info"] })
 field(0x81, { descriptor = 0x0C, name = "gnss_data.sv_info", role = "data", title = "Satellite info",
@@ -3974,11 +3974,11 @@ field(0x81, { descriptor = 0x13, name = "gnss_data.sbas_correction", role = "dat
     always = 10,
     rows = L["gnss_1.sbas_correction"] })
 field(0x81, { descriptor = 0x14, name = "gnss_data.rf_error_detection", role = "data", title = "RF error detection",
-    doc = "Jamming and spoofing as the receiver detects them in one band.", least = 9,
+    doc = "Jamming and spoofing that the receiver detects in one band.", least = 9,
     always = 5,
     rows = L["gnss_1.rf_error_detection"] })
 field(0x81, { descriptor = 0x20, name = "gnss_data.satellite_status", role = "data", title = "Satellite status",
-    doc = "Where one satellite stands, and its health.", least = 25,
+    doc = "Direction to one satellite, and its health.", least = 25,
     always = 10,
     rows = L["gnss_1.satellite_status"] })
 field(0x81, { descriptor = 0x22, name = "gnss_data.raw", role = "data", title = "Raw",
@@ -3990,7 +3990,7 @@ field(0x81, { descriptor = 0x30, name = "gnss_data.base_station_info", role = "d
     always = 7,
     rows = L["gnss_1.base_station_info"] })
 field(0x81, { descriptor = 0x31, name = "gnss_data.rtk_corrections_status", role = "data", title = "RTK corrections status",
-    doc = "Which corrections come, and how old they are.", least = 50,
+    doc = "Which corrections are received, and how old they are.", least = 50,
     always = 10,
     rows = L["gnss_1.rtk_corrections_status"] })
 field(0x81, { descriptor = 0x61, name = "gnss_data.gps_ephemeris", role = "data", title = "GPS ephemeris",
@@ -4054,7 +4054,7 @@ field(0x92, { descriptor = 0x0A, name = "gnss_2.clock_info", role = "data", titl
     always = 4,
     rows = L["gnss_1.clock_info"] })
 field(0x92, { descriptor = 0x0B, name = "gnss_2.fix_info", role = "data", title = "Fix info",
-    doc = "Type of the position fix and what it is made of.", least = 6,
+    doc = "Type of the position fix and what it is based on.", least = 6,
     always = 4,
     rows = L["gnss_1.fix_info"] })
 field(0x92, { descriptor = 0x0C, name = "gnss_2.sv_info", role = "data", title = "Satellite info",
@@ -4090,11 +4090,11 @@ field(0x92, { descriptor = 0x13, name = "gnss_2.sbas_correction", role = "data",
     always = 10,
     rows = L["gnss_1.sbas_correction"] })
 field(0x92, { descriptor = 0x14, name = "gnss_2.rf_error_detection", role = "data", title = "RF error detection",
-    doc = "Jamming and spoofing as the receiver detects them in one band.", least = 9,
+    doc = "Jamming and spoofing that the receiver detects in one band.", least = 9,
     always = 5,
     rows = L["gnss_1.rf_error_detection"] })
 field(0x92, { descriptor = 0x20, name = "gnss_2.satellite_status", role = "data", title = "Satellite status",
-    doc = "Where one satellite stands, and its health.", least = 25,
+    doc = "Direction to one satellite, and its health.", least = 25,
     always = 10,
     rows = L["gnss_1.satellite_status"] })
 field(0x92, { descriptor = 0x22, name = "gnss_2.raw", role = "data", title = "Raw",
@@ -4106,7 +4106,7 @@ field(0x92, { descriptor = 0x30, name = "gnss_2.base_station_info", role = "data
     always = 7,
     rows = L["gnss_1.base_station_info"] })
 field(0x92, { descriptor = 0x31, name = "gnss_2.rtk_corrections_status", role = "data", title = "RTK corrections status",
-    doc = "Which corrections come, and how old they are.", least = 50,
+    doc = "Which corrections are received, and how old they are.", least = 50,
     always = 10,
     rows = L["gnss_1.rtk_corrections_status"] })
 field(0x92, { descriptor = 0x61, name = "gnss_2.gps_ephemeris", role = "data", title = "GPS ephemeris",
@@ -4170,7 +4170,7 @@ field(0x93, { descriptor = 0x0A, name = "gnss_corrections.clock_info", role = "d
     always = 4,
     rows = L["gnss_1.clock_info"] })
 field(0x93, { descriptor = 0x0B, name = "gnss_corrections.fix_info", role = "data", title = "Fix info",
-    doc = "Type of the position fix and what it is made of.", least = 6,
+    doc = "Type of the position fix and what it is based on.", least = 6,
     always = 4,
     rows = L["gnss_1.fix_info"] })
 field(0x93, { descriptor = 0x0C, name = "gnss_corrections.sv_info", role = "data", title = "Satellite info",
@@ -4206,11 +4206,11 @@ field(0x93, { descriptor = 0x13, name = "gnss_corrections.sbas_correction", role
     always = 10,
     rows = L["gnss_1.sbas_correction"] })
 field(0x93, { descriptor = 0x14, name = "gnss_corrections.rf_error_detection", role = "data", title = "RF error detection",
-    doc = "Jamming and spoofing as the receiver detects them in one band.", least = 9,
+    doc = "Jamming and spoofing that the receiver detects in one band.", least = 9,
     always = 5,
     rows = L["gnss_1.rf_error_detection"] })
 field(0x93, { descriptor = 0x20, name = "gnss_corrections.satellite_status", role = "data", title = "Satellite status",
-    doc = "Where one satellite stands, and its health.", least = 25,
+    doc = "Direction to one satellite, and its health.", least = 25,
     always = 10,
     rows = L["gnss_1.satellite_status"] })
 field(0x93, { descriptor = 0x22, name = "gnss_corrections.raw", role = "data", title = "Raw",
@@ -4222,7 +4222,7 @@ field(0x93, { descriptor = 0x30, name = "gnss_corrections.base_station_info", ro
     always = 7,
     rows = L["gnss_1.base_station_info"] })
 field(0x93, { descriptor = 0x31, name = "gnss_corrections.rtk_corrections_status", role = "data", title = "RTK corrections status",
-    doc = "Which corrections come, and how old they are.", least = 50,
+    doc = "Which corrections are received, and how old they are.", least = 50,
     always = 10,
     rows = L["gnss_1.rtk_corrections_status"] })
 field(0x93, { descriptor = 0x61, name = "gnss_corrections.gps_ephemeris", role = "data", title = "GPS ephemeris",
@@ -4286,7 +4286,7 @@ field(0x94, { descriptor = 0x0A, name = "gnss_external.clock_info", role = "data
     always = 4,
     rows = L["gnss_1.clock_info"] })
 field(0x94, { descriptor = 0x0B, name = "gnss_external.fix_info", role = "data", title = "Fix info",
-    doc = "Type of the position fix and what it is made of.", least = 6,
+    doc = "Type of the position fix and what it is based on.", least = 6,
     always = 4,
     rows = L["gnss_1.fix_info"] })
 field(0x94, { descriptor = 0x0C, name = "gnss_external.sv_info", role = "data", title = "Satellite info",
@@ -4322,11 +4322,11 @@ field(0x94, { descriptor = 0x13, name = "gnss_external.sbas_correction", role = 
     always = 10,
     rows = L["gnss_1.sbas_correction"] })
 field(0x94, { descriptor = 0x14, name = "gnss_external.rf_error_detection", role = "data", title = "RF error detection",
-    doc = "Jamming and spoofing as the receiver detects them in one band.", least = 9,
+    doc = "Jamming and spoofing that the receiver detects in one band.", least = 9,
     always = 5,
     rows = L["gnss_1.rf_error_detection"] })
 field(0x94, { descriptor = 0x20, name = "gnss_external.satellite_status", role = "data", title = "Satellite status",
-    doc = "Where one satellite stands, and its health.", least = 25,
+    doc = "Direction to one satellite, and its health.", least = 25,
     always = 10,
     rows = L["gnss_1.satellite_status"] })
 field(0x94, { descriptor = 0x22, name = "gnss_external.raw", role = "data", title = "Raw",
@@ -4338,7 +4338,7 @@ field(0x94, { descriptor = 0x30, name = "gnss_external.base_station_info", role 
     always = 7,
     rows = L["gnss_1.base_station_info"] })
 field(0x94, { descriptor = 0x31, name = "gnss_external.rtk_corrections_status", role = "data", title = "RTK corrections status",
-    doc = "Which corrections come, and how old they are.", least = 50,
+    doc = "Which corrections are received, and how old they are.", least = 50,
     always = 10,
     rows = L["gnss_1.rtk_corrections_status"] })
 field(0x94, { descriptor = 0x61, name = "gnss_external.gps_ephemeris", role = "data", title = "GPS ephemeris",
@@ -4402,7 +4402,7 @@ field(0x95, { descriptor = 0x0A, name = "gnss_external_2.clock_info", role = "da
     always = 4,
     rows = L["gnss_1.clock_info"] })
 field(0x95, { descriptor = 0x0B, name = "gnss_external_2.fix_info", role = "data", title = "Fix info",
-    doc = "Type of the position fix and what it is made of.", least = 6,
+    doc = "Type of the position fix and what it is based on.", least = 6,
     always = 4,
     rows = L["gnss_1.fix_info"] })
 field(0x95, { descriptor = 0x0C, name = "gnss_external_2.sv_info", role = "data", title = "Satellite info",
@@ -4438,11 +4438,11 @@ field(0x95, { descriptor = 0x13, name = "gnss_external_2.sbas_correction", role 
     always = 10,
     rows = L["gnss_1.sbas_correction"] })
 field(0x95, { descriptor = 0x14, name = "gnss_external_2.rf_error_detection", role = "data", title = "RF error detection",
-    doc = "Jamming and spoofing as the receiver detects them in one band.", least = 9,
+    doc = "Jamming and spoofing that the receiver detects in one band.", least = 9,
     always = 5,
     rows = L["gnss_1.rf_error_detection"] })
 field(0x95, { descriptor = 0x20, name = "gnss_external_2.satellite_status", role = "data", title = "Satellite status",
-    doc = "Where one satellite stands, and its health.", least = 25,
+    doc = "Direction to one satellite, and its health.", least = 25,
     always = 10,
     rows = L["gnss_1.satellite_status"] })
 field(0x95, { descriptor = 0x22, name = "gnss_external_2.raw", role = "data", title = "Raw",
@@ -4454,7 +4454,7 @@ field(0x95, { descriptor = 0x30, name = "gnss_external_2.base_station_info", rol
     always = 7,
     rows = L["gnss_1.base_station_info"] })
 field(0x95, { descriptor = 0x31, name = "gnss_external_2.rtk_corrections_status", role = "data", title = "RTK corrections status",
-    doc = "Which corrections come, and how old they are.", least = 50,
+    doc = "Which corrections are received, and how old they are.", least = 50,
     always = 10,
     rows = L["gnss_1.rtk_corrections_status"] })
 field(0x95, { descriptor = 0x61, name = "gnss_external_2.gps_ephemeris", role = "data", title = "GPS ephemeris",

@@ -40,7 +40,7 @@ class AidingEchoMode(codec.OpenEnum):
     STANDARD = 1
     """Acknowledge as for any command."""
     RESPONSE = 2
-    """The data come back in a response."""
+    """The data is returned in a response."""
 
 
 class Timebase(codec.OpenEnum):
@@ -230,7 +230,7 @@ class EchoControlResponse(Response):
     _LAYOUT = (("mode", "B", AidingEchoMode),)
 
     mode: AidingEchoMode
-    """How they are answered."""
+    """How the measurements are answered."""
 
     def __init__(self, mode: AidingEchoMode) -> None:
         self.mode = mode
@@ -273,7 +273,7 @@ class FrameConfig(Command[R]):
 
     Aiding measurements name the frame by its number. `p_vehicle = R * p_frame + t`, with the
     rotation R and the translation t. The rotation does not matter for GNSS positions and
-    velocities; set it to zero. A read names the format that the answer shall have.
+    velocities; set it to zero. A read selects the format of the answer.
 
     - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
     - 3dm-cv7-gnss-ins: Aiding Frames
@@ -357,7 +357,7 @@ class FrameConfig(Command[R]):
     def read(
         cls: ClassOf[FrameConfig[Any]], frame_id: int, format: AidingFrameFormat
     ) -> FrameConfig[FrameConfigResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ, frame_id=frame_id, format=format)
 
     @classmethod
@@ -493,7 +493,7 @@ class EchoControl(Command[R]):
     function: FunctionSelector
     """What to do with the setting."""
     mode: AidingEchoMode | None
-    """How they are answered. Required for `write`."""
+    """How the measurements are answered. Required for `write`."""
 
     def __init__(self, function: FunctionSelector, mode: AidingEchoMode | None = None) -> None:
         self.function = function
@@ -506,7 +506,7 @@ class EchoControl(Command[R]):
 
     @classmethod
     def read(cls: ClassOf[EchoControl[Any]]) -> EchoControl[EchoControlResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -837,9 +837,9 @@ class EcefVelocity(Command[None]):
     Also called `vel_ecef`. Not acknowledged if `mode` of `EchoControl` is
     `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS.
 
-    Use only one form of velocity: ECEF or NED. Not for a sensor that is fixed to the vehicle; that
-    takes `BodyFrameVelocity`. In mode `response` of `EchoControl`, the device sends the data back
-    in a response of unknown layout.
+    Use only one form of velocity: ECEF or NED. Not for a sensor that is fixed to the vehicle; for
+    such a sensor, use `BodyFrameVelocity`. In mode `response` of `EchoControl`, the device sends
+    the data back in a response of unknown layout.
 
     - 3dm-cv7-gnss-ins: ECEF Velocity (0x13,0x28)
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > ECEF Velocity
@@ -921,9 +921,9 @@ class NedVelocity(Command[None]):
     Also called `vel_ned`. Not acknowledged if `mode` of `EchoControl` is
     `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS.
 
-    Use only one form of velocity: ECEF or NED. Not for a sensor that is fixed to the vehicle; that
-    takes `BodyFrameVelocity`. In mode `response` of `EchoControl`, the device sends the data back
-    in a response of unknown layout.
+    Use only one form of velocity: ECEF or NED. Not for a sensor that is fixed to the vehicle; for
+    such a sensor, use `BodyFrameVelocity`. In mode `response` of `EchoControl`, the device sends
+    the data back in a response of unknown layout.
 
     - 3dm-cv7-gnss-ins: NED Velocity (0x13,0x29)
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > NED Velocity
@@ -1005,11 +1005,11 @@ class BodyFrameVelocity(Command[None]):
     Also called `vel_body_frame`. Not acknowledged if `mode` of `EchoControl` is
     `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS.
 
-    The device takes up to four sensors of this kind. A wheeled vehicle constraint is a velocity of
-    0 with y valid only, sent at least once in a second. With z valid too, and 0, the vehicle moves
-    in a plane only (2D mode). A zero velocity update is a velocity of 0, sent while the GNSS speed
-    is below a threshold of the user. In mode `response` of `EchoControl`, the device sends the data
-    back in a response of unknown layout.
+    The device supports up to four sensors of this kind. A wheeled vehicle constraint is a velocity
+    of 0 with only y valid, sent at least once per second. With z also valid and 0, motion is
+    constrained to a plane (2D mode). A zero velocity update is a velocity of 0, sent while the GNSS
+    speed is below a threshold chosen by the user. In mode `response` of `EchoControl`, the device
+    sends the data back in a response of unknown layout.
 
     - 3dm-cv7-gnss-ins: Body Frame Velocity (0x13,0x2A)
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > Body Frame Velocity

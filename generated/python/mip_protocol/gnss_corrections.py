@@ -1,6 +1,6 @@
 """GNSS corrections data (0x93).
 
-What the device receives of RTK corrections. Data are sent as they are received.
+RTK corrections that the device receives. Data is sent as it is received.
 
 Uncertain: Which devices send the fields that no manual lists for this set. The SDK gives all GNSS
 data sets the same fields.
@@ -141,7 +141,7 @@ class ClockInfo(gnss_1.ClockInfo):
     Has the layout of `gnss_1.ClockInfo`. No device profile lists it. Known from the MicroStrain MIP
     SDK only.
 
-    Clock info 2 replaces it and tells more.
+    Clock info 2 replaces it and gives more detail.
 
     - mip-sdk-4: Gnss3 Data (0x93)
     """
@@ -155,7 +155,7 @@ class ClockInfo(gnss_1.ClockInfo):
 class FixInfo(gnss_1.FixInfo):
     """Fix info (0x93,0x0B).
 
-    Type of the position fix and what it is made of.
+    Type of the position fix and what it is based on.
 
     Has the layout of `gnss_1.FixInfo`. No device profile lists it. Known from the MicroStrain MIP
     SDK only.
@@ -177,7 +177,7 @@ class SvInfo(gnss_1.SvInfo):
     Has the layout of `gnss_1.SvInfo`. No device profile lists it. Known from the MicroStrain MIP
     SDK only. Uncertain: Whether a packet holds one of these fields or several.
 
-    The satellites come as one field each, in packets apart from other GNSS data.
+    Each satellite is sent as one field, in packets separate from other GNSS data.
 
     - mip-sdk-4: Gnss3 Data (0x93)
     """
@@ -211,9 +211,9 @@ class DgpsInfo(gnss_1.DgpsInfo):
     State of the differential corrections.
 
     Has the layout of `gnss_1.DgpsInfo`. No device profile lists it. Known from the MicroStrain MIP
-    SDK only. Uncertain: The layout is that of a manual of the 3DM-GX5-35 and of MSCL, another
-    library of the vendor. It agrees with the valid flags. Uncertain: The SDK has another one, u8,
-    three floats and u16, which is that of `gnss_1.DgpsChannel` and does not agree with its own
+    SDK only. Uncertain: The layout is from a manual of the 3DM-GX5-35 and from MSCL, another
+    library of the vendor. It agrees with the valid flags. Uncertain: The SDK has another layout:
+    u8, three floats and u16. It is that of `gnss_1.DgpsChannel` and does not agree with its own
     valid flags (age, base station id, base station status, number of channels).
 
     - mip-sdk-4: Gnss3 Data (0x93)
@@ -233,7 +233,7 @@ class DgpsChannel(gnss_1.DgpsChannel):
     Has the layout of `gnss_1.DgpsChannel`. No device profile lists it. Known from the MicroStrain
     MIP SDK only.
 
-    The active satellites come as one field each, all in one packet.
+    Each active satellite is sent as one field, all in one packet.
 
     - mip-sdk-4: Gnss3 Data (0x93)
     """
@@ -321,7 +321,7 @@ class SbasCorrection(gnss_1.SbasCorrection):
 class RfErrorDetection(gnss_1.RfErrorDetection):
     """RF error detection (0x93,0x14).
 
-    Jamming and spoofing as the receiver detects them in one band.
+    Jamming and spoofing that the receiver detects in one band.
 
     Has the layout of `gnss_1.RfErrorDetection`. No device profile lists it. Known from the
     MicroStrain MIP SDK only.
@@ -338,7 +338,7 @@ class RfErrorDetection(gnss_1.RfErrorDetection):
 class SatelliteStatus(gnss_1.SatelliteStatus):
     """Satellite status (0x93,0x20).
 
-    Where one satellite stands, and its health.
+    Direction to one satellite, and its health.
 
     Has the layout of `gnss_1.SatelliteStatus`. No device profile lists it. Known from the
     MicroStrain MIP SDK only.
@@ -393,7 +393,7 @@ class BaseStationInfo(gnss_1.BaseStationInfo):
 class RtkCorrectionsStatus(gnss_1.RtkCorrectionsStatus):
     """RTK corrections status (0x93,0x31).
 
-    Which corrections come, and how old they are.
+    Which corrections are received, and how old they are.
 
     Has the layout of `gnss_1.RtkCorrectionsStatus`. Supported by 3DM-CV7-GNSS/INS.
 
@@ -414,7 +414,7 @@ class GpsEphemeris(gnss_1.GpsEphemeris):
     Has the layout of `gnss_1.GpsEphemeris`. No device profile lists it. Known from the MicroStrain
     MIP SDK only.
 
-    `iodc` changes with the clock data; the manual has it roll over at 4.
+    `iodc` changes with the clock data; according to the manual, it rolls over at 4.
 
     - mip-sdk-4: Gnss3 Data (0x93)
     """
@@ -454,7 +454,8 @@ class GalileoEphemeris(gnss_1.GalileoEphemeris):
     MicroStrain MIP SDK only.
 
     The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
-    corrections hold here. `iodc` changes with the clock data; the manual has it roll over at 4.
+    corrections mean here. `iodc` changes with the clock data; according to the manual, it rolls
+    over at 4.
 
     - mip-sdk-4: Gnss3 Data (0x93)
     """
@@ -474,7 +475,8 @@ class BeidouEphemeris(gnss_1.BeidouEphemeris):
     MicroStrain MIP SDK only.
 
     The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
-    corrections hold here. `iodc` changes with the clock data; the manual has it roll over at 4.
+    corrections mean here. `iodc` changes with the clock data; according to the manual, it rolls
+    over at 4.
 
     - mip-sdk-4: Gnss3 Data (0x93)
     """

@@ -1,7 +1,7 @@
 """External GNSS data (0x94).
 
-What an external GNSS receiver tells the device by NMEA sentences. A field may need several
-sentences; a value that NMEA does not give is not valid. Times are those of the sentences.
+Data that an external GNSS receiver sends to the device in NMEA sentences. A field may need several
+sentences; a value that NMEA does not provide is not valid. Times are those of the sentences.
 
 Uncertain: Which devices send the fields that no manual lists for this set. The SDK gives all GNSS
 data sets the same fields.
@@ -143,7 +143,7 @@ class ClockInfo(gnss_1.ClockInfo):
     Has the layout of `gnss_1.ClockInfo`. No device profile lists it. Known from the MicroStrain MIP
     SDK only.
 
-    Clock info 2 replaces it and tells more.
+    Clock info 2 replaces it and gives more detail.
 
     - mip-sdk-4: Gnss4 Data (0x94)
     """
@@ -157,7 +157,7 @@ class ClockInfo(gnss_1.ClockInfo):
 class FixInfo(gnss_1.FixInfo):
     """Fix info (0x94,0x0B).
 
-    Type of the position fix and what it is made of.
+    Type of the position fix and what it is based on.
 
     Has the layout of `gnss_1.FixInfo`. Supported by 3DM-CV7-GNSS/INS. May be supported by
     3DM-CV7-INS.
@@ -179,7 +179,7 @@ class SvInfo(gnss_1.SvInfo):
     Has the layout of `gnss_1.SvInfo`. No device profile lists it. Known from the MicroStrain MIP
     SDK only. Uncertain: Whether a packet holds one of these fields or several.
 
-    The satellites come as one field each, in packets apart from other GNSS data.
+    Each satellite is sent as one field, in packets separate from other GNSS data.
 
     - mip-sdk-4: Gnss4 Data (0x94)
     """
@@ -213,9 +213,9 @@ class DgpsInfo(gnss_1.DgpsInfo):
     State of the differential corrections.
 
     Has the layout of `gnss_1.DgpsInfo`. No device profile lists it. Known from the MicroStrain MIP
-    SDK only. Uncertain: The layout is that of a manual of the 3DM-GX5-35 and of MSCL, another
-    library of the vendor. It agrees with the valid flags. Uncertain: The SDK has another one, u8,
-    three floats and u16, which is that of `gnss_1.DgpsChannel` and does not agree with its own
+    SDK only. Uncertain: The layout is from a manual of the 3DM-GX5-35 and from MSCL, another
+    library of the vendor. It agrees with the valid flags. Uncertain: The SDK has another layout:
+    u8, three floats and u16. It is that of `gnss_1.DgpsChannel` and does not agree with its own
     valid flags (age, base station id, base station status, number of channels).
 
     - mip-sdk-4: Gnss4 Data (0x94)
@@ -235,7 +235,7 @@ class DgpsChannel(gnss_1.DgpsChannel):
     Has the layout of `gnss_1.DgpsChannel`. No device profile lists it. Known from the MicroStrain
     MIP SDK only.
 
-    The active satellites come as one field each, all in one packet.
+    Each active satellite is sent as one field, all in one packet.
 
     - mip-sdk-4: Gnss4 Data (0x94)
     """
@@ -323,7 +323,7 @@ class SbasCorrection(gnss_1.SbasCorrection):
 class RfErrorDetection(gnss_1.RfErrorDetection):
     """RF error detection (0x94,0x14).
 
-    Jamming and spoofing as the receiver detects them in one band.
+    Jamming and spoofing that the receiver detects in one band.
 
     Has the layout of `gnss_1.RfErrorDetection`. May be supported by 3DM-CV7-INS. Known from the
     MicroStrain MIP SDK only.
@@ -340,7 +340,7 @@ class RfErrorDetection(gnss_1.RfErrorDetection):
 class SatelliteStatus(gnss_1.SatelliteStatus):
     """Satellite status (0x94,0x20).
 
-    Where one satellite stands, and its health.
+    Direction to one satellite, and its health.
 
     Has the layout of `gnss_1.SatelliteStatus`. Supported by 3DM-CV7-GNSS/INS. May be supported by
     3DM-CV7-INS.
@@ -396,7 +396,7 @@ class BaseStationInfo(gnss_1.BaseStationInfo):
 class RtkCorrectionsStatus(gnss_1.RtkCorrectionsStatus):
     """RTK corrections status (0x94,0x31).
 
-    Which corrections come, and how old they are.
+    Which corrections are received, and how old they are.
 
     Has the layout of `gnss_1.RtkCorrectionsStatus`. No device profile lists it. Known from the
     MicroStrain MIP SDK only.
@@ -418,7 +418,7 @@ class GpsEphemeris(gnss_1.GpsEphemeris):
     Has the layout of `gnss_1.GpsEphemeris`. No device profile lists it. Known from the MicroStrain
     MIP SDK only.
 
-    `iodc` changes with the clock data; the manual has it roll over at 4.
+    `iodc` changes with the clock data; according to the manual, it rolls over at 4.
 
     - mip-sdk-4: Gnss4 Data (0x94)
     """
@@ -458,7 +458,8 @@ class GalileoEphemeris(gnss_1.GalileoEphemeris):
     MicroStrain MIP SDK only.
 
     The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
-    corrections hold here. `iodc` changes with the clock data; the manual has it roll over at 4.
+    corrections mean here. `iodc` changes with the clock data; according to the manual, it rolls
+    over at 4.
 
     - mip-sdk-4: Gnss4 Data (0x94)
     """
@@ -478,7 +479,8 @@ class BeidouEphemeris(gnss_1.BeidouEphemeris):
     MicroStrain MIP SDK only.
 
     The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
-    corrections hold here. `iodc` changes with the clock data; the manual has it roll over at 4.
+    corrections mean here. `iodc` changes with the clock data; according to the manual, it rolls
+    over at 4.
 
     - mip-sdk-4: Gnss4 Data (0x94)
     """

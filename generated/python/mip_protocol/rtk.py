@@ -216,7 +216,7 @@ _GET_RSSI_RESPONSE_0 = codec.Block("Bii", "valid", "rssi", "signal_quality")
 class GetRssiResponse(Response):
     """Get RSSI response (0x0F,0x85).
 
-    Answers `GetRssi`. Known from the MicroStrain MIP SDK only. Uncertain: That `valid` vouches for
+    Answers `GetRssi`. Known from the MicroStrain MIP SDK only. Uncertain: That `valid` applies to
     the other values is inferred.
 
     - mip-sdk-4: Get Rssi (0x0F,0x05)
@@ -374,8 +374,8 @@ class ServiceStatusResponse(Response):
 
     What the server knows of the connection.
 
-    Answers `ServiceStatus`. Known from the MicroStrain MIP SDK only. Uncertain: What exactly the
-    counters count.
+    Answers `ServiceStatus`. Known from the MicroStrain MIP SDK only. Uncertain: What the counters
+    count.
 
     - mip-sdk-4: Service Status (0x0F,0x0A)
     """
@@ -431,7 +431,7 @@ class ServiceStatusResponse(Response):
 class GetStatusFlags(Command[GetStatusFlagsResponse]):
     """Get status flags (0x0F,0x01).
 
-    Asks for the state of the modem and of the corrections.
+    Gets the state of the modem and of the corrections.
 
     Answered by `GetStatusFlagsResponse`. No device profile lists it. Known from the MicroStrain MIP
     SDK only.
@@ -460,7 +460,7 @@ class GetStatusFlags(Command[GetStatusFlagsResponse]):
 class GetImei(Command[GetImeiResponse]):
     """Get IMEI (0x0F,0x02).
 
-    Asks for the identity of the modem.
+    Gets the identity of the modem.
 
     Answered by `GetImeiResponse`. No device profile lists it. Known from the MicroStrain MIP SDK
     only.
@@ -487,7 +487,7 @@ class GetImei(Command[GetImeiResponse]):
 class GetImsi(Command[GetImsiResponse]):
     """Get IMSI (0x0F,0x03).
 
-    Asks for the identity of the subscriber.
+    Gets the identity of the subscriber.
 
     Answered by `GetImsiResponse`. No device profile lists it. Known from the MicroStrain MIP SDK
     only.
@@ -514,7 +514,7 @@ class GetImsi(Command[GetImsiResponse]):
 class GetIccid(Command[GetIccidResponse]):
     """Get ICCID (0x0F,0x04).
 
-    Asks for the number of the SIM card.
+    Gets the number of the SIM card.
 
     Answered by `GetIccidResponse`. No device profile lists it. Known from the MicroStrain MIP SDK
     only.
@@ -541,7 +541,7 @@ class GetIccid(Command[GetIccidResponse]):
 class GetRssi(Command[GetRssiResponse]):
     """Get RSSI (0x0F,0x05).
 
-    Asks for the strength of the cellular signal.
+    Gets the strength of the cellular signal.
 
     Answered by `GetRssiResponse`. No device profile lists it. Known from the MicroStrain MIP SDK
     only.
@@ -614,7 +614,7 @@ class ConnectedDeviceType(Command[R]):
     def read(
         cls: ClassOf[ConnectedDeviceType[Any]],
     ) -> ConnectedDeviceType[ConnectedDeviceTypeResponse]:
-        """Send the current setting back in a response."""
+        """Return the current setting in a response."""
         return cls(FunctionSelector.READ)
 
     @classmethod
@@ -671,7 +671,7 @@ class ConnectedDeviceType(Command[R]):
 class GetActivationCode(Command[GetActivationCodeResponse]):
     """Get activation code (0x0F,0x07).
 
-    Asks for the activation code.
+    Gets the activation code.
 
     Also called `get_act_code`. Answered by `GetActivationCodeResponse`. No device profile lists it.
     Known from the MicroStrain MIP SDK only.
@@ -698,7 +698,7 @@ class GetActivationCode(Command[GetActivationCodeResponse]):
 class GetModemFirmwareVersion(Command[GetModemFirmwareVersionResponse]):
     """Get modem firmware version (0x0F,0x08).
 
-    Asks for the firmware version of the cellular modem.
+    Gets the firmware version of the cellular modem.
 
     Answered by `GetModemFirmwareVersionResponse`. No device profile lists it. Known from the
     MicroStrain MIP SDK only.
@@ -728,7 +728,7 @@ _SERVICE_STATUS_0 = codec.Block("II", "reserved1", "reserved2")
 class ServiceStatus(Command[ServiceStatusResponse]):
     """Service status (0x0F,0x0A).
 
-    Asks a correction server about the connection, and so keeps it open.
+    Queries a correction server about the connection, which also keeps it open.
 
     Answered by `ServiceStatusResponse`. The device sends it, and the host answers. No device
     profile lists it. Known from the MicroStrain MIP SDK only.
@@ -781,7 +781,7 @@ class EraseStorage(Command[None]):
     For advanced use. Also called `prod_erase_storage`. No device profile lists it. Known from the
     MicroStrain MIP SDK only.
 
-    All that is stored is lost. The command is for production. Accepted in calibration mode only.
+    All stored data is lost. The command is for production. Accepted in calibration mode only.
 
     - mip-sdk-4: Prod Erase Storage (0x0F,0x20)
     """
@@ -892,7 +892,7 @@ class ModemHardReset(Command[None]):
 
     For advanced use. No device profile lists it. Known from the MicroStrain MIP SDK only.
 
-    It wears the flash memory out; use it rarely. Accepted in calibration mode only.
+    It wears out the flash memory; use it rarely. Accepted in calibration mode only.
 
     - mip-sdk-4: Modem Hard Reset (0x0F,0x22)
     """

@@ -20,7 +20,7 @@ record! {
     pub struct Acknowledge {
         /// Descriptor of the command that is answered.
         pub command: u8,
-        /// Zero acknowledges, any other value refuses.
+        /// 0 if the command is acknowledged, else the reason why it is refused.
         pub code: types::AckCode,
     }
 }

@@ -214,7 +214,7 @@ mip_call_3dm_imu_message_format_write(struct mip_device *device, uint8_t num_des
                            NULL, NULL);
 }
 
-/** IMU Message Format: read. Send the current setting back in a response. See mip_device_call. */
+/** IMU Message Format: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_imu_message_format_read(
     struct mip_device *device, struct mip_3dm_imu_message_format_response *response) {
     struct mip_3dm_imu_message_format command;
@@ -282,7 +282,7 @@ mip_call_3dm_gnss_message_format_write(struct mip_device *device, uint8_t num_de
         mip_3dm_gnss_message_format_write(&command, num_descriptors, descriptors), NULL, NULL);
 }
 
-/** GNSS Message Format: read. Send the current setting back in a response. See mip_device_call. */
+/** GNSS Message Format: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_gnss_message_format_read(
     struct mip_device *device, struct mip_3dm_gnss_message_format_response *response) {
     struct mip_3dm_gnss_message_format command;
@@ -352,7 +352,7 @@ mip_call_3dm_filter_message_format_write(struct mip_device *device, uint8_t num_
 }
 
 /**
- * Estimation Filter Message Format: read. Send the current setting back in a response. See
+ * Estimation Filter Message Format: read. Return the current setting in a response. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_filter_message_format_read(
@@ -446,7 +446,7 @@ static inline struct mip_result mip_call_3dm_nmea_message_format_write(
                            NULL);
 }
 
-/** NMEA Message Format: read. Send the current setting back in a response. See mip_device_call. */
+/** NMEA Message Format: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_nmea_message_format_read(
     struct mip_device *device, struct mip_3dm_nmea_message_format_response *response) {
     struct mip_3dm_nmea_message_format command;
@@ -586,7 +586,7 @@ static inline struct mip_result mip_call_3dm_message_format_write(
         NULL);
 }
 
-/** Message Format: read. Send the current setting back in a response. See mip_device_call. */
+/** Message Format: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result
 mip_call_3dm_message_format_read(struct mip_device *device, uint8_t descriptor_set,
                                  struct mip_3dm_message_format_response *response) {
@@ -686,7 +686,7 @@ static inline struct mip_result mip_call_3dm_data_stream_control_write(struct mi
                            NULL, NULL);
 }
 
-/** Data Stream Control: read. Send the current setting back in a response. See mip_device_call. */
+/** Data Stream Control: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result
 mip_call_3dm_data_stream_control_read(struct mip_device *device, uint8_t descriptor_set,
                                       struct mip_3dm_data_stream_control_response *response) {
@@ -760,9 +760,7 @@ static inline struct mip_result mip_call_3dm_constellation_settings_write(
         NULL);
 }
 
-/**
- * Constellation Settings: read. Send the current setting back in a response. See mip_device_call.
- */
+/** Constellation Settings: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_constellation_settings_read(
     struct mip_device *device, struct mip_3dm_constellation_settings_response *response) {
     struct mip_3dm_constellation_settings command;
@@ -835,7 +833,7 @@ static inline struct mip_result mip_call_3dm_gnss_sbas_settings_write(
                            NULL, NULL);
 }
 
-/** GNSS SBAS Settings: read. Send the current setting back in a response. See mip_device_call. */
+/** GNSS SBAS Settings: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_gnss_sbas_settings_read(
     struct mip_device *device, struct mip_3dm_gnss_sbas_settings_response *response) {
     struct mip_3dm_gnss_sbas_settings command;
@@ -901,7 +899,7 @@ static inline struct mip_result mip_call_3dm_gnss_assisted_fix_write(
                            mip_3dm_gnss_assisted_fix_write(&command, option), NULL, NULL);
 }
 
-/** GNSS Assisted Fix: read. Send the current setting back in a response. See mip_device_call. */
+/** GNSS Assisted Fix: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_gnss_assisted_fix_read(
     struct mip_device *device, struct mip_3dm_gnss_assisted_fix_response *response) {
     struct mip_3dm_gnss_assisted_fix command;
@@ -970,7 +968,7 @@ static inline struct mip_result mip_call_3dm_gnss_time_assistance_write(struct m
                            NULL, NULL);
 }
 
-/** GNSS Time Assistance: read. Send the current setting back in a response. See mip_device_call. */
+/** GNSS Time Assistance: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_gnss_time_assistance_read(
     struct mip_device *device, struct mip_3dm_gnss_time_assistance_response *response) {
     struct mip_3dm_gnss_time_assistance command;
@@ -1013,7 +1011,7 @@ mip_call_3dm_pps_source_control_write(struct mip_device *device, enum mip_3dm_pp
                            mip_3dm_pps_source_control_write(&command, source), NULL, NULL);
 }
 
-/** PPS Source Control: read. Send the current setting back in a response. See mip_device_call. */
+/** PPS Source Control: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_pps_source_control_read(
     struct mip_device *device, struct mip_3dm_pps_source_control_response *response) {
     struct mip_3dm_pps_source_control command;
@@ -1118,7 +1116,7 @@ static inline struct mip_result mip_call_3dm_event_control_write(struct mip_devi
                            mip_3dm_event_control_write(&command, instance, mode), NULL, NULL);
 }
 
-/** Event Control: read. Send the current setting back in a response. See mip_device_call. */
+/** Event Control: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_event_control_read(
     struct mip_device *device, uint8_t instance, struct mip_3dm_event_control_response *response) {
     struct mip_3dm_event_control command;
@@ -1262,8 +1260,7 @@ static inline struct mip_result mip_call_3dm_event_trigger_config_write(
 }
 
 /**
- * Event Trigger Configuration: read. Send the current setting back in a response. See
- * mip_device_call.
+ * Event Trigger Configuration: read. Return the current setting in a response. See mip_device_call.
  */
 static inline struct mip_result
 mip_call_3dm_event_trigger_config_read(struct mip_device *device, uint8_t instance,
@@ -1339,8 +1336,7 @@ static inline struct mip_result mip_call_3dm_event_action_config_write(
 }
 
 /**
- * Event Action Configuration: read. Send the current setting back in a response. See
- * mip_device_call.
+ * Event Action Configuration: read. Return the current setting in a response. See mip_device_call.
  */
 static inline struct mip_result
 mip_call_3dm_event_action_config_read(struct mip_device *device, uint8_t instance,
@@ -1466,8 +1462,8 @@ static inline struct mip_result mip_call_3dm_sensor_to_vehicle_euler_write(
 }
 
 /**
- * Sensor-to-Vehicle Frame Transformation Euler: read. Send the current setting back in a response.
- * See mip_device_call.
+ * Sensor-to-Vehicle Frame Transformation Euler: read. Return the current setting in a response. See
+ * mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_sensor_to_vehicle_euler_read(
     struct mip_device *device, struct mip_3dm_sensor_to_vehicle_euler_response *response) {
@@ -1549,7 +1545,7 @@ mip_call_3dm_sensor_to_vehicle_quaternion_write(struct mip_device *device, const
 }
 
 /**
- * Sensor-to-Vehicle Frame Transformation Quaternion: read. Send the current setting back in a
+ * Sensor-to-Vehicle Frame Transformation Quaternion: read. Return the current setting in a
  * response. See mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_sensor_to_vehicle_quaternion_read(
@@ -1632,8 +1628,8 @@ static inline struct mip_result mip_call_3dm_sensor_to_vehicle_dcm_write(struct 
 }
 
 /**
- * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix: read. Send the current setting
- * back in a response. See mip_device_call.
+ * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix: read. Return the current setting
+ * in a response. See mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_sensor_to_vehicle_dcm_read(
     struct mip_device *device, struct mip_3dm_sensor_to_vehicle_dcm_response *response) {
@@ -1711,7 +1707,7 @@ static inline struct mip_result mip_call_3dm_accel_bias_write(struct mip_device 
 }
 
 /**
- * Accelerometer Bias Configuration: read. Send the current setting back in a response. See
+ * Accelerometer Bias Configuration: read. Return the current setting in a response. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_accel_bias_read(
@@ -1795,7 +1791,7 @@ static inline struct mip_result mip_call_3dm_gyro_bias_write(struct mip_device *
 }
 
 /**
- * Gyroscope Bias Configuration: read. Send the current setting back in a response. See
+ * Gyroscope Bias Configuration: read. Return the current setting in a response. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_gyro_bias_read(
@@ -1911,7 +1907,7 @@ static inline struct mip_result mip_call_3dm_mag_hard_iron_offset_write(struct m
 }
 
 /**
- * Magnetometer Hard Iron Offset: read. Send the current setting back in a response. See
+ * Magnetometer Hard Iron Offset: read. Return the current setting in a response. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_mag_hard_iron_offset_read(
@@ -1995,7 +1991,7 @@ static inline struct mip_result mip_call_3dm_mag_soft_iron_matrix_write(struct m
 }
 
 /**
- * Magnetometer Soft Iron Matrix: read. Send the current setting back in a response. See
+ * Magnetometer Soft Iron Matrix: read. Return the current setting in a response. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_mag_soft_iron_matrix_read(
@@ -2079,8 +2075,7 @@ static inline struct mip_result mip_call_3dm_coning_sculling_enable_write(struct
 }
 
 /**
- * Coning and Sculling Enable: read. Send the current setting back in a response. See
- * mip_device_call.
+ * Coning and Sculling Enable: read. Return the current setting in a response. See mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_coning_sculling_enable_read(
     struct mip_device *device, struct mip_3dm_coning_sculling_enable_response *response) {
@@ -2151,7 +2146,7 @@ static inline struct mip_result mip_call_3dm_uart_baud_rate_write(struct mip_dev
                            mip_3dm_uart_baud_rate_write(&command, baud), NULL, NULL);
 }
 
-/** UART Baud Rate: read. Send the current setting back in a response. See mip_device_call. */
+/** UART Baud Rate: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_uart_baud_rate_read(
     struct mip_device *device, struct mip_3dm_uart_baud_rate_response *response) {
     struct mip_3dm_uart_baud_rate command;
@@ -2221,7 +2216,7 @@ static inline struct mip_result mip_call_3dm_gpio_config_write(struct mip_device
                            NULL, NULL);
 }
 
-/** GPIO Configuration: read. Send the current setting back in a response. See mip_device_call. */
+/** GPIO Configuration: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_gpio_config_read(
     struct mip_device *device, uint8_t pin, struct mip_3dm_gpio_config_response *response) {
     struct mip_3dm_gpio_config command;
@@ -2292,7 +2287,7 @@ static inline struct mip_result mip_call_3dm_gpio_state_write(struct mip_device 
                            mip_3dm_gpio_state_write(&command, pin, state), NULL, NULL);
 }
 
-/** GPIO State: read. Send the current setting back in a response. See mip_device_call. */
+/** GPIO State: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_gpio_state_read(
     struct mip_device *device, uint8_t pin, struct mip_3dm_gpio_state_response *response) {
     struct mip_3dm_gpio_state command;
@@ -2337,9 +2332,7 @@ static inline struct mip_result mip_call_3dm_odometer_config_write(struct mip_de
                            NULL, NULL);
 }
 
-/**
- * Odometer Configuration: read. Send the current setting back in a response. See mip_device_call.
- */
+/** Odometer Configuration: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_3dm_odometer_config_read(
     struct mip_device *device, struct mip_3dm_odometer_config_response *response) {
     struct mip_3dm_odometer_config command;
@@ -2412,7 +2405,7 @@ static inline struct mip_result mip_call_3dm_imu_low_pass_filter_write(struct mi
 }
 
 /**
- * Advanced Low-Pass Filter Settings: read. Send the current setting back in a response. See
+ * Advanced Low-Pass Filter Settings: read. Return the current setting in a response. See
  * mip_device_call.
  */
 static inline struct mip_result
@@ -2496,7 +2489,7 @@ static inline struct mip_result mip_call_3dm_complementary_filter_write(
 }
 
 /**
- * Complementary Filter Configuration: read. Send the current setting back in a response. See
+ * Complementary Filter Configuration: read. Return the current setting in a response. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_complementary_filter_read(
@@ -2571,7 +2564,7 @@ static inline struct mip_result mip_call_3dm_sensor_range_write(
                            mip_3dm_sensor_range_write(&command, sensor, setting), NULL, NULL);
 }
 
-/** Sensor Range: read. Send the current setting back in a response. See mip_device_call. */
+/** Sensor Range: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result
 mip_call_3dm_sensor_range_read(struct mip_device *device, enum mip_3dm_sensor_range_type sensor,
                                struct mip_3dm_sensor_range_response *response) {
@@ -2682,7 +2675,7 @@ static inline struct mip_result mip_call_3dm_low_pass_filter_write(struct mip_de
 }
 
 /**
- * Low-Pass Anti-Aliasing Filter: read. Send the current setting back in a response. See
+ * Low-Pass Anti-Aliasing Filter: read. Return the current setting in a response. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_3dm_low_pass_filter_read(

@@ -44,7 +44,7 @@ enum mip_aiding_echo_mode {
     MIP_AIDING_ECHO_MODE_SUPPRESS_ACK = 0,
     /** Acknowledge as for any command. */
     MIP_AIDING_ECHO_MODE_STANDARD = 1,
-    /** The data come back in a response. */
+    /** The data is returned in a response. */
     MIP_AIDING_ECHO_MODE_RESPONSE = 2
 };
 
@@ -117,7 +117,7 @@ union mip_aiding_frame_config_rotation {
  *
  * The rotation does not matter for GNSS positions and velocities; set it to zero.
  *
- * A read names the format that the answer shall have.
+ * A read selects the format of the answer.
  *
  * - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
  * - 3dm-cv7-gnss-ins: Aiding Frames
@@ -185,7 +185,7 @@ static inline struct mip_aiding_frame_config *mip_aiding_frame_config_write(
     }
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_aiding_frame_config *
 mip_aiding_frame_config_read(struct mip_aiding_frame_config *command, uint8_t frame_id,
                              enum mip_aiding_frame_format format) {
@@ -298,7 +298,9 @@ struct mip_aiding_echo_control {
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
-    /** How they are answered. A value of enum mip_aiding_echo_mode. Required for write. */
+    /**
+     * How the measurements are answered. A value of enum mip_aiding_echo_mode. Required for write.
+     */
     uint8_t mode;
 };
 
@@ -331,7 +333,7 @@ static inline struct mip_aiding_echo_control *mip_aiding_echo_control_write(
     command->mode = (uint8_t)mode;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_aiding_echo_control *
 mip_aiding_echo_control_read(struct mip_aiding_echo_control *command) {
     memset(command, 0, sizeof(*command));
@@ -369,7 +371,7 @@ mip_aiding_echo_control_default(struct mip_aiding_echo_control *command) {
  * - 3dm-cv7-gnss-ins: Aiding Command Echo Control
  */
 struct mip_aiding_echo_control_response {
-    /** How they are answered. A value of enum mip_aiding_echo_mode. */
+    /** How the measurements are answered. A value of enum mip_aiding_echo_mode. */
     uint8_t mode;
 };
 
@@ -778,7 +780,8 @@ static inline struct mip_aiding_height_above_ellipsoid *mip_aiding_height_above_
  *
  * Use only one form of velocity: ECEF or NED.
  *
- * Not for a sensor that is fixed to the vehicle; that takes mip_aiding_body_frame_velocity.
+ * Not for a sensor that is fixed to the vehicle; for such a sensor, use
+ * mip_aiding_body_frame_velocity.
  *
  * In mode `response` of mip_aiding_echo_control, the device sends the data back in a response of
  * unknown layout.
@@ -898,7 +901,8 @@ static inline struct mip_aiding_ecef_velocity *mip_aiding_ecef_velocity_make(
  *
  * Use only one form of velocity: ECEF or NED.
  *
- * Not for a sensor that is fixed to the vehicle; that takes mip_aiding_body_frame_velocity.
+ * Not for a sensor that is fixed to the vehicle; for such a sensor, use
+ * mip_aiding_body_frame_velocity.
  *
  * In mode `response` of mip_aiding_echo_control, the device sends the data back in a response of
  * unknown layout.
@@ -1016,15 +1020,14 @@ static inline struct mip_aiding_ned_velocity *mip_aiding_ned_velocity_make(
  * Also called `vel_body_frame`. Not acknowledged if mode of mip_aiding_echo_control is
  * MIP_AIDING_ECHO_MODE_SUPPRESS_ACK. Supported by 3DM-CV7-GNSS/INS.
  *
- * The device takes up to four sensors of this kind.
+ * The device supports up to four sensors of this kind.
  *
- * A wheeled vehicle constraint is a velocity of 0 with y valid only, sent at least once in a
- * second.
+ * A wheeled vehicle constraint is a velocity of 0 with only y valid, sent at least once per second.
  *
- * With z valid too, and 0, the vehicle moves in a plane only (2D mode).
+ * With z also valid and 0, motion is constrained to a plane (2D mode).
  *
- * A zero velocity update is a velocity of 0, sent while the GNSS speed is below a threshold of the
- * user.
+ * A zero velocity update is a velocity of 0, sent while the GNSS speed is below a threshold chosen
+ * by the user.
  *
  * In mode `response` of mip_aiding_echo_control, the device sends the data back in a response of
  * unknown layout.

@@ -43,7 +43,7 @@ static inline struct mip_result mip_call_aiding_frame_config_write(
                            NULL, NULL);
 }
 
-/** Frame configuration: read. Send the current setting back in a response. See mip_device_call. */
+/** Frame configuration: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_aiding_frame_config_read(
     struct mip_device *device, uint8_t frame_id, enum mip_aiding_frame_format format,
     struct mip_aiding_frame_config_response *response) {
@@ -113,7 +113,7 @@ static inline struct mip_result mip_call_aiding_echo_control_write(struct mip_de
                            mip_aiding_echo_control_write(&command, mode), NULL, NULL);
 }
 
-/** Echo control: read. Send the current setting back in a response. See mip_device_call. */
+/** Echo control: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_aiding_echo_control_read(
     struct mip_device *device, struct mip_aiding_echo_control_response *response) {
     struct mip_aiding_echo_control command;

@@ -192,7 +192,7 @@ static inline struct mip_result mip_call_base_comm_speed_write(struct mip_device
                            mip_base_comm_speed_write(&command, port, baud), NULL, NULL);
 }
 
-/** Comm port speed: read. Send the current setting back in a response. See mip_device_call. */
+/** Comm port speed: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_base_comm_speed_read(
     struct mip_device *device, uint8_t port, struct mip_base_comm_speed_response *response) {
     struct mip_base_comm_speed command;
@@ -279,7 +279,7 @@ static inline struct mip_result mip_call_base_gps_time_update_write(
                            mip_base_gps_time_update_write(&command, field_id, value), NULL, NULL);
 }
 
-/** GPS time update: read. Send the current setting back in a response. See mip_device_call. */
+/** GPS time update: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_base_gps_time_update_read(
     struct mip_device *device, enum mip_base_gps_time_field field_id) {
     struct mip_base_gps_time_update command;
@@ -288,7 +288,7 @@ static inline struct mip_result mip_call_base_gps_time_update_read(
 }
 
 /**
- * GPS time update: read. Send the current setting back in a response. The answer is decoded as this
+ * GPS time update: read. Return the current setting in a response. The answer is decoded as this
  * response. See mip_device_call.
  */
 static inline struct mip_result mip_call_for_base_gps_time_update_week_number_response_read(
@@ -301,7 +301,7 @@ static inline struct mip_result mip_call_for_base_gps_time_update_week_number_re
 }
 
 /**
- * GPS time update: read. Send the current setting back in a response. The answer is decoded as this
+ * GPS time update: read. Return the current setting in a response. The answer is decoded as this
  * response. See mip_device_call.
  */
 static inline struct mip_result mip_call_for_base_gps_time_update_tow_response_read(

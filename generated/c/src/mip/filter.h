@@ -247,24 +247,27 @@ enum mip_filter_angular_constraint {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_angular_constraint_name(uint8_t value);
-/** Which initial conditions the device finds itself and which the user gives. */
+/** Which initial conditions the device determines automatically and which the user provides. */
 enum mip_filter_initial_condition_source {
-    /** Position, velocity and attitude are found. In full: auto_position_velocity_attitude. */
+    /** Position, velocity and attitude are automatic. In full: auto_position_velocity_attitude. */
     MIP_FILTER_INITIAL_CONDITION_SOURCE_AUTO_POS_VEL_ATTITUDE = 0,
     /**
-     * Position, velocity, pitch and roll are found; the heading is given. In full:
+     * Position, velocity, pitch and roll are automatic; the user provides the heading. In full:
      * auto_position_velocity_pitch_roll.
      */
     MIP_FILTER_INITIAL_CONDITION_SOURCE_AUTO_POS_VEL_PITCH_ROLL = 1,
-    /** Position and velocity are found; the attitude is given. In full: auto_position_velocity. */
+    /**
+     * Position and velocity are automatic; the user provides the attitude. In full:
+     * auto_position_velocity.
+     */
     MIP_FILTER_INITIAL_CONDITION_SOURCE_AUTO_POS_VEL = 2,
-    /** Position, velocity and attitude are given. */
+    /** The user provides position, velocity and attitude. */
     MIP_FILTER_INITIAL_CONDITION_SOURCE_MANUAL = 3
 };
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_initial_condition_source_name(uint8_t value);
-/** Ways in which the device may find its initial heading. */
+/** Methods by which the device may determine its initial heading. */
 typedef uint8_t mip_filter_heading_alignment;
 /** Bit 0. From the baseline between two GNSS antennas. */
 #define MIP_FILTER_HEADING_ALIGNMENT_DUAL_ANTENNA 0x01U
@@ -284,7 +287,7 @@ enum mip_filter_reference_frame {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_reference_frame_name(uint8_t value);
-/** How strongly the filter adapts to measurements that do not fit. */
+/** How strongly the filter adapts to inconsistent measurements. */
 enum mip_filter_adaptive_level {
     /** No adaptation. */
     MIP_FILTER_ADAPTIVE_LEVEL_OFF = 0,
@@ -320,7 +323,7 @@ MIP_API const char *mip_filter_reference_point_name(uint8_t value);
 /**
  * Reset navigation filter: command (0x0D,0x01).
  *
- * Puts the filter back into its initialization state.
+ * Returns the filter to its initialization state.
  *
  * Supported by 3DM-CV7-AHRS, 3DM-CV7-AR, 3DM-CV7-GNSS/INS, 3DM-GX5-15, 3DM-RQ1-45-LT and
  * 3DM-RQ1-45-ST.
@@ -328,7 +331,8 @@ MIP_API const char *mip_filter_reference_point_name(uint8_t value);
  * If automatic initialization is off, the attitude or heading must be set before the filter runs
  * again.
  *
- * 3DM-CV7: send it after a large jump of the system time, for example when the PPS is first found.
+ * 3DM-CV7: send it after a large jump of the system time, for example when the PPS is first
+ * detected.
  *
  * - 3dm-cv7-gnss-ins: Reset Navigation Filter (0x0D,0x01)
  * - 3dm-gx5-15: 4.3.1 Reset Filter (0x0D, 0x01)
@@ -522,7 +526,7 @@ mip_filter_set_initial_heading_make(struct mip_filter_set_initial_heading *comma
 /**
  * Run navigation filter: command (0x0D,0x05).
  *
- * Starts a filter that was set up to wait for this command.
+ * Starts a filter that is configured to wait for this command.
  *
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
  *
@@ -614,7 +618,7 @@ static inline struct mip_filter_vehicle_dynamics_mode *mip_filter_vehicle_dynami
     command->mode = (uint8_t)mode;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_vehicle_dynamics_mode *
 mip_filter_vehicle_dynamics_mode_read(struct mip_filter_vehicle_dynamics_mode *command) {
     memset(command, 0, sizeof(*command));
@@ -714,11 +718,11 @@ static inline mip_error mip_filter_vehicle_dynamics_mode_response_encode_inline(
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_sensor_to_vehicle_euler_response. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
- * It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
+ * It rotates the scaled acceleration, angular rate and magnetic field, delta theta and delta
  * velocity, and the orientation, compensated and linear acceleration, angular rate and gravity
  * vector of the filter.
  *
- * The 3DM-CV7 takes the inverse instead: mip_3dm_sensor_to_vehicle_euler.
+ * The 3DM-CV7 uses the inverse instead: mip_3dm_sensor_to_vehicle_euler.
  *
  * - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
  */
@@ -769,7 +773,7 @@ static inline struct mip_filter_sensor_to_vehicle_euler *mip_filter_sensor_to_ve
     command->yaw = yaw;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_euler *
 mip_filter_sensor_to_vehicle_euler_read(struct mip_filter_sensor_to_vehicle_euler *command) {
     memset(command, 0, sizeof(*command));
@@ -879,7 +883,7 @@ static inline mip_error mip_filter_sensor_to_vehicle_euler_response_encode_inlin
  * MIP SDK only. Uncertain: The direction, from the sensor to the origin of the vehicle frame, is
  * inferred from the name.
  *
- * It shifts mip_filter_data_llh_position and nothing else.
+ * It shifts only mip_filter_data_llh_position.
  *
  * The shift is constant. It does not follow the attitude, as a lever arm would.
  *
@@ -929,7 +933,7 @@ static inline struct mip_filter_sensor_to_vehicle_offset *mip_filter_sensor_to_v
     memcpy(command->offset, offset, sizeof(command->offset));
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_offset *
 mip_filter_sensor_to_vehicle_offset_read(struct mip_filter_sensor_to_vehicle_offset *command) {
     memset(command, 0, sizeof(*command));
@@ -1036,7 +1040,7 @@ static inline mip_error mip_filter_sensor_to_vehicle_offset_response_encode_inli
  *
  * 7-series devices expect the vehicle frame, 5-series devices the sensor frame.
  *
- * On the 3DM-CV7 it is for GNSS data that come as NMEA; data that come by the aiding commands use
+ * On the 3DM-CV7 it applies to GNSS data received as NMEA; data from the aiding commands uses
  * mip_aiding_frame_config.
  *
  * - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
@@ -1085,7 +1089,7 @@ mip_filter_antenna_offset_write(struct mip_filter_antenna_offset *command, const
     memcpy(command->offset, offset, sizeof(command->offset));
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_antenna_offset *
 mip_filter_antenna_offset_read(struct mip_filter_antenna_offset *command) {
     memset(command, 0, sizeof(*command));
@@ -1241,7 +1245,7 @@ static inline struct mip_filter_estimation_control *mip_filter_estimation_contro
     command->flags = flags;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_estimation_control *
 mip_filter_estimation_control_read(struct mip_filter_estimation_control *command) {
     memset(command, 0, sizeof(*command));
@@ -1338,8 +1342,8 @@ static inline mip_error mip_filter_estimation_control_response_encode_inline(
  * Functions: write, read, save, load and default. Answered by mip_filter_gnss_source_response.
  * Supported by 3DM-CV7-GNSS/INS, 3DM-GQ7-GNSS/INS and 3DM-GX5-45.
  *
- * A change while the filter runs may put it back into initialization until the new source gives
- * data.
+ * A change while the filter is running may return it to initialization until the new source
+ * provides data.
  *
  * - 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
  */
@@ -1386,7 +1390,7 @@ static inline struct mip_filter_gnss_source *mip_filter_gnss_source_write(
     command->source = (uint8_t)source;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_gnss_source *
 mip_filter_gnss_source_read(struct mip_filter_gnss_source *command) {
     memset(command, 0, sizeof(*command));
@@ -1755,7 +1759,7 @@ static inline struct mip_filter_heading_source *mip_filter_heading_source_write(
     command->source = (uint8_t)source;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_heading_source *
 mip_filter_heading_source_read(struct mip_filter_heading_source *command) {
     memset(command, 0, sizeof(*command));
@@ -1898,7 +1902,7 @@ mip_filter_auto_initialization_control_write(struct mip_filter_auto_initializati
     command->enable = enable;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_auto_initialization_control *
 mip_filter_auto_initialization_control_read(
     struct mip_filter_auto_initialization_control *command) {
@@ -2052,7 +2056,7 @@ mip_filter_accel_noise_write(struct mip_filter_accel_noise *command, const float
     memcpy(command->noise, noise, sizeof(command->noise));
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_accel_noise *
 mip_filter_accel_noise_read(struct mip_filter_accel_noise *command) {
     memset(command, 0, sizeof(*command));
@@ -2203,7 +2207,7 @@ mip_filter_gyro_noise_write(struct mip_filter_gyro_noise *command, const float n
     memcpy(command->noise, noise, sizeof(command->noise));
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_gyro_noise *
 mip_filter_gyro_noise_read(struct mip_filter_gyro_noise *command) {
     memset(command, 0, sizeof(*command));
@@ -2357,7 +2361,7 @@ static inline struct mip_filter_accel_bias_model *mip_filter_accel_bias_model_wr
     memcpy(command->noise, noise, sizeof(command->noise));
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_accel_bias_model *
 mip_filter_accel_bias_model_read(struct mip_filter_accel_bias_model *command) {
     memset(command, 0, sizeof(*command));
@@ -2522,7 +2526,7 @@ static inline struct mip_filter_gyro_bias_model *mip_filter_gyro_bias_model_writ
     memcpy(command->noise, noise, sizeof(command->noise));
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_gyro_bias_model *
 mip_filter_gyro_bias_model_read(struct mip_filter_gyro_bias_model *command) {
     memset(command, 0, sizeof(*command));
@@ -2630,7 +2634,7 @@ static inline mip_error mip_filter_gyro_bias_model_response_encode_inline(
 /**
  * Automatic zero velocity update: command (0x0D,0x1E).
  *
- * Lets the filter take the device as standing still while its GNSS speed is small.
+ * Lets the filter assume that the device is at rest while its GNSS speed is low.
  *
  * Functions: write, read, save, load and default. Answered by mip_filter_auto_zupt_response.
  * Supported by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
@@ -2649,7 +2653,7 @@ struct mip_filter_auto_zupt {
     uint8_t function;
     /** 0 disables, 1 enables. Range: 0 to 1. Required for write. */
     uint8_t enable;
-    /** Largest speed that is taken as zero. Unit: m/s. Range: at least 0. Required for write. */
+    /** Highest speed that is treated as zero. Unit: m/s. Range: at least 0. Required for write. */
     float threshold;
 };
 
@@ -2683,7 +2687,7 @@ mip_filter_auto_zupt_write(struct mip_filter_auto_zupt *command, uint8_t enable,
     command->threshold = threshold;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_auto_zupt *
 mip_filter_auto_zupt_read(struct mip_filter_auto_zupt *command) {
     memset(command, 0, sizeof(*command));
@@ -2723,7 +2727,7 @@ mip_filter_auto_zupt_default(struct mip_filter_auto_zupt *command) {
 struct mip_filter_auto_zupt_response {
     /** 0 disables, 1 enables. Range: 0 to 1. */
     uint8_t enable;
-    /** Largest speed that is taken as zero. Unit: m/s. Range: at least 0. */
+    /** Highest speed that is treated as zero. Unit: m/s. Range: at least 0. */
     float threshold;
 };
 
@@ -2784,8 +2788,8 @@ static inline mip_error mip_filter_auto_zupt_response_encode_inline(
  *
  * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
- * Better than mip_filter_external_heading_update where the heading changes quickly; the time must
- * be accurate.
+ * Better than mip_filter_external_heading_update if the heading changes quickly; the time must be
+ * accurate.
  *
  * Refused unless external heading updates are enabled, by mip_filter_heading_source on the 3DM-GX5
  * and by mip_filter_aiding_measurement_enable on the 3DM-CV7.
@@ -2889,7 +2893,7 @@ mip_filter_external_heading_update_with_time_make(
 /**
  * Zero angular rate update: command (0x0D,0x20).
  *
- * Lets the filter take the device as not rotating while its angular rate is small.
+ * Lets the filter assume that the device is not rotating while its angular rate is low.
  *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_auto_angular_zupt_response. Supported by 3DM-CV7-GNSS/INS, 3DM-CV7-INS,
@@ -2911,7 +2915,7 @@ struct mip_filter_auto_angular_zupt {
     /** 0 disables, 1 enables. Range: 0 to 1. Required for write. */
     uint8_t enable;
     /**
-     * Largest angular rate that is taken as zero. Unit: rad/s. Range: at least 0. Required for
+     * Highest angular rate that is treated as zero. Unit: rad/s. Range: at least 0. Required for
      * write.
      */
     float threshold;
@@ -2947,7 +2951,7 @@ static inline struct mip_filter_auto_angular_zupt *mip_filter_auto_angular_zupt_
     command->threshold = threshold;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_auto_angular_zupt *
 mip_filter_auto_angular_zupt_read(struct mip_filter_auto_angular_zupt *command) {
     memset(command, 0, sizeof(*command));
@@ -2988,7 +2992,7 @@ mip_filter_auto_angular_zupt_default(struct mip_filter_auto_angular_zupt *comman
 struct mip_filter_auto_angular_zupt_response {
     /** 0 disables, 1 enables. Range: 0 to 1. */
     uint8_t enable;
-    /** Largest angular rate that is taken as zero. Unit: rad/s. Range: at least 0. */
+    /** Highest angular rate that is treated as zero. Unit: rad/s. Range: at least 0. */
     float threshold;
 };
 
@@ -3097,7 +3101,7 @@ static inline struct mip_filter_tare_orientation *mip_filter_tare_orientation_wr
     command->axes = axes;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_tare_orientation *
 mip_filter_tare_orientation_read(struct mip_filter_tare_orientation *command) {
     memset(command, 0, sizeof(*command));
@@ -3192,7 +3196,7 @@ static inline mip_error mip_filter_tare_orientation_response_encode_inline(
 /**
  * Commanded zero velocity update: command (0x0D,0x22).
  *
- * Tells the filter once that the device stands still.
+ * Tells the filter once that the device is at rest.
  *
  * Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
  *
@@ -3326,7 +3330,7 @@ mip_filter_reference_position_write(struct mip_filter_reference_position *comman
     command->altitude = altitude;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_reference_position *
 mip_filter_reference_position_read(struct mip_filter_reference_position *command) {
     memset(command, 0, sizeof(*command));
@@ -3568,7 +3572,7 @@ mip_filter_gravity_noise_write(struct mip_filter_gravity_noise *command, const f
     memcpy(command->noise, noise, sizeof(command->noise));
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_gravity_noise *
 mip_filter_gravity_noise_read(struct mip_filter_gravity_noise *command) {
     memset(command, 0, sizeof(*command));
@@ -3671,7 +3675,8 @@ static inline mip_error mip_filter_gravity_noise_response_encode_inline(
  * mip_filter_pressure_altitude_noise_response. Supported by 3DM-GX5-45. Known from the MicroStrain
  * MIP SDK only.
  *
- * A small value follows the pressure faster, and takes weather and draughts for changes of height.
+ * With a small value, the altitude follows the pressure faster, but weather and draughts appear as
+ * changes of height.
  *
  * - mip-sdk-4: Pressure Altitude Noise (0x0D,0x29)
  */
@@ -3716,7 +3721,7 @@ static inline struct mip_filter_pressure_altitude_noise *mip_filter_pressure_alt
     command->noise = noise;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_pressure_altitude_noise *
 mip_filter_pressure_altitude_noise_read(struct mip_filter_pressure_altitude_noise *command) {
     memset(command, 0, sizeof(*command));
@@ -3861,7 +3866,7 @@ static inline struct mip_filter_hard_iron_offset_noise *mip_filter_hard_iron_off
     memcpy(command->noise, noise, sizeof(command->noise));
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_hard_iron_offset_noise *
 mip_filter_hard_iron_offset_noise_read(struct mip_filter_hard_iron_offset_noise *command) {
     memset(command, 0, sizeof(*command));
@@ -4010,7 +4015,7 @@ static inline struct mip_filter_soft_iron_matrix_noise *mip_filter_soft_iron_mat
     memcpy(command->noise, noise, sizeof(command->noise));
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_soft_iron_matrix_noise *
 mip_filter_soft_iron_matrix_noise_read(struct mip_filter_soft_iron_matrix_noise *command) {
     memset(command, 0, sizeof(*command));
@@ -4158,7 +4163,7 @@ static inline struct mip_filter_enable_measurements *mip_filter_enable_measureme
     command->control = control;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_enable_measurements *
 mip_filter_enable_measurements_read(struct mip_filter_enable_measurements *command) {
     memset(command, 0, sizeof(*command));
@@ -4302,7 +4307,7 @@ mip_filter_mag_noise_write(struct mip_filter_mag_noise *command, const float noi
     memcpy(command->noise, noise, sizeof(command->noise));
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_noise *
 mip_filter_mag_noise_read(struct mip_filter_mag_noise *command) {
     memset(command, 0, sizeof(*command));
@@ -4458,7 +4463,7 @@ mip_filter_magnetic_declination_source_write(struct mip_filter_magnetic_declinat
     command->declination = declination;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_magnetic_declination_source *
 mip_filter_magnetic_declination_source_read(
     struct mip_filter_magnetic_declination_source *command) {
@@ -4575,8 +4580,9 @@ static inline mip_error mip_filter_magnetic_declination_source_response_encode_i
  *
  * Filter and limits take effect only with `fixed`.
  *
- * Raise the limits where vibration is strong, lower them where it is weak. High limits cost pitch
- * and roll accuracy under linear acceleration, low limits cost heading accuracy.
+ * Raise the limits where vibration is strong, lower them where it is weak. High limits reduce the
+ * accuracy of pitch and roll under linear acceleration, low limits reduce the accuracy of the
+ * heading.
  *
  * - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
  */
@@ -4652,7 +4658,7 @@ static inline struct mip_filter_accel_magnitude_adaptive *mip_filter_accel_magni
     command->adaptive_measurement = (uint8_t)adaptive_measurement;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_accel_magnitude_adaptive *
 mip_filter_accel_magnitude_adaptive_read(struct mip_filter_accel_magnitude_adaptive *command) {
     memset(command, 0, sizeof(*command));
@@ -4777,14 +4783,14 @@ static inline mip_error mip_filter_accel_magnitude_adaptive_response_encode_inli
  *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_mag_magnitude_adaptive_response. Supported by 3DM-GX5-45. Known from the MicroStrain
- * MIP SDK only. Uncertain: Whether the parameters behind the selector may be left out on write, as
+ * MIP SDK only. Uncertain: Whether the parameters after the selector may be left out on write, as
  * those of mip_filter_accel_magnitude_adaptive may.
  *
- * The limits and the low-pass filter take effect only with `fixed`; with `auto` the device finds
- * limits.
+ * The limits and the low-pass filter take effect only with `fixed`; with `auto` the device
+ * determines the limits.
  *
- * High limits suit high dynamics but let disturbances of the field through; low limits can spoil
- * the heading.
+ * High limits suit high dynamics but do not reject disturbances of the field; low limits can
+ * degrade the heading.
  *
  * - mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
  */
@@ -4806,33 +4812,30 @@ struct mip_filter_mag_magnitude_adaptive {
     /** Cut-off frequency of the low-pass filter. Unit: Hz. Required for write. */
     float frequency;
     /**
-     * Lower limit of the error. Unit: gauss. Required for write. Uncertain: The unit. The SDK
-     * prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the
-     * response.
+     * Lower limit of the error. Unit: gauss. Required for write. Uncertain: The unit. The SDK gives
+     * m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
      */
     float low_limit;
     /**
-     * Upper limit of the error. Unit: gauss. Required for write. Uncertain: The unit. The SDK
-     * prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the
-     * response.
+     * Upper limit of the error. Unit: gauss. Required for write. Uncertain: The unit. The SDK gives
+     * m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
      */
     float high_limit;
     /**
      * Standard deviation at the lower limit. Unit: gauss. Required for write. Uncertain: The unit.
-     * The SDK prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the
+     * The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
      * response.
      */
     float low_limit_uncertainty;
     /**
      * Standard deviation at the upper limit. Unit: gauss. Required for write. Uncertain: The unit.
-     * The SDK prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the
+     * The SDK gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the
      * response.
      */
     float high_limit_uncertainty;
     /**
      * Smallest standard deviation. Unit: gauss. Required for write. Uncertain: The unit. The SDK
-     * prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the
-     * response.
+     * gives m/s^2; a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
      */
     float minimum_uncertainty;
 };
@@ -4875,7 +4878,7 @@ static inline struct mip_filter_mag_magnitude_adaptive *mip_filter_mag_magnitude
     command->minimum_uncertainty = minimum_uncertainty;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_magnitude_adaptive *
 mip_filter_mag_magnitude_adaptive_read(struct mip_filter_mag_magnitude_adaptive *command) {
     memset(command, 0, sizeof(*command));
@@ -4920,28 +4923,28 @@ struct mip_filter_mag_magnitude_adaptive_response {
     /** Cut-off frequency of the low-pass filter. Unit: Hz. */
     float frequency;
     /**
-     * Lower limit of the error. Unit: gauss. Uncertain: The unit. The SDK prints m/s^2; a manual of
-     * the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+     * Lower limit of the error. Unit: gauss. Uncertain: The unit. The SDK gives m/s^2; a manual of
+     * the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
      */
     float low_limit;
     /**
-     * Upper limit of the error. Unit: gauss. Uncertain: The unit. The SDK prints m/s^2; a manual of
-     * the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+     * Upper limit of the error. Unit: gauss. Uncertain: The unit. The SDK gives m/s^2; a manual of
+     * the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
      */
     float high_limit;
     /**
-     * Standard deviation at the lower limit. Unit: gauss. Uncertain: The unit. The SDK prints
-     * m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+     * Standard deviation at the lower limit. Unit: gauss. Uncertain: The unit. The SDK gives m/s^2;
+     * a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
      */
     float low_limit_uncertainty;
     /**
-     * Standard deviation at the upper limit. Unit: gauss. Uncertain: The unit. The SDK prints
-     * m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+     * Standard deviation at the upper limit. Unit: gauss. Uncertain: The unit. The SDK gives m/s^2;
+     * a manual of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
      */
     float high_limit_uncertainty;
     /**
-     * Smallest standard deviation. Unit: gauss. Uncertain: The unit. The SDK prints m/s^2; a manual
-     * of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+     * Smallest standard deviation. Unit: gauss. Uncertain: The unit. The SDK gives m/s^2; a manual
+     * of the 3DM-GX5-45 gives m/s^2 in the command and gauss in the response.
      */
     float minimum_uncertainty;
 };
@@ -5021,8 +5024,8 @@ static inline mip_error mip_filter_mag_magnitude_adaptive_response_encode_inline
  * It has no effect while mip_filter_accel_magnitude_adaptive or mip_filter_mag_magnitude_adaptive
  * is set to `auto`.
  *
- * High limits suit high dynamics but let disturbances of the field through; low limits can spoil
- * the heading.
+ * High limits suit high dynamics but do not reject disturbances of the field; low limits can
+ * degrade the heading.
  *
  * - mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
  */
@@ -5039,18 +5042,18 @@ struct mip_filter_mag_dip_angle_adaptive {
     /** Cut-off frequency of the low-pass filter. Unit: Hz. Required for write. */
     float frequency;
     /**
-     * Upper limit of the error. Unit: rad. Required for write. Uncertain: The unit. The SDK prints
+     * Upper limit of the error. Unit: rad. Required for write. Uncertain: The unit. The SDK gives
      * m/s^2; rad is inferred from the quantity.
      */
     float high_limit;
     /**
      * Standard deviation at the upper limit. Unit: rad. Required for write. Uncertain: The unit.
-     * The SDK prints m/s^2; rad is inferred from the quantity.
+     * The SDK gives m/s^2; rad is inferred from the quantity.
      */
     float high_limit_uncertainty;
     /**
      * Smallest standard deviation. Unit: rad. Required for write. Uncertain: The unit. The SDK
-     * prints m/s^2; rad is inferred from the quantity.
+     * gives m/s^2; rad is inferred from the quantity.
      */
     float minimum_uncertainty;
 };
@@ -5089,7 +5092,7 @@ static inline struct mip_filter_mag_dip_angle_adaptive *mip_filter_mag_dip_angle
     command->minimum_uncertainty = minimum_uncertainty;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_mag_dip_angle_adaptive *
 mip_filter_mag_dip_angle_adaptive_read(struct mip_filter_mag_dip_angle_adaptive *command) {
     memset(command, 0, sizeof(*command));
@@ -5134,17 +5137,17 @@ struct mip_filter_mag_dip_angle_adaptive_response {
     /** Cut-off frequency of the low-pass filter. Unit: Hz. */
     float frequency;
     /**
-     * Upper limit of the error. Unit: rad. Uncertain: The unit. The SDK prints m/s^2; rad is
+     * Upper limit of the error. Unit: rad. Uncertain: The unit. The SDK gives m/s^2; rad is
      * inferred from the quantity.
      */
     float high_limit;
     /**
-     * Standard deviation at the upper limit. Unit: rad. Uncertain: The unit. The SDK prints m/s^2;
+     * Standard deviation at the upper limit. Unit: rad. Uncertain: The unit. The SDK gives m/s^2;
      * rad is inferred from the quantity.
      */
     float high_limit_uncertainty;
     /**
-     * Smallest standard deviation. Unit: rad. Uncertain: The unit. The SDK prints m/s^2; rad is
+     * Smallest standard deviation. Unit: rad. Uncertain: The unit. The SDK gives m/s^2; rad is
      * inferred from the quantity.
      */
     float minimum_uncertainty;
@@ -5210,14 +5213,14 @@ static inline mip_error mip_filter_mag_dip_angle_adaptive_response_encode_inline
 /**
  * Altitude aiding: command (0x0D,0x47).
  *
- * What aids the altitude beside GNSS.
+ * What aids the altitude in addition to GNSS.
  *
  * Functions: write, read, save, load and default. Answered by mip_filter_altitude_aiding_response.
  * Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
  *
- * GNSS stays the main source of altitude; the aid improves it and bridges outages.
+ * GNSS remains the main source of altitude; the aid improves it and bridges outages.
  *
- * Weather and place shift the pressure altitude, at times by more than 40 m.
+ * Weather and location shift the pressure altitude, sometimes by more than 40 m.
  *
  * - mip-sdk-4: Altitude Aiding (0x0D,0x47)
  */
@@ -5264,7 +5267,7 @@ static inline struct mip_filter_altitude_aiding *mip_filter_altitude_aiding_writ
     command->selector = (uint8_t)selector;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_altitude_aiding *
 mip_filter_altitude_aiding_read(struct mip_filter_altitude_aiding *command) {
     memset(command, 0, sizeof(*command));
@@ -5408,7 +5411,7 @@ static inline struct mip_filter_pitch_roll_aiding *mip_filter_pitch_roll_aiding_
     command->aiding = (uint8_t)aiding;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_pitch_roll_aiding *
 mip_filter_pitch_roll_aiding_read(struct mip_filter_pitch_roll_aiding *command) {
     memset(command, 0, sizeof(*command));
@@ -5525,7 +5528,7 @@ struct mip_filter_magnetic_inclination_source {
     uint8_t source;
     /**
      * Inclination; used only if `source` is manual. Unit: rad. Required for write. Uncertain:
-     * Whether it may be left out if `source` is not manual. The SDK sends it always.
+     * Whether it may be left out if `source` is not manual. The SDK always sends it.
      */
     float inclination;
 };
@@ -5562,7 +5565,7 @@ mip_filter_magnetic_inclination_source_write(struct mip_filter_magnetic_inclinat
     command->inclination = inclination;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_magnetic_inclination_source *
 mip_filter_magnetic_inclination_source_read(
     struct mip_filter_magnetic_inclination_source *command) {
@@ -5608,7 +5611,7 @@ struct mip_filter_magnetic_inclination_source_response {
     uint8_t source;
     /**
      * Inclination; used only if `source` is manual. Unit: rad. Uncertain: Whether it may be left
-     * out if `source` is not manual. The SDK sends it always.
+     * out if `source` is not manual. The SDK always sends it.
      */
     float inclination;
 };
@@ -5695,7 +5698,7 @@ struct mip_filter_magnetic_magnitude_source {
     uint8_t source;
     /**
      * Magnitude; used only if `source` is manual. Unit: gauss. Required for write. Uncertain:
-     * Whether it may be left out if `source` is not manual. The SDK sends it always.
+     * Whether it may be left out if `source` is not manual. The SDK always sends it.
      */
     float magnitude;
 };
@@ -5732,7 +5735,7 @@ mip_filter_magnetic_magnitude_source_write(struct mip_filter_magnetic_magnitude_
     command->magnitude = magnitude;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_magnetic_magnitude_source *
 mip_filter_magnetic_magnitude_source_read(struct mip_filter_magnetic_magnitude_source *command) {
     memset(command, 0, sizeof(*command));
@@ -5774,7 +5777,7 @@ struct mip_filter_magnetic_magnitude_source_response {
     uint8_t source;
     /**
      * Magnitude; used only if `source` is manual. Unit: gauss. Uncertain: Whether it may be left
-     * out if `source` is not manual. The SDK sends it always.
+     * out if `source` is not manual. The SDK always sends it.
      */
     float magnitude;
 };
@@ -5845,13 +5848,13 @@ static inline mip_error mip_filter_magnetic_magnitude_source_response_encode_inl
  *
  * It is the inverse of the matrix that mip_3dm_sensor_to_vehicle_dcm takes.
  *
- * It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
+ * It rotates the scaled acceleration, angular rate and magnetic field, delta theta and delta
  * velocity, and the orientation, linear acceleration, angular rate and gravity vector of the
  * filter.
  *
- * The device refuses a matrix that is not orthonormal to 0.001.
+ * The device refuses a matrix that is not orthonormal to within 0.001.
  *
- * The device keeps a quaternion, so the elements read back may differ a little from those written.
+ * The device keeps a quaternion, so the elements read back may differ slightly from those written.
  *
  * - mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E)
  */
@@ -5899,7 +5902,7 @@ static inline struct mip_filter_sensor_to_vehicle_dcm *mip_filter_sensor_to_vehi
     memcpy(command->dcm, dcm, sizeof(command->dcm));
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_dcm *
 mip_filter_sensor_to_vehicle_dcm_read(struct mip_filter_sensor_to_vehicle_dcm *command) {
     memset(command, 0, sizeof(*command));
@@ -6011,11 +6014,11 @@ static inline mip_error mip_filter_sensor_to_vehicle_dcm_response_encode_inline(
  *
  * It is the inverse of the quaternion that mip_3dm_sensor_to_vehicle_quaternion takes.
  *
- * It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
+ * It rotates the scaled acceleration, angular rate and magnetic field, delta theta and delta
  * velocity, and the orientation, linear acceleration, angular rate and gravity vector of the
  * filter.
  *
- * The device normalizes it, so the elements read back may differ a little from those written.
+ * The device normalizes it, so the elements read back may differ slightly from those written.
  *
  * - mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F)
  */
@@ -6064,7 +6067,7 @@ mip_filter_sensor_to_vehicle_quaternion_write(
     memcpy(command->q, q, sizeof(command->q));
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_sensor_to_vehicle_quaternion *
 mip_filter_sensor_to_vehicle_quaternion_read(
     struct mip_filter_sensor_to_vehicle_quaternion *command) {
@@ -6229,7 +6232,7 @@ mip_filter_aiding_measurement_enable_write(struct mip_filter_aiding_measurement_
     command->enable = enable;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_aiding_measurement_enable *
 mip_filter_aiding_measurement_enable_read(struct mip_filter_aiding_measurement_enable *command,
                                           uint16_t aiding_source) {
@@ -6404,7 +6407,7 @@ mip_filter_kinematic_constraint_write(struct mip_filter_kinematic_constraint *co
     command->angular_constraint = (uint8_t)angular_constraint;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_kinematic_constraint *
 mip_filter_kinematic_constraint_read(struct mip_filter_kinematic_constraint *command) {
     memset(command, 0, sizeof(*command));
@@ -6537,37 +6540,37 @@ struct mip_filter_initialization_config {
     /** What to do with the setting. A value of enum mip_function_selector. */
     uint8_t function;
     /**
-     * 1: the filter starts only after mip_filter_run; 0: as soon as it can. Range: 0 to 1. Required
-     * for write.
+     * 1: the filter starts only after mip_filter_run; 0: it starts as soon as it can. Range: 0 to
+     * 1. Required for write.
      */
     uint8_t wait_for_run_command;
     /**
-     * Which initial conditions are found and which are given. A value of enum
+     * Which initial conditions are automatic and which the user provides. A value of enum
      * mip_filter_initial_condition_source. Required for write.
      */
     uint8_t initial_condition_source;
-    /** Ways in which the initial heading may be found. Required for write. */
+    /** Methods by which the initial heading may be determined. Required for write. */
     mip_filter_heading_alignment auto_heading_alignment_selector;
-    /** Given heading. Unit: deg. Required for write. */
+    /** Initial heading that the user provides. Unit: deg. Required for write. */
     float initial_heading;
-    /** Given pitch. Unit: deg. Required for write. */
+    /** Initial pitch that the user provides. Unit: deg. Required for write. */
     float initial_pitch;
-    /** Given roll. Unit: deg. Required for write. */
+    /** Initial roll that the user provides. Unit: deg. Required for write. */
     float initial_roll;
     /**
-     * Given position. Elements: x, y, z. Required for write. If reference_frame_selector is
-     * MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef. If reference_frame_selector is
-     * MIP_FILTER_REFERENCE_FRAME_LLH: unit deg, deg, m; frame llh.
+     * Initial position that the user provides. Elements: x, y, z. Required for write. If
+     * reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef. If
+     * reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: unit deg, deg, m; frame llh.
      */
     float initial_position[3];
     /**
-     * Given velocity. Elements: x, y, z. Unit: m/s. Required for write. If reference_frame_selector
-     * is MIP_FILTER_REFERENCE_FRAME_ECEF: frame ecef. If reference_frame_selector is
-     * MIP_FILTER_REFERENCE_FRAME_LLH: frame ned.
+     * Initial velocity that the user provides. Elements: x, y, z. Unit: m/s. Required for write. If
+     * reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_ECEF: frame ecef. If
+     * reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: frame ned.
      */
     float initial_velocity[3];
     /**
-     * Frame of the given position and velocity. A value of enum mip_filter_reference_frame.
+     * Frame of the initial position and velocity. A value of enum mip_filter_reference_frame.
      * Required for write.
      */
     uint8_t reference_frame_selector;
@@ -6614,7 +6617,7 @@ static inline struct mip_filter_initialization_config *mip_filter_initialization
     command->reference_frame_selector = (uint8_t)reference_frame_selector;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_initialization_config *
 mip_filter_initialization_config_read(struct mip_filter_initialization_config *command) {
     memset(command, 0, sizeof(*command));
@@ -6652,34 +6655,37 @@ mip_filter_initialization_config_default(struct mip_filter_initialization_config
  * - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
  */
 struct mip_filter_initialization_config_response {
-    /** 1: the filter starts only after mip_filter_run; 0: as soon as it can. Range: 0 to 1. */
+    /**
+     * 1: the filter starts only after mip_filter_run; 0: it starts as soon as it can. Range: 0 to
+     * 1.
+     */
     uint8_t wait_for_run_command;
     /**
-     * Which initial conditions are found and which are given. A value of enum
+     * Which initial conditions are automatic and which the user provides. A value of enum
      * mip_filter_initial_condition_source.
      */
     uint8_t initial_condition_source;
-    /** Ways in which the initial heading may be found. */
+    /** Methods by which the initial heading may be determined. */
     mip_filter_heading_alignment auto_heading_alignment_selector;
-    /** Given heading. Unit: deg. */
+    /** Initial heading that the user provides. Unit: deg. */
     float initial_heading;
-    /** Given pitch. Unit: deg. */
+    /** Initial pitch that the user provides. Unit: deg. */
     float initial_pitch;
-    /** Given roll. Unit: deg. */
+    /** Initial roll that the user provides. Unit: deg. */
     float initial_roll;
     /**
-     * Given position. Elements: x, y, z. If reference_frame_selector is
+     * Initial position that the user provides. Elements: x, y, z. If reference_frame_selector is
      * MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef. If reference_frame_selector is
      * MIP_FILTER_REFERENCE_FRAME_LLH: unit deg, deg, m; frame llh.
      */
     float initial_position[3];
     /**
-     * Given velocity. Elements: x, y, z. Unit: m/s. If reference_frame_selector is
-     * MIP_FILTER_REFERENCE_FRAME_ECEF: frame ecef. If reference_frame_selector is
-     * MIP_FILTER_REFERENCE_FRAME_LLH: frame ned.
+     * Initial velocity that the user provides. Elements: x, y, z. Unit: m/s. If
+     * reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_ECEF: frame ecef. If
+     * reference_frame_selector is MIP_FILTER_REFERENCE_FRAME_LLH: frame ned.
      */
     float initial_velocity[3];
-    /** Frame of the given position and velocity. A value of enum mip_filter_reference_frame. */
+    /** Frame of the initial position and velocity. A value of enum mip_filter_reference_frame. */
     uint8_t reference_frame_selector;
 };
 
@@ -6817,7 +6823,7 @@ static inline struct mip_filter_adaptive_filter_options *mip_filter_adaptive_fil
     command->time_limit = time_limit;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_adaptive_filter_options *
 mip_filter_adaptive_filter_options_read(struct mip_filter_adaptive_filter_options *command) {
     memset(command, 0, sizeof(*command));
@@ -6968,7 +6974,7 @@ mip_filter_multi_antenna_offset_write(struct mip_filter_multi_antenna_offset *co
     memcpy(command->antenna_offset, antenna_offset, sizeof(command->antenna_offset));
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_multi_antenna_offset *mip_filter_multi_antenna_offset_read(
     struct mip_filter_multi_antenna_offset *command, uint8_t receiver_id) {
     memset(command, 0, sizeof(*command));
@@ -7140,7 +7146,7 @@ mip_filter_relative_position_config_write(struct mip_filter_relative_position_co
            sizeof(command->reference_coordinates));
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_relative_position_config *
 mip_filter_relative_position_config_read(struct mip_filter_relative_position_config *command) {
     memset(command, 0, sizeof(*command));
@@ -7312,7 +7318,7 @@ mip_filter_reference_point_lever_arm_write(struct mip_filter_reference_point_lev
     memcpy(command->lever_arm_offset, lever_arm_offset, sizeof(command->lever_arm_offset));
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_reference_point_lever_arm *
 mip_filter_reference_point_lever_arm_read(struct mip_filter_reference_point_lever_arm *command) {
     memset(command, 0, sizeof(*command));
@@ -7433,7 +7439,7 @@ static inline mip_error mip_filter_reference_point_lever_arm_response_encode_inl
 struct mip_filter_speed_measurement {
     /** Send 1. Reserved: send 1. */
     uint8_t source;
-    /** GPS time of week of the measurement. Unit: s. Uncertain: The unit; the SDK prints none. */
+    /** GPS time of week of the measurement. Unit: s. Uncertain: The unit; the SDK gives none. */
     float tow;
     /** Speed, negative in reverse. Unit: m/s. Frame: vehicle. */
     float speed;
@@ -7513,7 +7519,7 @@ static inline struct mip_filter_speed_measurement *mip_filter_speed_measurement_
  * Functions: write, read, save, load and default. Answered by mip_filter_speed_lever_arm_response.
  * Supported by 3DM-CV7-GNSS/INS.
  *
- * It corrects for the speed that such a point has only because the vehicle turns.
+ * It corrects for the part of the speed at that point that is due to the rotation of the vehicle.
  *
  * - 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61)
  */
@@ -7564,7 +7570,7 @@ static inline struct mip_filter_speed_lever_arm *mip_filter_speed_lever_arm_writ
     memcpy(command->lever_arm_offset, lever_arm_offset, sizeof(command->lever_arm_offset));
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_speed_lever_arm *
 mip_filter_speed_lever_arm_read(struct mip_filter_speed_lever_arm *command) {
     memset(command, 0, sizeof(*command));
@@ -7668,7 +7674,7 @@ static inline mip_error mip_filter_speed_lever_arm_response_encode_inline(
 /**
  * Vertical gyro constraint: command (0x0D,0x62).
  *
- * Lets the filter hold pitch and roll by the accelerometers while there is no GNSS.
+ * Lets the filter maintain pitch and roll by the accelerometers while there is no GNSS.
  *
  * In full: filter.vertical_gyro_constraint_control.
  *
@@ -7676,7 +7682,7 @@ static inline mip_error mip_filter_speed_lever_arm_response_encode_inline(
  * mip_filter_vertical_gyro_constraint_response. No device profile lists it. Known from the
  * MicroStrain MIP SDK only.
  *
- * It takes the linear acceleration as zero.
+ * It assumes that the linear acceleration is zero.
  *
  * - mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62)
  */
@@ -7721,7 +7727,7 @@ static inline struct mip_filter_vertical_gyro_constraint *mip_filter_vertical_gy
     command->enable = enable;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_vertical_gyro_constraint *
 mip_filter_vertical_gyro_constraint_read(struct mip_filter_vertical_gyro_constraint *command) {
     memset(command, 0, sizeof(*command));
@@ -7823,8 +7829,8 @@ static inline mip_error mip_filter_vertical_gyro_constraint_response_encode_inli
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_wheeled_vehicle_constraint_response. Supported by 3DM-CV7-GNSS/INS.
  *
- * It improves the heading of cars and the like, above all when GNSS comes and goes. It is wrong for
- * vehicles that move sideways, such as aircraft.
+ * It improves the heading of cars and similar vehicles, especially with intermittent GNSS. Do not
+ * use it for vehicles that move sideways, such as aircraft.
  *
  * - 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63)
  */
@@ -7870,7 +7876,7 @@ mip_filter_wheeled_vehicle_constraint_write(struct mip_filter_wheeled_vehicle_co
     command->enable = enable;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_wheeled_vehicle_constraint *
 mip_filter_wheeled_vehicle_constraint_read(struct mip_filter_wheeled_vehicle_constraint *command) {
     memset(command, 0, sizeof(*command));
@@ -8026,7 +8032,7 @@ static inline struct mip_filter_gnss_antenna_calibration *mip_filter_gnss_antenn
     command->max_offset = max_offset;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_filter_gnss_antenna_calibration *
 mip_filter_gnss_antenna_calibration_read(struct mip_filter_gnss_antenna_calibration *command) {
     memset(command, 0, sizeof(*command));

@@ -138,9 +138,7 @@ static inline struct mip_result mip_call_filter_vehicle_dynamics_mode_write(
                            mip_filter_vehicle_dynamics_mode_write(&command, mode), NULL, NULL);
 }
 
-/**
- * Vehicle dynamics mode: read. Send the current setting back in a response. See mip_device_call.
- */
+/** Vehicle dynamics mode: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_vehicle_dynamics_mode_read(
     struct mip_device *device, struct mip_filter_vehicle_dynamics_mode_response *response) {
     struct mip_filter_vehicle_dynamics_mode command;
@@ -214,7 +212,7 @@ static inline struct mip_result mip_call_filter_sensor_to_vehicle_euler_write(
 }
 
 /**
- * Sensor to vehicle frame transformation: read. Send the current setting back in a response. See
+ * Sensor to vehicle frame transformation: read. Return the current setting in a response. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_sensor_to_vehicle_euler_read(
@@ -291,7 +289,7 @@ mip_call_filter_sensor_to_vehicle_offset_write(struct mip_device *device, const 
 }
 
 /**
- * Sensor to vehicle offset: read. Send the current setting back in a response. See mip_device_call.
+ * Sensor to vehicle offset: read. Return the current setting in a response. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_sensor_to_vehicle_offset_read(
     struct mip_device *device, struct mip_filter_sensor_to_vehicle_offset_response *response) {
@@ -362,7 +360,7 @@ static inline struct mip_result mip_call_filter_antenna_offset_write(struct mip_
                            mip_filter_antenna_offset_write(&command, offset), NULL, NULL);
 }
 
-/** GNSS antenna offset: read. Send the current setting back in a response. See mip_device_call. */
+/** GNSS antenna offset: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_antenna_offset_read(
     struct mip_device *device, struct mip_filter_antenna_offset_response *response) {
     struct mip_filter_antenna_offset command;
@@ -429,7 +427,7 @@ static inline struct mip_result mip_call_filter_estimation_control_write(
 }
 
 /**
- * Estimation control flags: read. Send the current setting back in a response. See mip_device_call.
+ * Estimation control flags: read. Return the current setting in a response. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_estimation_control_read(
     struct mip_device *device, struct mip_filter_estimation_control_response *response) {
@@ -498,7 +496,7 @@ static inline struct mip_result mip_call_filter_gnss_source_write(
                            mip_filter_gnss_source_write(&command, source), NULL, NULL);
 }
 
-/** GNSS aiding source: read. Send the current setting back in a response. See mip_device_call. */
+/** GNSS aiding source: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_gnss_source_read(
     struct mip_device *device, struct mip_filter_gnss_source_response *response) {
     struct mip_filter_gnss_source command;
@@ -634,9 +632,7 @@ static inline struct mip_result mip_call_filter_heading_source_write(
                            mip_filter_heading_source_write(&command, source), NULL, NULL);
 }
 
-/**
- * Heading update control: read. Send the current setting back in a response. See mip_device_call.
- */
+/** Heading update control: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_heading_source_read(
     struct mip_device *device, struct mip_filter_heading_source_response *response) {
     struct mip_filter_heading_source command;
@@ -706,7 +702,7 @@ mip_call_filter_auto_initialization_control_write(struct mip_device *device, uin
 }
 
 /**
- * Automatic initialization: read. Send the current setting back in a response. See mip_device_call.
+ * Automatic initialization: read. Return the current setting in a response. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_auto_initialization_control_read(
     struct mip_device *device, struct mip_filter_auto_initialization_control_response *response) {
@@ -777,7 +773,7 @@ static inline struct mip_result mip_call_filter_accel_noise_write(struct mip_dev
                            mip_filter_accel_noise_write(&command, noise), NULL, NULL);
 }
 
-/** Accelerometer noise: read. Send the current setting back in a response. See mip_device_call. */
+/** Accelerometer noise: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_accel_noise_read(
     struct mip_device *device, struct mip_filter_accel_noise_response *response) {
     struct mip_filter_accel_noise command;
@@ -845,7 +841,7 @@ static inline struct mip_result mip_call_filter_gyro_noise_write(struct mip_devi
                            mip_filter_gyro_noise_write(&command, noise), NULL, NULL);
 }
 
-/** Gyroscope noise: read. Send the current setting back in a response. See mip_device_call. */
+/** Gyroscope noise: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_gyro_noise_read(
     struct mip_device *device, struct mip_filter_gyro_noise_response *response) {
     struct mip_filter_gyro_noise command;
@@ -911,7 +907,7 @@ static inline struct mip_result mip_call_filter_accel_bias_model_write(struct mi
 }
 
 /**
- * Accelerometer bias model: read. Send the current setting back in a response. See mip_device_call.
+ * Accelerometer bias model: read. Return the current setting in a response. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_accel_bias_model_read(
     struct mip_device *device, struct mip_filter_accel_bias_model_response *response) {
@@ -981,7 +977,7 @@ static inline struct mip_result mip_call_filter_gyro_bias_model_write(struct mip
                            mip_filter_gyro_bias_model_write(&command, beta, noise), NULL, NULL);
 }
 
-/** Gyroscope bias model: read. Send the current setting back in a response. See mip_device_call. */
+/** Gyroscope bias model: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_gyro_bias_model_read(
     struct mip_device *device, struct mip_filter_gyro_bias_model_response *response) {
     struct mip_filter_gyro_bias_model command;
@@ -1050,7 +1046,7 @@ static inline struct mip_result mip_call_filter_auto_zupt_write(struct mip_devic
 }
 
 /**
- * Automatic zero velocity update: read. Send the current setting back in a response. See
+ * Automatic zero velocity update: read. Return the current setting in a response. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_auto_zupt_read(
@@ -1160,7 +1156,7 @@ static inline struct mip_result mip_call_filter_auto_angular_zupt_write(struct m
 }
 
 /**
- * Zero angular rate update: read. Send the current setting back in a response. See mip_device_call.
+ * Zero angular rate update: read. Return the current setting in a response. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_auto_angular_zupt_read(
     struct mip_device *device, struct mip_filter_auto_angular_zupt_response *response) {
@@ -1229,7 +1225,7 @@ static inline struct mip_result mip_call_filter_tare_orientation_write(struct mi
                            mip_filter_tare_orientation_write(&command, axes), NULL, NULL);
 }
 
-/** Tare orientation: read. Send the current setting back in a response. See mip_device_call. */
+/** Tare orientation: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_tare_orientation_read(
     struct mip_device *device, struct mip_filter_tare_orientation_response *response) {
     struct mip_filter_tare_orientation command;
@@ -1335,9 +1331,7 @@ static inline struct mip_result mip_call_filter_reference_position_write(
         NULL);
 }
 
-/**
- * Set reference position: read. Send the current setting back in a response. See mip_device_call.
- */
+/** Set reference position: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_reference_position_read(
     struct mip_device *device, struct mip_filter_reference_position_response *response) {
     struct mip_filter_reference_position command;
@@ -1451,7 +1445,7 @@ static inline struct mip_result mip_call_filter_gravity_noise_write(struct mip_d
                            mip_filter_gravity_noise_write(&command, noise), NULL, NULL);
 }
 
-/** Gravity noise: read. Send the current setting back in a response. See mip_device_call. */
+/** Gravity noise: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_gravity_noise_read(
     struct mip_device *device, struct mip_filter_gravity_noise_response *response) {
     struct mip_filter_gravity_noise command;
@@ -1515,9 +1509,7 @@ mip_call_filter_pressure_altitude_noise_write(struct mip_device *device, float n
                            mip_filter_pressure_altitude_noise_write(&command, noise), NULL, NULL);
 }
 
-/**
- * Pressure altitude noise: read. Send the current setting back in a response. See mip_device_call.
- */
+/** Pressure altitude noise: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_pressure_altitude_noise_read(
     struct mip_device *device, struct mip_filter_pressure_altitude_noise_response *response) {
     struct mip_filter_pressure_altitude_noise command;
@@ -1588,9 +1580,7 @@ mip_call_filter_hard_iron_offset_noise_write(struct mip_device *device, const fl
                            mip_filter_hard_iron_offset_noise_write(&command, noise), NULL, NULL);
 }
 
-/**
- * Hard iron offset noise: read. Send the current setting back in a response. See mip_device_call.
- */
+/** Hard iron offset noise: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_hard_iron_offset_noise_read(
     struct mip_device *device, struct mip_filter_hard_iron_offset_noise_response *response) {
     struct mip_filter_hard_iron_offset_noise command;
@@ -1661,9 +1651,7 @@ mip_call_filter_soft_iron_matrix_noise_write(struct mip_device *device, const fl
                            mip_filter_soft_iron_matrix_noise_write(&command, noise), NULL, NULL);
 }
 
-/**
- * Soft iron matrix noise: read. Send the current setting back in a response. See mip_device_call.
- */
+/** Soft iron matrix noise: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_soft_iron_matrix_noise_read(
     struct mip_device *device, struct mip_filter_soft_iron_matrix_noise_response *response) {
     struct mip_filter_soft_iron_matrix_noise command;
@@ -1734,7 +1722,7 @@ static inline struct mip_result mip_call_filter_enable_measurements_write(
 }
 
 /**
- * Enable or disable measurements: read. Send the current setting back in a response. See
+ * Enable or disable measurements: read. Return the current setting in a response. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_enable_measurements_read(
@@ -1810,7 +1798,7 @@ static inline struct mip_result mip_call_filter_mag_noise_write(struct mip_devic
                            mip_filter_mag_noise_write(&command, noise), NULL, NULL);
 }
 
-/** Magnetometer noise: read. Send the current setting back in a response. See mip_device_call. */
+/** Magnetometer noise: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_mag_noise_read(
     struct mip_device *device, struct mip_filter_mag_noise_response *response) {
     struct mip_filter_mag_noise command;
@@ -1879,8 +1867,7 @@ static inline struct mip_result mip_call_filter_magnetic_declination_source_writ
 }
 
 /**
- * Magnetic declination source: read. Send the current setting back in a response. See
- * mip_device_call.
+ * Magnetic declination source: read. Return the current setting in a response. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_magnetic_declination_source_read(
     struct mip_device *device, struct mip_filter_magnetic_declination_source_response *response) {
@@ -1957,8 +1944,8 @@ static inline struct mip_result mip_call_filter_accel_magnitude_adaptive_write(
 }
 
 /**
- * Gravity magnitude error adaptive measurement: read. Send the current setting back in a response.
- * See mip_device_call.
+ * Gravity magnitude error adaptive measurement: read. Return the current setting in a response. See
+ * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_accel_magnitude_adaptive_read(
     struct mip_device *device, struct mip_filter_accel_magnitude_adaptive_response *response) {
@@ -2045,7 +2032,7 @@ static inline struct mip_result mip_call_filter_mag_magnitude_adaptive_write(
 }
 
 /**
- * Magnetometer magnitude error adaptive measurement: read. Send the current setting back in a
+ * Magnetometer magnitude error adaptive measurement: read. Return the current setting in a
  * response. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_mag_magnitude_adaptive_read(
@@ -2133,7 +2120,7 @@ static inline struct mip_result mip_call_filter_mag_dip_angle_adaptive_write(
 }
 
 /**
- * Magnetometer dip angle error adaptive measurement: read. Send the current setting back in a
+ * Magnetometer dip angle error adaptive measurement: read. Return the current setting in a
  * response. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_mag_dip_angle_adaptive_read(
@@ -2211,7 +2198,7 @@ static inline struct mip_result mip_call_filter_altitude_aiding_write(
                            mip_filter_altitude_aiding_write(&command, selector), NULL, NULL);
 }
 
-/** Altitude aiding: read. Send the current setting back in a response. See mip_device_call. */
+/** Altitude aiding: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_altitude_aiding_read(
     struct mip_device *device, struct mip_filter_altitude_aiding_response *response) {
     struct mip_filter_altitude_aiding command;
@@ -2275,9 +2262,7 @@ static inline struct mip_result mip_call_filter_pitch_roll_aiding_write(
                            mip_filter_pitch_roll_aiding_write(&command, aiding), NULL, NULL);
 }
 
-/**
- * Pitch and roll aiding: read. Send the current setting back in a response. See mip_device_call.
- */
+/** Pitch and roll aiding: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_pitch_roll_aiding_read(
     struct mip_device *device, struct mip_filter_pitch_roll_aiding_response *response) {
     struct mip_filter_pitch_roll_aiding command;
@@ -2348,8 +2333,7 @@ static inline struct mip_result mip_call_filter_magnetic_inclination_source_writ
 }
 
 /**
- * Magnetic inclination source: read. Send the current setting back in a response. See
- * mip_device_call.
+ * Magnetic inclination source: read. Return the current setting in a response. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_magnetic_inclination_source_read(
     struct mip_device *device, struct mip_filter_magnetic_inclination_source_response *response) {
@@ -2423,7 +2407,7 @@ static inline struct mip_result mip_call_filter_magnetic_magnitude_source_write(
 }
 
 /**
- * Magnetic field magnitude source: read. Send the current setting back in a response. See
+ * Magnetic field magnitude source: read. Return the current setting in a response. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_magnetic_magnitude_source_read(
@@ -2499,7 +2483,7 @@ mip_call_filter_sensor_to_vehicle_dcm_write(struct mip_device *device, const flo
 }
 
 /**
- * Sensor to vehicle rotation, matrix: read. Send the current setting back in a response. See
+ * Sensor to vehicle rotation, matrix: read. Return the current setting in a response. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_sensor_to_vehicle_dcm_read(
@@ -2577,7 +2561,7 @@ mip_call_filter_sensor_to_vehicle_quaternion_write(struct mip_device *device, co
 }
 
 /**
- * Sensor to vehicle rotation, quaternion: read. Send the current setting back in a response. See
+ * Sensor to vehicle rotation, quaternion: read. Return the current setting in a response. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_sensor_to_vehicle_quaternion_read(
@@ -2655,8 +2639,7 @@ static inline struct mip_result mip_call_filter_aiding_measurement_enable_write(
 }
 
 /**
- * Aiding measurement control: read. Send the current setting back in a response. See
- * mip_device_call.
+ * Aiding measurement control: read. Return the current setting in a response. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_aiding_measurement_enable_read(
     struct mip_device *device, uint16_t aiding_source,
@@ -2735,7 +2718,7 @@ static inline struct mip_result mip_call_filter_kinematic_constraint_write(
                            NULL, NULL);
 }
 
-/** Kinematic constraint: read. Send the current setting back in a response. See mip_device_call. */
+/** Kinematic constraint: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_kinematic_constraint_read(
     struct mip_device *device, struct mip_filter_kinematic_constraint_response *response) {
     struct mip_filter_kinematic_constraint command;
@@ -2815,7 +2798,7 @@ static inline struct mip_result mip_call_filter_initialization_config_write(
 }
 
 /**
- * Navigation filter initialization: read. Send the current setting back in a response. See
+ * Navigation filter initialization: read. Return the current setting in a response. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_initialization_config_read(
@@ -2891,9 +2874,7 @@ static inline struct mip_result mip_call_filter_adaptive_filter_options_write(
                            NULL, NULL);
 }
 
-/**
- * Adaptive filter control: read. Send the current setting back in a response. See mip_device_call.
- */
+/** Adaptive filter control: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_filter_adaptive_filter_options_read(
     struct mip_device *device, struct mip_filter_adaptive_filter_options_response *response) {
     struct mip_filter_adaptive_filter_options command;
@@ -2965,8 +2946,7 @@ static inline struct mip_result mip_call_filter_multi_antenna_offset_write(
 }
 
 /**
- * GNSS multi-antenna offset: read. Send the current setting back in a response. See
- * mip_device_call.
+ * GNSS multi-antenna offset: read. Return the current setting in a response. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_multi_antenna_offset_read(
     struct mip_device *device, uint8_t receiver_id,
@@ -3045,7 +3025,7 @@ static inline struct mip_result mip_call_filter_relative_position_config_write(
 }
 
 /**
- * Relative position configuration: read. Send the current setting back in a response. See
+ * Relative position configuration: read. Return the current setting in a response. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_relative_position_config_read(
@@ -3124,8 +3104,7 @@ static inline struct mip_result mip_call_filter_reference_point_lever_arm_write(
 }
 
 /**
- * Reference point lever arm: read. Send the current setting back in a response. See
- * mip_device_call.
+ * Reference point lever arm: read. Return the current setting in a response. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_reference_point_lever_arm_read(
     struct mip_device *device, struct mip_filter_reference_point_lever_arm_response *response) {
@@ -3230,8 +3209,7 @@ mip_call_filter_speed_lever_arm_write(struct mip_device *device, const float lev
 }
 
 /**
- * Speed measurement lever arm: read. Send the current setting back in a response. See
- * mip_device_call.
+ * Speed measurement lever arm: read. Return the current setting in a response. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_speed_lever_arm_read(
     struct mip_device *device, struct mip_filter_speed_lever_arm_response *response) {
@@ -3301,7 +3279,7 @@ mip_call_filter_vertical_gyro_constraint_write(struct mip_device *device, uint8_
 }
 
 /**
- * Vertical gyro constraint: read. Send the current setting back in a response. See mip_device_call.
+ * Vertical gyro constraint: read. Return the current setting in a response. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_vertical_gyro_constraint_read(
     struct mip_device *device, struct mip_filter_vertical_gyro_constraint_response *response) {
@@ -3375,8 +3353,7 @@ mip_call_filter_wheeled_vehicle_constraint_write(struct mip_device *device, uint
 }
 
 /**
- * Wheeled vehicle constraint: read. Send the current setting back in a response. See
- * mip_device_call.
+ * Wheeled vehicle constraint: read. Return the current setting in a response. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_wheeled_vehicle_constraint_read(
     struct mip_device *device, struct mip_filter_wheeled_vehicle_constraint_response *response) {
@@ -3450,7 +3427,7 @@ static inline struct mip_result mip_call_filter_gnss_antenna_calibration_write(
 }
 
 /**
- * GNSS antenna offset calibration: read. Send the current setting back in a response. See
+ * GNSS antenna offset calibration: read. Return the current setting in a response. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_gnss_antenna_calibration_read(

@@ -149,11 +149,11 @@ enum mip_filter_data_dual_antenna_fix_type {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_data_dual_antenna_fix_type_name(uint8_t value);
-/** What the heading solution of two antennas has to work with. */
+/** Inputs available to the heading solution of two antennas. */
 typedef uint16_t mip_filter_data_dual_antenna_status_flags;
-/** Bit 0. Data of receiver 1 are valid. */
+/** Bit 0. Data of receiver 1 is valid. */
 #define MIP_FILTER_DATA_DUAL_ANTENNA_STATUS_FLAGS_RECEIVER_1_DATA_VALID 0x0001U
-/** Bit 1. Data of receiver 2 are valid. */
+/** Bit 1. Data of receiver 2 is valid. */
 #define MIP_FILTER_DATA_DUAL_ANTENNA_STATUS_FLAGS_RECEIVER_2_DATA_VALID 0x0002U
 /** Bit 2. The antenna offsets are valid. */
 #define MIP_FILTER_DATA_DUAL_ANTENNA_STATUS_FLAGS_ANTENNA_OFFSETS_VALID 0x0004U
@@ -164,13 +164,13 @@ typedef uint16_t mip_filter_data_dual_antenna_status_flags;
  * - 3dm-cv7-gnss-ins: Status (0x82,0x10)
  */
 enum mip_filter_data_gx5_filter_state {
-    /** The device starts. */
+    /** The device is starting. */
     MIP_FILTER_DATA_GX5_FILTER_STATE_STARTUP = 0,
-    /** Initialization; the status flags tell what is missing. */
+    /** Initialization; the status flags show what is missing. */
     MIP_FILTER_DATA_GX5_FILTER_STATE_INIT = 1,
     /** Running with a valid solution. */
     MIP_FILTER_DATA_GX5_FILTER_STATE_RUN_SOLUTION_VALID = 2,
-    /** Running with an error; the status flags tell which. */
+    /** Running with an error; the status flags show which. */
     MIP_FILTER_DATA_GX5_FILTER_STATE_RUN_SOLUTION_ERROR = 3
 };
 
@@ -195,7 +195,7 @@ enum mip_filter_data_cv7_filter_state {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_data_cv7_filter_state_name(uint16_t value);
-/** Motion for which the filter of a 5-series device is set up. */
+/** Motion for which the filter of a 5-series device is configured. */
 enum mip_filter_data_gx5_dynamics_mode {
     /** Carried by hand. */
     MIP_FILTER_DATA_GX5_DYNAMICS_MODE_PORTABLE = 1,
@@ -216,7 +216,7 @@ enum mip_filter_data_cv7_dynamics_mode {
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_data_cv7_dynamics_mode_name(uint16_t value);
 /**
- * Problems of the filter of a 5-series device. The `init` bits count in filter state `init`, the
+ * Problems of the filter of a 5-series device. The `init` bits apply in filter state `init`, the
  * others while the filter runs.
  *
  * - 3dm-gx5-15: 5.2.1 Filter Status (0x82, 0x10)
@@ -242,7 +242,9 @@ typedef uint16_t mip_filter_data_gx5_status_flags;
  * run_attitude_covariance_warning.
  */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ATTITUDE_COVARIANCE 0x0040U
-/** Bit 7. The solution holds values that are not numbers. In full: run_nan_in_solution_warning. */
+/**
+ * Bit 7. The solution contains values that are not numbers. In full: run_nan_in_solution_warning.
+ */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_NAN_IN_SOLUTION 0x0080U
 /** Bit 8. The estimated gyroscope bias is high. In full: run_gyro_bias_est_high_warning. */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_GYRO_BIAS_HIGH 0x0100U
@@ -312,15 +314,15 @@ typedef uint16_t mip_filter_data_cv7_status_flags;
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_VELOCITY_WARNING 0x0020U
 /** Bit 6. The sensor biases are doubtful; capture the gyroscope bias. */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_IMU_BIAS_WARNING 0x0040U
-/** Bit 7. The GNSS clock is doubtful; navigation goes on. */
+/** Bit 7. The GNSS clock is doubtful; navigation continues. */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_GNSS_CLOCK_WARNING 0x0080U
 /** Bit 8. The antenna offsets are probably wrong. */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_ANTENNA_LEVER_ARM_WARNING 0x0100U
 /** Bit 9. The mounting transformation is probably wrong. */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_MOUNTING_TRANSFORM_WARNING 0x0200U
-/** Bit 10. No pulse per second is found, or the time of an external heading is too old. */
+/** Bit 10. No pulse per second is detected, or the time of an external heading is too old. */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_TIME_SYNC_WARNING 0x0400U
-/** Bits 12 to 15. Not 0 if the solution holds values that are not numbers; reset the filter. */
+/** Bits 12 to 15. Not 0 if the solution contains values that are not numbers; reset the filter. */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_SOLUTION_ERROR 0xF000U
 
 /** Bits 0 to 1. How settled the estimates are. A value of enum mip_filter_data_filter_condition. */
@@ -337,7 +339,7 @@ static inline void mip_filter_data_cv7_status_flags_set_filter_condition(
     *flags = (mip_filter_data_cv7_status_flags)((*flags & ~mask) | (bits & mask));
 }
 
-/** Bits 12 to 15. Not 0 if the solution holds values that are not numbers; reset the filter. */
+/** Bits 12 to 15. Not 0 if the solution contains values that are not numbers; reset the filter. */
 static inline uint8_t
 mip_filter_data_cv7_status_flags_get_solution_error(mip_filter_data_cv7_status_flags flags) {
     const uint32_t bits = flags & MIP_FILTER_DATA_CV7_STATUS_FLAGS_SOLUTION_ERROR;
@@ -524,7 +526,7 @@ static inline mip_error mip_filter_data_ned_velocity_encode_inline(
  *
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
- * `v_vehicle = q^-1 * v_ned * q`. The 3DM-GX5-15 manual prints the inverse rotation.
+ * `v_vehicle = q^-1 * v_ned * q`. The 3DM-GX5-15 manual gives the inverse rotation.
  *
  * - 3dm-cv7-gnss-ins: Attitude Quaternion (0x82,0x03)
  * - 3dm-gx5-15: 5.2.3 Orientation, Quaternion (0x82, 0x03)
@@ -600,7 +602,7 @@ static inline mip_error mip_filter_data_attitude_quaternion_encode_inline(
  *
  * Supported by 3DM-CV7-GNSS/INS, 3DM-GX5-15 and 3DM-GX5-45.
  *
- * The matrix turns NED vectors into vehicle vectors: `v_vehicle = dcm * v_ned`.
+ * The matrix transforms vectors from the NED frame to the vehicle frame: `v_vehicle = dcm * v_ned`.
  *
  * - 3dm-cv7-gnss-ins: Attitude DCM (0x82,0x04)
  * - 3dm-gx5-15: 5.2.7 Orientation, Matrix (0x82, 0x04)
@@ -1074,7 +1076,7 @@ static inline mip_error mip_filter_data_ned_velocity_uncertainty_encode_inline(
  *
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
- * 3DM-GX5: derived from the quaternion, worse the steeper the pitch, and not valid beyond 70
+ * 3DM-GX5: derived from the quaternion, less accurate at steep pitch, and not valid beyond 70
  * degrees of pitch up or down.
  *
  * - 3dm-cv7-gnss-ins: Euler Angles Uncertainty (0x82,0x0A)
@@ -1304,7 +1306,7 @@ static inline mip_error mip_filter_data_accel_bias_uncertainty_encode_inline(
 /**
  * Linear acceleration: data (0x82,0x0D).
  *
- * Compensated acceleration less the estimated gravity.
+ * Compensated acceleration minus the estimated gravity.
  *
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
@@ -1452,11 +1454,11 @@ static inline mip_error mip_filter_data_comp_angular_rate_encode_inline(
 /**
  * WGS84 local gravity magnitude: data (0x82,0x0F).
  *
- * Magnitude of gravity at the position of the device by the WGS84 model.
+ * Magnitude of gravity at the position of the device according to the WGS84 model.
  *
  * Also called `wgs84_gravity_mag`. Supported by 3DM-GX5-15.
  *
- * The model holds up to an altitude of 20 km.
+ * The model is valid up to an altitude of 20 km.
  *
  * - 3dm-gx5-15: 5.2.15 WGS84 Local Gravity Magnitude (0x82, 0x0F)
  */
@@ -1531,7 +1533,7 @@ static inline mip_error mip_filter_data_wgs84_gravity_magnitude_encode_inline(
  *
  * 3DM-CV7: 4, 1, 1 is normal operation (full navigation, default mode, stable).
  *
- * 5-series: bits 12 and 13 of the flags mean other things in state `init` than while the filter
+ * 5-series: bits 12 and 13 of the flags have other meanings in state `init` than while the filter
  * runs.
  *
  * - 3dm-cv7-gnss-ins: Status (0x82,0x10)
@@ -1545,7 +1547,7 @@ struct mip_filter_data_status {
      */
     uint16_t filter_state;
     /**
-     * Motion for which the filter is set up. On the 3DM-CV7-GNSS/INS: values of enum
+     * Motion for which the filter is configured. On the 3DM-CV7-GNSS/INS: values of enum
      * mip_filter_data_cv7_dynamics_mode. On the 3DM-GX5-15: values of enum
      * mip_filter_data_gx5_dynamics_mode.
      */
@@ -1616,7 +1618,7 @@ static inline mip_error mip_filter_data_status_encode_inline(
  *
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
- * Without PPS the internal clock drives the time, and the time jumps when the PPS comes back.
+ * Without PPS the internal clock drives the time, and the time jumps when the PPS returns.
  *
  * Without synchronization to a receiver or an external clock it is the internal system time.
  *
@@ -1930,7 +1932,7 @@ static inline mip_error mip_filter_data_heading_update_state_encode_inline(
 /**
  * Magnetic model: data (0x82,0x15).
  *
- * Magnetic field at the position of the device by the World Magnetic Model.
+ * Magnetic field at the position of the device according to the World Magnetic Model.
  *
  * Supported by 3DM-CV7-GNSS/INS.
  *
@@ -2467,7 +2469,7 @@ static inline mip_error mip_filter_data_mag_bias_uncertainty_encode_inline(
 /**
  * Compensated acceleration: data (0x82,0x1C).
  *
- * Acceleration without the estimated bias; gravity is still in it.
+ * Acceleration without the estimated bias; it includes gravity.
  *
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
@@ -2551,7 +2553,7 @@ static inline mip_error mip_filter_data_comp_accel_encode_inline(
  */
 struct mip_filter_data_standard_atmosphere {
     /**
-     * Altitude that goes into the model. Unit: m. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
+     * Altitude used in the model. Unit: m. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
      * valid_flags is set.
      */
     float geometric_altitude;
@@ -4537,7 +4539,7 @@ struct mip_filter_data_gnss_dual_antenna_status {
     float heading_uncertainty;
     /** Kind of solution. A value of enum mip_filter_data_dual_antenna_fix_type. */
     uint8_t fix_type;
-    /** What the solution has to work with. */
+    /** Inputs available to the solution. */
     mip_filter_data_dual_antenna_status_flags status_flags;
     /** Validity of the values. */
     mip_filter_data_valid_flags valid_flags;

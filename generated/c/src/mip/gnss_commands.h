@@ -64,7 +64,7 @@ static inline struct mip_result mip_call_gnss_signal_config_write(
                            NULL, NULL);
 }
 
-/** Signal configuration: read. Send the current setting back in a response. See mip_device_call. */
+/** Signal configuration: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_gnss_signal_config_read(
     struct mip_device *device, struct mip_gnss_signal_config_response *response) {
     struct mip_gnss_signal_config command;
@@ -131,7 +131,7 @@ static inline struct mip_result mip_call_gnss_rtk_dongle_config_write(struct mip
 }
 
 /**
- * RTK dongle configuration: read. Send the current setting back in a response. See mip_device_call.
+ * RTK dongle configuration: read. Return the current setting in a response. See mip_device_call.
  */
 static inline struct mip_result mip_call_gnss_rtk_dongle_config_read(
     struct mip_device *device, struct mip_gnss_rtk_dongle_config_response *response) {
@@ -204,7 +204,7 @@ static inline struct mip_result mip_call_gnss_spartn_config_write(
                            NULL, NULL);
 }
 
-/** SPARTN configuration: read. Send the current setting back in a response. See mip_device_call. */
+/** SPARTN configuration: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_gnss_spartn_config_read(
     struct mip_device *device, struct mip_gnss_spartn_config_response *response) {
     struct mip_gnss_spartn_config command;

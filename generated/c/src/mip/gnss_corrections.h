@@ -1,8 +1,8 @@
 /**
  * @file
  *
- * GNSS corrections data (0x93). What the device receives of RTK corrections. Data are sent as they
- * are received. Uncertain: Which devices send the fields that no manual lists for this set. The SDK
+ * GNSS corrections data (0x93). RTK corrections that the device receives. Data is sent as it is
+ * received. Uncertain: Which devices send the fields that no manual lists for this set. The SDK
  * gives all GNSS data sets the same fields.
  */
 #ifndef MIP_GNSS_CORRECTIONS_H
@@ -532,7 +532,7 @@ struct mip_gnss_corrections_utc_time {
      * MIP_GNSS_1_UTC_TIME_FLAGS_GNSS_DATE_TIME in valid_flags is set.
      */
     uint32_t msec;
-    /** How far the time is valid. */
+    /** Which parts of the time are valid. */
     mip_gnss_1_utc_time_flags valid_flags;
 };
 
@@ -680,7 +680,7 @@ static inline mip_error mip_gnss_corrections_gps_time_encode_inline(
  * Has the layout of mip_gnss_1_clock_info. No device profile lists it. Known from the MicroStrain
  * MIP SDK only.
  *
- * Clock info 2 replaces it and tells more.
+ * Clock info 2 replaces it and gives more detail.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -760,7 +760,7 @@ static inline mip_error mip_gnss_corrections_clock_info_encode_inline(
 /**
  * Fix info: data (0x93,0x0B).
  *
- * Type of the position fix and what it is made of.
+ * Type of the position fix and what it is based on.
  *
  * Has the layout of mip_gnss_1_fix_info. No device profile lists it. Known from the MicroStrain MIP
  * SDK only.
@@ -774,11 +774,11 @@ struct mip_gnss_corrections_fix_info {
      */
     uint8_t fix_type;
     /**
-     * Number of satellites of the fix. Unit: 1. Valid if MIP_GNSS_1_FIX_INFO_FLAGS_NUM_SV in
+     * Number of satellites used in the fix. Unit: 1. Valid if MIP_GNSS_1_FIX_INFO_FLAGS_NUM_SV in
      * valid_flags is set.
      */
     uint8_t num_sv;
-    /** Aids of the fix. Valid if MIP_GNSS_1_FIX_INFO_FLAGS_FIX_FLAGS in valid_flags is set. */
+    /** What the fix uses. Valid if MIP_GNSS_1_FIX_INFO_FLAGS_FIX_FLAGS in valid_flags is set. */
     mip_gnss_1_fix_flags fix_flags;
     /** Which values are valid. */
     mip_gnss_1_fix_info_flags valid_flags;
@@ -846,7 +846,7 @@ static inline mip_error mip_gnss_corrections_fix_info_encode_inline(
  * Has the layout of mip_gnss_1_sv_info. No device profile lists it. Known from the MicroStrain MIP
  * SDK only. Uncertain: Whether a packet holds one of these fields or several.
  *
- * The satellites come as one field each, in packets apart from other GNSS data.
+ * Each satellite is sent as one field, in packets separate from other GNSS data.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -1026,10 +1026,10 @@ static inline mip_error mip_gnss_corrections_hardware_status_encode_inline(
  * State of the differential corrections.
  *
  * Has the layout of mip_gnss_1_dgps_info. No device profile lists it. Known from the MicroStrain
- * MIP SDK only. Uncertain: The layout is that of a manual of the 3DM-GX5-35 and of MSCL, another
- * library of the vendor. It agrees with the valid flags. Uncertain: The SDK has another one, u8,
- * three floats and u16, which is that of mip_gnss_1_dgps_channel and does not agree with its own
- * valid flags (age, base station id, base station status, number of channels).
+ * MIP SDK only. Uncertain: The layout is from a manual of the 3DM-GX5-35 and from MSCL, another
+ * library of the vendor. It agrees with the valid flags. Uncertain: The SDK has another layout: u8,
+ * three floats and u16. It is that of mip_gnss_1_dgps_channel and does not agree with its own valid
+ * flags (age, base station id, base station status, number of channels).
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -1123,7 +1123,7 @@ static inline mip_error mip_gnss_corrections_dgps_info_encode_inline(
  * Has the layout of mip_gnss_1_dgps_channel. No device profile lists it. Known from the MicroStrain
  * MIP SDK only.
  *
- * The active satellites come as one field each, all in one packet.
+ * Each active satellite is sent as one field, all in one packet.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -1498,8 +1498,8 @@ struct mip_gnss_corrections_sbas_correction {
     /** Satellite within the constellation. */
     uint8_t satellite_id;
     /**
-     * Indicator of the range error that is left after fast and long-term corrections, the
-     * atmosphere apart; 14 is not monitored, 15 not usable. Range: 0 to 15. Valid if
+     * Indicator of the range error that remains after fast and long-term corrections, not counting
+     * the atmosphere; 14 is not monitored, 15 not usable. Range: 0 to 15. Valid if
      * MIP_GNSS_1_SBAS_CORRECTION_FLAGS_UDREI in valid_flags is set.
      */
     uint8_t udrei;
@@ -1586,7 +1586,7 @@ static inline mip_error mip_gnss_corrections_sbas_correction_encode_inline(
 /**
  * RF error detection: data (0x93,0x14).
  *
- * Jamming and spoofing as the receiver detects them in one band.
+ * Jamming and spoofing that the receiver detects in one band.
  *
  * Has the layout of mip_gnss_1_rf_error_detection. No device profile lists it. Known from the
  * MicroStrain MIP SDK only.
@@ -1674,7 +1674,7 @@ static inline mip_error mip_gnss_corrections_rf_error_detection_encode_inline(
 /**
  * Satellite status: data (0x93,0x20).
  *
- * Where one satellite stands, and its health.
+ * Direction to one satellite, and its health.
  *
  * Has the layout of mip_gnss_1_satellite_status. No device profile lists it. Known from the
  * MicroStrain MIP SDK only.
@@ -2081,7 +2081,7 @@ static inline mip_error mip_gnss_corrections_base_station_info_encode_inline(
 /**
  * RTK corrections status: data (0x93,0x31).
  *
- * Which corrections come, and how old they are.
+ * Which corrections are received, and how old they are.
  *
  * Has the layout of mip_gnss_1_rtk_corrections_status. Supported by 3DM-CV7-GNSS/INS.
  *
@@ -2099,7 +2099,7 @@ struct mip_gnss_corrections_rtk_corrections_status {
      */
     uint16_t week_number;
     /**
-     * Corrections that came during this epoch. Valid if
+     * Corrections received during this epoch. Valid if
      * MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_EPOCH_STATUS in valid_flags is set.
      */
     mip_gnss_1_rtk_epoch_status epoch_status;
@@ -2107,7 +2107,7 @@ struct mip_gnss_corrections_rtk_corrections_status {
      * Status flags of the RTK dongle; of use only with a dongle. Valid if
      * MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_DONGLE_STATUS in valid_flags is set.
      *
-     * The same word as that of mip_rtk_get_status_flags, in one of its two forms.
+     * The same word as in the response to mip_rtk_get_status_flags, in one of its two forms.
      */
     mip_rtk_status_flags dongle_status;
     /**
@@ -2214,7 +2214,7 @@ static inline mip_error mip_gnss_corrections_rtk_corrections_status_encode_inlin
  * Has the layout of mip_gnss_1_gps_ephemeris. No device profile lists it. Known from the
  * MicroStrain MIP SDK only.
  *
- * `iodc` changes with the clock data; the manual has it roll over at 4.
+ * `iodc` changes with the clock data; according to the manual, it rolls over at 4.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -2544,7 +2544,7 @@ struct mip_gnss_corrections_glonass_ephemeris {
      */
     float velocity[3];
     /**
-     * Acceleration of the satellite by perturbations, in PZ-90. Elements: x, y, z. Unit: m/s^2.
+     * Acceleration of the satellite due to perturbations, in PZ-90. Elements: x, y, z. Unit: m/s^2.
      * Valid if MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
      */
     float accel[3];
@@ -2719,9 +2719,9 @@ static inline mip_error mip_gnss_corrections_glonass_ephemeris_encode_inline(
  * MicroStrain MIP SDK only.
  *
  * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
- * corrections hold here.
+ * corrections mean here.
  *
- * `iodc` changes with the clock data; the manual has it roll over at 4.
+ * `iodc` changes with the clock data; according to the manual, it rolls over at 4.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -2994,9 +2994,9 @@ static inline mip_error mip_gnss_corrections_galileo_ephemeris_encode_inline(
  * MicroStrain MIP SDK only.
  *
  * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
- * corrections hold here.
+ * corrections mean here.
  *
- * `iodc` changes with the clock data; the manual has it roll over at 4.
+ * `iodc` changes with the clock data; according to the manual, it rolls over at 4.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -3388,7 +3388,7 @@ struct mip_gnss_corrections_galileo_iono_correction {
     /**
      * Storm flags of five regions, in bits 1 to 5. Valid if
      * MIP_GNSS_1_GALILEO_IONO_CORRECTION_FLAGS_DISTURBANCE_FLAGS in valid_flags is set. Uncertain:
-     * Whether the bits count from 0 or from 1, and which region each stands for.
+     * Whether the bits count from 0 or from 1, and which region each represents.
      */
     uint8_t disturbance_flags;
     /** Which values are valid. */

@@ -79,7 +79,7 @@ MIP_API const char *mip_rtk_led_action_name(uint8_t value);
 /**
  * Get status flags: command (0x0F,0x01).
  *
- * Asks for the state of the modem and of the corrections.
+ * Gets the state of the modem and of the corrections.
  *
  * Answered by mip_rtk_get_status_flags_response. No device profile lists it. Known from the
  * MicroStrain MIP SDK only.
@@ -178,7 +178,7 @@ static inline mip_error mip_rtk_get_status_flags_response_encode_inline(
 /**
  * Get IMEI: command (0x0F,0x02).
  *
- * Asks for the identity of the modem.
+ * Gets the identity of the modem.
  *
  * Answered by mip_rtk_get_imei_response. No device profile lists it. Known from the MicroStrain MIP
  * SDK only.
@@ -276,7 +276,7 @@ static inline mip_error mip_rtk_get_imei_response_encode_inline(
 /**
  * Get IMSI: command (0x0F,0x03).
  *
- * Asks for the identity of the subscriber.
+ * Gets the identity of the subscriber.
  *
  * Answered by mip_rtk_get_imsi_response. No device profile lists it. Known from the MicroStrain MIP
  * SDK only.
@@ -374,7 +374,7 @@ static inline mip_error mip_rtk_get_imsi_response_encode_inline(
 /**
  * Get ICCID: command (0x0F,0x04).
  *
- * Asks for the number of the SIM card.
+ * Gets the number of the SIM card.
  *
  * Answered by mip_rtk_get_iccid_response. No device profile lists it. Known from the MicroStrain
  * MIP SDK only.
@@ -472,7 +472,7 @@ static inline mip_error mip_rtk_get_iccid_response_encode_inline(
 /**
  * Get RSSI: command (0x0F,0x05).
  *
- * Asks for the strength of the cellular signal.
+ * Gets the strength of the cellular signal.
  *
  * Answered by mip_rtk_get_rssi_response. No device profile lists it. Known from the MicroStrain MIP
  * SDK only.
@@ -510,7 +510,7 @@ static inline mip_error mip_rtk_get_rssi_encode(const struct mip_rtk_get_rssi *v
  * Get RSSI response: response (0x0F,0x85).
  *
  * Answers mip_rtk_get_rssi. Known from the MicroStrain MIP SDK only. Uncertain: That `valid`
- * vouches for the other values is inferred.
+ * applies to the other values is inferred.
  *
  * - mip-sdk-4: Get Rssi (0x0F,0x05)
  */
@@ -627,7 +627,7 @@ static inline struct mip_rtk_connected_device_type *mip_rtk_connected_device_typ
     command->device_type = (uint8_t)device_type;
     return command;
 }
-/** Send the current setting back in a response. Fills the structure and returns its address. */
+/** Return the current setting in a response. Fills the structure and returns its address. */
 static inline struct mip_rtk_connected_device_type *
 mip_rtk_connected_device_type_read(struct mip_rtk_connected_device_type *command) {
     memset(command, 0, sizeof(*command));
@@ -719,7 +719,7 @@ static inline mip_error mip_rtk_connected_device_type_response_encode_inline(
 /**
  * Get activation code: command (0x0F,0x07).
  *
- * Asks for the activation code.
+ * Gets the activation code.
  *
  * Also called `get_act_code`. Answered by mip_rtk_get_activation_code_response. No device profile
  * lists it. Known from the MicroStrain MIP SDK only.
@@ -818,7 +818,7 @@ static inline mip_error mip_rtk_get_activation_code_response_encode_inline(
 /**
  * Get modem firmware version: command (0x0F,0x08).
  *
- * Asks for the firmware version of the cellular modem.
+ * Gets the firmware version of the cellular modem.
  *
  * Answered by mip_rtk_get_modem_firmware_version_response. No device profile lists it. Known from
  * the MicroStrain MIP SDK only.
@@ -916,7 +916,7 @@ static inline mip_error mip_rtk_get_modem_firmware_version_response_encode_inlin
 /**
  * Service status: command (0x0F,0x0A).
  *
- * Asks a correction server about the connection, and so keeps it open.
+ * Queries a correction server about the connection, which also keeps it open.
  *
  * Answered by mip_rtk_service_status_response. The device sends it, and the host answers. No device
  * profile lists it. Known from the MicroStrain MIP SDK only.
@@ -987,8 +987,8 @@ static inline mip_error mip_rtk_service_status_encode_inline(
  *
  * What the server knows of the connection.
  *
- * Answers mip_rtk_service_status. Known from the MicroStrain MIP SDK only. Uncertain: What exactly
- * the counters count.
+ * Answers mip_rtk_service_status. Known from the MicroStrain MIP SDK only. Uncertain: What the
+ * counters count.
  *
  * - mip-sdk-4: Service Status (0x0F,0x0A)
  */
@@ -1065,7 +1065,7 @@ static inline mip_error mip_rtk_service_status_response_encode_inline(
  * For advanced use. Also called `prod_erase_storage`. No device profile lists it. Known from the
  * MicroStrain MIP SDK only.
  *
- * All that is stored is lost. The command is for production.
+ * All stored data is lost. The command is for production.
  *
  * Accepted in calibration mode only.
  *
@@ -1225,7 +1225,7 @@ static inline struct mip_rtk_led_control *mip_rtk_led_control_make(
  *
  * For advanced use. No device profile lists it. Known from the MicroStrain MIP SDK only.
  *
- * It wears the flash memory out; use it rarely.
+ * It wears out the flash memory; use it rarely.
  *
  * Accepted in calibration mode only.
  *

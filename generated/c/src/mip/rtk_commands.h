@@ -152,9 +152,7 @@ static inline struct mip_result mip_call_rtk_connected_device_type_write(
                            mip_rtk_connected_device_type_write(&command, device_type), NULL, NULL);
 }
 
-/**
- * Connected device type: read. Send the current setting back in a response. See mip_device_call.
- */
+/** Connected device type: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_rtk_connected_device_type_read(
     struct mip_device *device, struct mip_rtk_connected_device_type_response *response) {
     struct mip_rtk_connected_device_type command;

@@ -42,7 +42,7 @@ static inline struct mip_result mip_call_system_interface_control_write(
         NULL, NULL);
 }
 
-/** Interface control: read. Send the current setting back in a response. See mip_device_call. */
+/** Interface control: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_system_interface_control_read(
     struct mip_device *device, enum mip_system_comm_interface port,
     struct mip_system_interface_control_response *response) {
@@ -114,7 +114,7 @@ mip_call_system_comm_mode_write(struct mip_device *device, enum mip_system_proto
                            mip_system_comm_mode_write(&command, mode), NULL, NULL);
 }
 
-/** Communication mode: read. Send the current setting back in a response. See mip_device_call. */
+/** Communication mode: read. Return the current setting in a response. See mip_device_call. */
 static inline struct mip_result mip_call_system_comm_mode_read(
     struct mip_device *device, struct mip_system_comm_mode_response *response) {
     struct mip_system_comm_mode command;

@@ -183,8 +183,8 @@ static inline mip_error mip_system_data_time_sync_status_encode_inline(
  *
  * The pins are sampled within one base period of this set.
  *
- * Only pins that are configured to the GPIO feature by mip_3dm_gpio_config are sure to give valid
- * levels.
+ * Levels are guaranteed to be valid only for pins that mip_3dm_gpio_config configures for the GPIO
+ * feature.
  *
  * For fast signals and exact times use the timestamp feature and the event system.
  *

@@ -23,7 +23,7 @@ TYPES: dict[str, Info] = {
         values=(
             ValueInfo("suppress_ack", value=0, description="No acknowledge."),
             ValueInfo("standard", value=1, description="Acknowledge as for any command."),
-            ValueInfo("response", value=2, description="The data come back in a response."),
+            ValueInfo("response", value=2, description="The data is returned in a response."),
         ),
     ),
     "Timebase": EnumInfo(
@@ -62,7 +62,7 @@ TYPES: dict[str, Info] = {
         "aiding.frame_config", type=aiding.FrameConfig,
         title="Frame configuration",
         description="Where and how an external sensor is mounted on the vehicle.",
-        facts=("Functions: `write`, `read`, `save`, `load` and `default`.", "Answered by `aiding.FrameConfigResponse`.", "Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.", "Aiding measurements name the frame by its number.", "`p_vehicle = R * p_frame + t`, with the rotation R and the translation t.", "The rotation does not matter for GNSS positions and velocities; set it to zero.", "A read names the format that the answer shall have."),
+        facts=("Functions: `write`, `read`, `save`, `load` and `default`.", "Answered by `aiding.FrameConfigResponse`.", "Supported by 3DM-CV7-AHRS, 3DM-CV7-AR and 3DM-CV7-GNSS/INS.", "Aiding measurements name the frame by its number.", "`p_vehicle = R * p_frame + t`, with the rotation R and the translation t.", "The rotation does not matter for GNSS positions and velocities; set it to zero.", "A read selects the format of the answer."),
         sources=("3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)", "3dm-cv7-gnss-ins: Aiding Frames"),
         functions=("write", "read", "save", "load", "default"),
         devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins"),
@@ -85,7 +85,7 @@ TYPES: dict[str, Info] = {
         devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins"),
         parameters=(
             Parameter("function", "function", "scalar", description="What to do with the setting.", scalar="u8", type=protocol.FunctionSelector),
-            Parameter("mode", "mode", "scalar", description="How they are answered.", facts=("Required for `write`.",), scalar="u8", required=("write",), type=aiding.AidingEchoMode),
+            Parameter("mode", "mode", "scalar", description="How the measurements are answered.", facts=("Required for `write`.",), scalar="u8", required=("write",), type=aiding.AidingEchoMode),
         ),
     ),
     "EcefPosition": FieldInfo(
@@ -141,7 +141,7 @@ TYPES: dict[str, Info] = {
         "aiding.ecef_velocity", type=aiding.EcefVelocity,
         title="ECEF velocity",
         description="A measured velocity in Earth-fixed coordinates.",
-        facts=("Also called `vel_ecef`.", "Not acknowledged if `mode` of `aiding.EchoControl` is `aiding.AidingEchoMode.SUPPRESS_ACK`.", "Supported by 3DM-CV7-GNSS/INS.", "Use only one form of velocity: ECEF or NED.", "Not for a sensor that is fixed to the vehicle; that takes `aiding.BodyFrameVelocity`.", "In mode `response` of `aiding.EchoControl`, the device sends the data back in a response of unknown layout."),
+        facts=("Also called `vel_ecef`.", "Not acknowledged if `mode` of `aiding.EchoControl` is `aiding.AidingEchoMode.SUPPRESS_ACK`.", "Supported by 3DM-CV7-GNSS/INS.", "Use only one form of velocity: ECEF or NED.", "Not for a sensor that is fixed to the vehicle; for such a sensor, use `aiding.BodyFrameVelocity`.", "In mode `response` of `aiding.EchoControl`, the device sends the data back in a response of unknown layout."),
         sources=("3dm-cv7-gnss-ins: ECEF Velocity (0x13,0x28)", "3dm-cv7-gnss-ins: Filter Aiding Measurements > ECEF Velocity"),
         also=("vel_ecef",),
         devices=("3dm-cv7-gnss-ins",),
@@ -157,7 +157,7 @@ TYPES: dict[str, Info] = {
         "aiding.ned_velocity", type=aiding.NedVelocity,
         title="NED velocity",
         description="A measured velocity in the local level frame.",
-        facts=("Also called `vel_ned`.", "Not acknowledged if `mode` of `aiding.EchoControl` is `aiding.AidingEchoMode.SUPPRESS_ACK`.", "Supported by 3DM-CV7-GNSS/INS.", "Use only one form of velocity: ECEF or NED.", "Not for a sensor that is fixed to the vehicle; that takes `aiding.BodyFrameVelocity`.", "In mode `response` of `aiding.EchoControl`, the device sends the data back in a response of unknown layout."),
+        facts=("Also called `vel_ned`.", "Not acknowledged if `mode` of `aiding.EchoControl` is `aiding.AidingEchoMode.SUPPRESS_ACK`.", "Supported by 3DM-CV7-GNSS/INS.", "Use only one form of velocity: ECEF or NED.", "Not for a sensor that is fixed to the vehicle; for such a sensor, use `aiding.BodyFrameVelocity`.", "In mode `response` of `aiding.EchoControl`, the device sends the data back in a response of unknown layout."),
         sources=("3dm-cv7-gnss-ins: NED Velocity (0x13,0x29)", "3dm-cv7-gnss-ins: Filter Aiding Measurements > NED Velocity"),
         also=("vel_ned",),
         devices=("3dm-cv7-gnss-ins",),
@@ -173,7 +173,7 @@ TYPES: dict[str, Info] = {
         "aiding.body_frame_velocity", type=aiding.BodyFrameVelocity,
         title="Body frame velocity",
         description="A measured velocity of the vehicle in the frame of the sensor.",
-        facts=("Also called `vel_body_frame`.", "Not acknowledged if `mode` of `aiding.EchoControl` is `aiding.AidingEchoMode.SUPPRESS_ACK`.", "Supported by 3DM-CV7-GNSS/INS.", "The device takes up to four sensors of this kind.", "A wheeled vehicle constraint is a velocity of 0 with y valid only, sent at least once in a second.", "With z valid too, and 0, the vehicle moves in a plane only (2D mode).", "A zero velocity update is a velocity of 0, sent while the GNSS speed is below a threshold of the user.", "In mode `response` of `aiding.EchoControl`, the device sends the data back in a response of unknown layout."),
+        facts=("Also called `vel_body_frame`.", "Not acknowledged if `mode` of `aiding.EchoControl` is `aiding.AidingEchoMode.SUPPRESS_ACK`.", "Supported by 3DM-CV7-GNSS/INS.", "The device supports up to four sensors of this kind.", "A wheeled vehicle constraint is a velocity of 0 with only y valid, sent at least once per second.", "With z also valid and 0, motion is constrained to a plane (2D mode).", "A zero velocity update is a velocity of 0, sent while the GNSS speed is below a threshold chosen by the user.", "In mode `response` of `aiding.EchoControl`, the device sends the data back in a response of unknown layout."),
         sources=("3dm-cv7-gnss-ins: Body Frame Velocity (0x13,0x2A)", "3dm-cv7-gnss-ins: Filter Aiding Measurements > Body Frame Velocity", "3dm-cv7-gnss-ins: Filter Kinematic Constraints"),
         also=("vel_body_frame",),
         devices=("3dm-cv7-gnss-ins",),
@@ -252,7 +252,7 @@ TYPES: dict[str, Info] = {
         sources=("3dm-cv7-gnss-ins: Echo Control (0x13,0x1F)", "3dm-cv7-gnss-ins: Aiding Command Echo Control"),
         devices=("3dm-cv7-ahrs", "3dm-cv7-ar", "3dm-cv7-gnss-ins"),
         parameters=(
-            Parameter("mode", "mode", "scalar", description="How they are answered.", scalar="u8", type=aiding.AidingEchoMode),
+            Parameter("mode", "mode", "scalar", description="How the measurements are answered.", scalar="u8", type=aiding.AidingEchoMode),
         ),
     ),
 }

@@ -6,7 +6,7 @@ from .. import gnss_1, gnss_external
 from ..info import FieldInfo, Info, SetInfo
 
 # fmt: off
-SET = SetInfo("gnss_external", number=0x94, title="External GNSS data", description="What an external GNSS receiver tells the device by NMEA sentences. A field may need several sentences; a value that NMEA does not give is not valid. Times are those of the sentences.", facts=("Uncertain: Which devices send the fields that no manual lists for this set. The SDK gives all GNSS data sets the same fields.",), sources=("3dm-cv7-gnss-ins: GNSS External (0x94)", "3dm-cv7-gnss-ins: NMEA Input"))
+SET = SetInfo("gnss_external", number=0x94, title="External GNSS data", description="Data that an external GNSS receiver sends to the device in NMEA sentences. A field may need several sentences; a value that NMEA does not provide is not valid. Times are those of the sentences.", facts=("Uncertain: Which devices send the fields that no manual lists for this set. The SDK gives all GNSS data sets the same fields.",), sources=("3dm-cv7-gnss-ins: GNSS External (0x94)", "3dm-cv7-gnss-ins: NMEA Input"))
 
 #: Class -> what is known of it.
 TYPES: dict[str, Info] = {
@@ -83,14 +83,14 @@ TYPES: dict[str, Info] = {
         "gnss_external.clock_info", type=gnss_external.ClockInfo,
         title="Clock info",
         description="Bias and drift of the receiver clock.",
-        facts=("Has the layout of `gnss_1.ClockInfo`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "Clock info 2 replaces it and tells more."),
+        facts=("Has the layout of `gnss_1.ClockInfo`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "Clock info 2 replaces it and gives more detail."),
         sources=("mip-sdk-4: Gnss4 Data (0x94)",),
         parameters=gnss_1.ClockInfo.INFO.parameters,
     ),
     "FixInfo": FieldInfo(
         "gnss_external.fix_info", type=gnss_external.FixInfo,
         title="Fix info",
-        description="Type of the position fix and what it is made of.",
+        description="Type of the position fix and what it is based on.",
         facts=("Has the layout of `gnss_1.FixInfo`.", "Supported by 3DM-CV7-GNSS/INS.", "May be supported by 3DM-CV7-INS."),
         sources=("3dm-cv7-gnss-ins: Fix Info (0x94,0x0B)",),
         devices=("3dm-cv7-gnss-ins",),
@@ -101,7 +101,7 @@ TYPES: dict[str, Info] = {
         "gnss_external.sv_info", type=gnss_external.SvInfo,
         title="Satellite info",
         description="One satellite that is tracked.",
-        facts=("Has the layout of `gnss_1.SvInfo`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "The satellites come as one field each, in packets apart from other GNSS data.", "Uncertain: Whether a packet holds one of these fields or several."),
+        facts=("Has the layout of `gnss_1.SvInfo`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "Each satellite is sent as one field, in packets separate from other GNSS data.", "Uncertain: Whether a packet holds one of these fields or several."),
         sources=("mip-sdk-4: Gnss4 Data (0x94)",),
         parameters=gnss_1.SvInfo.INFO.parameters,
     ),
@@ -118,7 +118,7 @@ TYPES: dict[str, Info] = {
         "gnss_external.dgps_info", type=gnss_external.DgpsInfo,
         title="DGPS info",
         description="State of the differential corrections.",
-        facts=("Has the layout of `gnss_1.DgpsInfo`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "Uncertain: The layout is that of a manual of the 3DM-GX5-35 and of MSCL, another library of the vendor. It agrees with the valid flags.", "Uncertain: The SDK has another one, u8, three floats and u16, which is that of `gnss_1.DgpsChannel` and does not agree with its own valid flags (age, base station id, base station status, number of channels)."),
+        facts=("Has the layout of `gnss_1.DgpsInfo`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "Uncertain: The layout is from a manual of the 3DM-GX5-35 and from MSCL, another library of the vendor. It agrees with the valid flags.", "Uncertain: The SDK has another layout: u8, three floats and u16. It is that of `gnss_1.DgpsChannel` and does not agree with its own valid flags (age, base station id, base station status, number of channels)."),
         sources=("mip-sdk-4: Gnss4 Data (0x94)",),
         parameters=gnss_1.DgpsInfo.INFO.parameters,
     ),
@@ -126,7 +126,7 @@ TYPES: dict[str, Info] = {
         "gnss_external.dgps_channel", type=gnss_external.DgpsChannel,
         title="DGPS channel",
         description="Differential correction for one satellite.",
-        facts=("Has the layout of `gnss_1.DgpsChannel`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "The active satellites come as one field each, all in one packet."),
+        facts=("Has the layout of `gnss_1.DgpsChannel`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "Each active satellite is sent as one field, all in one packet."),
         sources=("mip-sdk-4: Gnss4 Data (0x94)",),
         parameters=gnss_1.DgpsChannel.INFO.parameters,
     ),
@@ -167,7 +167,7 @@ TYPES: dict[str, Info] = {
     "RfErrorDetection": FieldInfo(
         "gnss_external.rf_error_detection", type=gnss_external.RfErrorDetection,
         title="RF error detection",
-        description="Jamming and spoofing as the receiver detects them in one band.",
+        description="Jamming and spoofing that the receiver detects in one band.",
         facts=("Has the layout of `gnss_1.RfErrorDetection`.", "May be supported by 3DM-CV7-INS.", "Known from the MicroStrain MIP SDK only."),
         sources=("mip-sdk-4: Gnss4 Data (0x94)",),
         perhaps=("3dm-cv7-ins",),
@@ -176,7 +176,7 @@ TYPES: dict[str, Info] = {
     "SatelliteStatus": FieldInfo(
         "gnss_external.satellite_status", type=gnss_external.SatelliteStatus,
         title="Satellite status",
-        description="Where one satellite stands, and its health.",
+        description="Direction to one satellite, and its health.",
         facts=("Has the layout of `gnss_1.SatelliteStatus`.", "Supported by 3DM-CV7-GNSS/INS.", "May be supported by 3DM-CV7-INS.", "An epoch is sent as one field for each satellite; index and count number the fields."),
         sources=("3dm-cv7-gnss-ins: Satellite Status (0x94,0x20)",),
         devices=("3dm-cv7-gnss-ins",),
@@ -202,7 +202,7 @@ TYPES: dict[str, Info] = {
     "RtkCorrectionsStatus": FieldInfo(
         "gnss_external.rtk_corrections_status", type=gnss_external.RtkCorrectionsStatus,
         title="RTK corrections status",
-        description="Which corrections come, and how old they are.",
+        description="Which corrections are received, and how old they are.",
         facts=("Has the layout of `gnss_1.RtkCorrectionsStatus`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only."),
         sources=("mip-sdk-4: Gnss4 Data (0x94)",),
         parameters=gnss_1.RtkCorrectionsStatus.INFO.parameters,
@@ -211,7 +211,7 @@ TYPES: dict[str, Info] = {
         "gnss_external.gps_ephemeris", type=gnss_external.GpsEphemeris,
         title="GPS ephemeris",
         description="Broadcast orbit and clock of one GPS satellite.",
-        facts=("Has the layout of `gnss_1.GpsEphemeris`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "`iodc` changes with the clock data; the manual has it roll over at 4."),
+        facts=("Has the layout of `gnss_1.GpsEphemeris`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "`iodc` changes with the clock data; according to the manual, it rolls over at 4."),
         sources=("mip-sdk-4: Gnss4 Data (0x94)",),
         parameters=gnss_1.GpsEphemeris.INFO.parameters,
     ),
@@ -228,7 +228,7 @@ TYPES: dict[str, Info] = {
         "gnss_external.galileo_ephemeris", type=gnss_external.GalileoEphemeris,
         title="Galileo ephemeris",
         description="Broadcast orbit and clock of one Galileo satellite.",
-        facts=("Has the layout of `gnss_1.GalileoEphemeris`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal corrections hold here.", "`iodc` changes with the clock data; the manual has it roll over at 4."),
+        facts=("Has the layout of `gnss_1.GalileoEphemeris`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal corrections mean here.", "`iodc` changes with the clock data; according to the manual, it rolls over at 4."),
         sources=("mip-sdk-4: Gnss4 Data (0x94)",),
         parameters=gnss_1.GalileoEphemeris.INFO.parameters,
     ),
@@ -236,7 +236,7 @@ TYPES: dict[str, Info] = {
         "gnss_external.beidou_ephemeris", type=gnss_external.BeidouEphemeris,
         title="BeiDou ephemeris",
         description="Broadcast orbit and clock of one BeiDou satellite.",
-        facts=("Has the layout of `gnss_1.BeidouEphemeris`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal corrections hold here.", "`iodc` changes with the clock data; the manual has it roll over at 4."),
+        facts=("Has the layout of `gnss_1.BeidouEphemeris`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal corrections mean here.", "`iodc` changes with the clock data; according to the manual, it rolls over at 4."),
         sources=("mip-sdk-4: Gnss4 Data (0x94)",),
         parameters=gnss_1.BeidouEphemeris.INFO.parameters,
     ),

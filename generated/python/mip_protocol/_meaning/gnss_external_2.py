@@ -6,7 +6,7 @@ from .. import gnss_1, gnss_external_2
 from ..info import FieldInfo, Info, SetInfo
 
 # fmt: off
-SET = SetInfo("gnss_external_2", number=0x95, title="External GNSS data 2", description="What a second external GNSS receiver tells the device.", facts=("Uncertain: Which devices send the fields that no manual lists for this set. The SDK gives all GNSS data sets the same fields.", "Uncertain: The name. It is that of a page on the 3DM-CV7-INS that the vendor put up for trial; the SDK calls the set GNSS 5."), sources=("mip-sdk-4: Gnss5 Data (0x95)",))
+SET = SetInfo("gnss_external_2", number=0x95, title="External GNSS data 2", description="Data that a second external GNSS receiver sends to the device.", facts=("Uncertain: Which devices send the fields that no manual lists for this set. The SDK gives all GNSS data sets the same fields.", "Uncertain: The name. It is from a page on the 3DM-CV7-INS that the vendor published for trial; the SDK calls the set GNSS 5."), sources=("mip-sdk-4: Gnss5 Data (0x95)",))
 
 #: Class -> what is known of it.
 TYPES: dict[str, Info] = {
@@ -74,14 +74,14 @@ TYPES: dict[str, Info] = {
         "gnss_external_2.clock_info", type=gnss_external_2.ClockInfo,
         title="Clock info",
         description="Bias and drift of the receiver clock.",
-        facts=("Has the layout of `gnss_1.ClockInfo`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "Clock info 2 replaces it and tells more."),
+        facts=("Has the layout of `gnss_1.ClockInfo`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "Clock info 2 replaces it and gives more detail."),
         sources=("mip-sdk-4: Gnss5 Data (0x95)",),
         parameters=gnss_1.ClockInfo.INFO.parameters,
     ),
     "FixInfo": FieldInfo(
         "gnss_external_2.fix_info", type=gnss_external_2.FixInfo,
         title="Fix info",
-        description="Type of the position fix and what it is made of.",
+        description="Type of the position fix and what it is based on.",
         facts=("Has the layout of `gnss_1.FixInfo`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only."),
         sources=("mip-sdk-4: Gnss5 Data (0x95)",),
         parameters=gnss_1.FixInfo.INFO.parameters,
@@ -90,7 +90,7 @@ TYPES: dict[str, Info] = {
         "gnss_external_2.sv_info", type=gnss_external_2.SvInfo,
         title="Satellite info",
         description="One satellite that is tracked.",
-        facts=("Has the layout of `gnss_1.SvInfo`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "The satellites come as one field each, in packets apart from other GNSS data.", "Uncertain: Whether a packet holds one of these fields or several."),
+        facts=("Has the layout of `gnss_1.SvInfo`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "Each satellite is sent as one field, in packets separate from other GNSS data.", "Uncertain: Whether a packet holds one of these fields or several."),
         sources=("mip-sdk-4: Gnss5 Data (0x95)",),
         parameters=gnss_1.SvInfo.INFO.parameters,
     ),
@@ -107,7 +107,7 @@ TYPES: dict[str, Info] = {
         "gnss_external_2.dgps_info", type=gnss_external_2.DgpsInfo,
         title="DGPS info",
         description="State of the differential corrections.",
-        facts=("Has the layout of `gnss_1.DgpsInfo`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "Uncertain: The layout is that of a manual of the 3DM-GX5-35 and of MSCL, another library of the vendor. It agrees with the valid flags.", "Uncertain: The SDK has another one, u8, three floats and u16, which is that of `gnss_1.DgpsChannel` and does not agree with its own valid flags (age, base station id, base station status, number of channels)."),
+        facts=("Has the layout of `gnss_1.DgpsInfo`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "Uncertain: The layout is from a manual of the 3DM-GX5-35 and from MSCL, another library of the vendor. It agrees with the valid flags.", "Uncertain: The SDK has another layout: u8, three floats and u16. It is that of `gnss_1.DgpsChannel` and does not agree with its own valid flags (age, base station id, base station status, number of channels)."),
         sources=("mip-sdk-4: Gnss5 Data (0x95)",),
         parameters=gnss_1.DgpsInfo.INFO.parameters,
     ),
@@ -115,7 +115,7 @@ TYPES: dict[str, Info] = {
         "gnss_external_2.dgps_channel", type=gnss_external_2.DgpsChannel,
         title="DGPS channel",
         description="Differential correction for one satellite.",
-        facts=("Has the layout of `gnss_1.DgpsChannel`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "The active satellites come as one field each, all in one packet."),
+        facts=("Has the layout of `gnss_1.DgpsChannel`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "Each active satellite is sent as one field, all in one packet."),
         sources=("mip-sdk-4: Gnss5 Data (0x95)",),
         parameters=gnss_1.DgpsChannel.INFO.parameters,
     ),
@@ -154,7 +154,7 @@ TYPES: dict[str, Info] = {
     "RfErrorDetection": FieldInfo(
         "gnss_external_2.rf_error_detection", type=gnss_external_2.RfErrorDetection,
         title="RF error detection",
-        description="Jamming and spoofing as the receiver detects them in one band.",
+        description="Jamming and spoofing that the receiver detects in one band.",
         facts=("Has the layout of `gnss_1.RfErrorDetection`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only."),
         sources=("mip-sdk-4: Gnss5 Data (0x95)",),
         parameters=gnss_1.RfErrorDetection.INFO.parameters,
@@ -162,7 +162,7 @@ TYPES: dict[str, Info] = {
     "SatelliteStatus": FieldInfo(
         "gnss_external_2.satellite_status", type=gnss_external_2.SatelliteStatus,
         title="Satellite status",
-        description="Where one satellite stands, and its health.",
+        description="Direction to one satellite, and its health.",
         facts=("Has the layout of `gnss_1.SatelliteStatus`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "An epoch is sent as one field for each satellite; index and count number the fields."),
         sources=("mip-sdk-4: Gnss5 Data (0x95)",),
         parameters=gnss_1.SatelliteStatus.INFO.parameters,
@@ -186,7 +186,7 @@ TYPES: dict[str, Info] = {
     "RtkCorrectionsStatus": FieldInfo(
         "gnss_external_2.rtk_corrections_status", type=gnss_external_2.RtkCorrectionsStatus,
         title="RTK corrections status",
-        description="Which corrections come, and how old they are.",
+        description="Which corrections are received, and how old they are.",
         facts=("Has the layout of `gnss_1.RtkCorrectionsStatus`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only."),
         sources=("mip-sdk-4: Gnss5 Data (0x95)",),
         parameters=gnss_1.RtkCorrectionsStatus.INFO.parameters,
@@ -195,7 +195,7 @@ TYPES: dict[str, Info] = {
         "gnss_external_2.gps_ephemeris", type=gnss_external_2.GpsEphemeris,
         title="GPS ephemeris",
         description="Broadcast orbit and clock of one GPS satellite.",
-        facts=("Has the layout of `gnss_1.GpsEphemeris`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "`iodc` changes with the clock data; the manual has it roll over at 4."),
+        facts=("Has the layout of `gnss_1.GpsEphemeris`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "`iodc` changes with the clock data; according to the manual, it rolls over at 4."),
         sources=("mip-sdk-4: Gnss5 Data (0x95)",),
         parameters=gnss_1.GpsEphemeris.INFO.parameters,
     ),
@@ -212,7 +212,7 @@ TYPES: dict[str, Info] = {
         "gnss_external_2.galileo_ephemeris", type=gnss_external_2.GalileoEphemeris,
         title="Galileo ephemeris",
         description="Broadcast orbit and clock of one Galileo satellite.",
-        facts=("Has the layout of `gnss_1.GalileoEphemeris`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal corrections hold here.", "`iodc` changes with the clock data; the manual has it roll over at 4."),
+        facts=("Has the layout of `gnss_1.GalileoEphemeris`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal corrections mean here.", "`iodc` changes with the clock data; according to the manual, it rolls over at 4."),
         sources=("mip-sdk-4: Gnss5 Data (0x95)",),
         parameters=gnss_1.GalileoEphemeris.INFO.parameters,
     ),
@@ -220,7 +220,7 @@ TYPES: dict[str, Info] = {
         "gnss_external_2.beidou_ephemeris", type=gnss_external_2.BeidouEphemeris,
         title="BeiDou ephemeris",
         description="Broadcast orbit and clock of one BeiDou satellite.",
-        facts=("Has the layout of `gnss_1.BeidouEphemeris`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal corrections hold here.", "`iodc` changes with the clock data; the manual has it roll over at 4."),
+        facts=("Has the layout of `gnss_1.BeidouEphemeris`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal corrections mean here.", "`iodc` changes with the clock data; according to the manual, it rolls over at 4."),
         sources=("mip-sdk-4: Gnss5 Data (0x95)",),
         parameters=gnss_1.BeidouEphemeris.INFO.parameters,
     ),

@@ -43,7 +43,7 @@ TYPES: dict[str, Info] = {
     "GetStatusFlags": FieldInfo(
         "rtk.get_status_flags", type=rtk.GetStatusFlags,
         title="Get status flags",
-        description="Asks for the state of the modem and of the corrections.",
+        description="Gets the state of the modem and of the corrections.",
         facts=("Answered by `rtk.GetStatusFlagsResponse`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "The word of the response has two forms, `types.RtkStatusFlags` and `types.RtkStatusFlagsLegacy`."),
         sources=("mip-sdk-4: Get Status Flags (0x0F,0x01)",),
         parameters=(
@@ -52,7 +52,7 @@ TYPES: dict[str, Info] = {
     "GetImei": FieldInfo(
         "rtk.get_imei", type=rtk.GetImei,
         title="Get IMEI",
-        description="Asks for the identity of the modem.",
+        description="Gets the identity of the modem.",
         facts=("Answered by `rtk.GetImeiResponse`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only."),
         sources=("mip-sdk-4: Get Imei (0x0F,0x02)",),
         parameters=(
@@ -61,7 +61,7 @@ TYPES: dict[str, Info] = {
     "GetImsi": FieldInfo(
         "rtk.get_imsi", type=rtk.GetImsi,
         title="Get IMSI",
-        description="Asks for the identity of the subscriber.",
+        description="Gets the identity of the subscriber.",
         facts=("Answered by `rtk.GetImsiResponse`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only."),
         sources=("mip-sdk-4: Get Imsi (0x0F,0x03)",),
         parameters=(
@@ -70,7 +70,7 @@ TYPES: dict[str, Info] = {
     "GetIccid": FieldInfo(
         "rtk.get_iccid", type=rtk.GetIccid,
         title="Get ICCID",
-        description="Asks for the number of the SIM card.",
+        description="Gets the number of the SIM card.",
         facts=("Answered by `rtk.GetIccidResponse`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only."),
         sources=("mip-sdk-4: Get Iccid (0x0F,0x04)",),
         parameters=(
@@ -79,7 +79,7 @@ TYPES: dict[str, Info] = {
     "GetRssi": FieldInfo(
         "rtk.get_rssi", type=rtk.GetRssi,
         title="Get RSSI",
-        description="Asks for the strength of the cellular signal.",
+        description="Gets the strength of the cellular signal.",
         facts=("Answered by `rtk.GetRssiResponse`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only."),
         sources=("mip-sdk-4: Get Rssi (0x0F,0x05)",),
         parameters=(
@@ -100,7 +100,7 @@ TYPES: dict[str, Info] = {
     "GetActivationCode": FieldInfo(
         "rtk.get_activation_code", type=rtk.GetActivationCode,
         title="Get activation code",
-        description="Asks for the activation code.",
+        description="Gets the activation code.",
         facts=("Also called `get_act_code`.", "Answered by `rtk.GetActivationCodeResponse`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only."),
         sources=("mip-sdk-4: Get Act Code (0x0F,0x07)",),
         also=("get_act_code",),
@@ -110,7 +110,7 @@ TYPES: dict[str, Info] = {
     "GetModemFirmwareVersion": FieldInfo(
         "rtk.get_modem_firmware_version", type=rtk.GetModemFirmwareVersion,
         title="Get modem firmware version",
-        description="Asks for the firmware version of the cellular modem.",
+        description="Gets the firmware version of the cellular modem.",
         facts=("Answered by `rtk.GetModemFirmwareVersionResponse`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only."),
         sources=("mip-sdk-4: Get Modem Firmware Version (0x0F,0x08)",),
         parameters=(
@@ -119,7 +119,7 @@ TYPES: dict[str, Info] = {
     "ServiceStatus": FieldInfo(
         "rtk.service_status", type=rtk.ServiceStatus,
         title="Service status",
-        description="Asks a correction server about the connection, and so keeps it open.",
+        description="Queries a correction server about the connection, which also keeps it open.",
         facts=("Answered by `rtk.ServiceStatusResponse`.", "The device sends it, and the host answers.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "The modem sends it as a host would, and the server answers as a device would."),
         sources=("mip-sdk-4: Service Status (0x0F,0x0A)",),
         parameters=(
@@ -131,7 +131,7 @@ TYPES: dict[str, Info] = {
         "rtk.erase_storage", type=rtk.EraseStorage,
         title="Erase storage",
         description="Erases a storage medium down to its raw state.",
-        facts=("For advanced use.", "Also called `prod_erase_storage`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "All that is stored is lost. The command is for production.", "Accepted in calibration mode only."),
+        facts=("For advanced use.", "Also called `prod_erase_storage`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "All stored data is lost. The command is for production.", "Accepted in calibration mode only."),
         sources=("mip-sdk-4: Prod Erase Storage (0x0F,0x20)",),
         also=("prod_erase_storage",),
         advanced=True,
@@ -157,7 +157,7 @@ TYPES: dict[str, Info] = {
         "rtk.modem_hard_reset", type=rtk.ModemHardReset,
         title="Modem hard reset",
         description="Clears the flash memory of the modem.",
-        facts=("For advanced use.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "It wears the flash memory out; use it rarely.", "Accepted in calibration mode only."),
+        facts=("For advanced use.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "It wears out the flash memory; use it rarely.", "Accepted in calibration mode only."),
         sources=("mip-sdk-4: Modem Hard Reset (0x0F,0x22)",),
         advanced=True,
         parameters=(
@@ -202,7 +202,7 @@ TYPES: dict[str, Info] = {
     "GetRssiResponse": FieldInfo(
         "rtk.get_rssi_response", type=rtk.GetRssiResponse,
         title="Get RSSI response",
-        facts=("Answers `rtk.GetRssi`.", "Known from the MicroStrain MIP SDK only.", "Uncertain: That `valid` vouches for the other values is inferred."),
+        facts=("Answers `rtk.GetRssi`.", "Known from the MicroStrain MIP SDK only.", "Uncertain: That `valid` applies to the other values is inferred."),
         sources=("mip-sdk-4: Get Rssi (0x0F,0x05)",),
         parameters=(
             Parameter("valid", "valid", "scalar", description="Whether the modem is connected.", scalar="bool"),
@@ -242,7 +242,7 @@ TYPES: dict[str, Info] = {
         "rtk.service_status_response", type=rtk.ServiceStatusResponse,
         title="Service status response",
         description="What the server knows of the connection.",
-        facts=("Answers `rtk.ServiceStatus`.", "Known from the MicroStrain MIP SDK only.", "Uncertain: What exactly the counters count."),
+        facts=("Answers `rtk.ServiceStatus`.", "Known from the MicroStrain MIP SDK only.", "Uncertain: What the counters count."),
         sources=("mip-sdk-4: Service Status (0x0F,0x0A)",),
         parameters=(
             Parameter("flags", "flags", "scalar", description="State of the service.", scalar="u8", type=rtk.ServiceFlags),

@@ -30,7 +30,7 @@ open_enum! {
         SUPPRESS_ACK = 0, "suppress_ack";
         /// Acknowledge as for any command.
         STANDARD = 1, "standard";
-        /// The data come back in a response.
+        /// The data is returned in a response.
         RESPONSE = 2, "response";
     }
 }
@@ -125,7 +125,7 @@ record! {
     /// - Aiding measurements name the frame by its number.
     /// - `p_vehicle = R * p_frame + t`, with the rotation R and the translation t.
     /// - The rotation does not matter for GNSS positions and velocities; set it to zero.
-    /// - A read names the format that the answer shall have.
+    /// - A read selects the format of the answer.
     ///
     /// Source: 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01); 3dm-cv7-gnss-ins: Aiding Frames.
     #[derive(Copy)]
@@ -197,7 +197,7 @@ constructors! {
         rotation: FrameConfigRotation,
     ) = WRITE, format: rotation.tag();
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read(frame_id: u8, format: AidingFrameFormat) = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -238,7 +238,7 @@ record! {
     pub struct EchoControl {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
-        /// How they are answered.
+        /// How the measurements are answered.
         ///
         /// Required for [write](types::FunctionSelector::WRITE).
         pub mode: Option<AidingEchoMode>,
@@ -255,7 +255,7 @@ constructors! {
     /// Apply the new setting.
     fn write(mode: AidingEchoMode) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -474,7 +474,8 @@ record! {
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - Use only one form of velocity: ECEF or NED.
-    /// - Not for a sensor that is fixed to the vehicle; that takes [`BodyFrameVelocity`].
+    /// - Not for a sensor that is fixed to the vehicle; for such a sensor, use
+    ///   [`BodyFrameVelocity`].
     /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
     ///   unknown layout.
     ///
@@ -536,7 +537,8 @@ record! {
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - Use only one form of velocity: ECEF or NED.
-    /// - Not for a sensor that is fixed to the vehicle; that takes [`BodyFrameVelocity`].
+    /// - Not for a sensor that is fixed to the vehicle; for such a sensor, use
+    ///   [`BodyFrameVelocity`].
     /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
     ///   unknown layout.
     ///
@@ -597,12 +599,12 @@ record! {
     /// [`EchoControl`] is [`AidingEchoMode::SUPPRESS_ACK`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// - The device takes up to four sensors of this kind.
-    /// - A wheeled vehicle constraint is a velocity of 0 with y valid only, sent at least once in a
+    /// - The device supports up to four sensors of this kind.
+    /// - A wheeled vehicle constraint is a velocity of 0 with only y valid, sent at least once per
     ///   second.
-    /// - With z valid too, and 0, the vehicle moves in a plane only (2D mode).
+    /// - With z also valid and 0, motion is constrained to a plane (2D mode).
     /// - A zero velocity update is a velocity of 0, sent while the GNSS speed is below a threshold
-    ///   of the user.
+    ///   chosen by the user.
     /// - In mode `response` of [`EchoControl`], the device sends the data back in a response of
     ///   unknown layout.
     ///
@@ -878,7 +880,7 @@ record! {
     /// Control.
     #[derive(Copy, Default, Eq, Hash)]
     pub struct EchoControlResponse {
-        /// How they are answered.
+        /// How the measurements are answered.
         pub mode: AidingEchoMode,
     }
 }

@@ -271,7 +271,7 @@ record! {
         /// Unit: ms. Range: 0 to 999. Valid if
         /// [`valid_flags.gnss_date_time`](crate::gnss_1::UtcTimeFlags::gnss_date_time) is set.
         pub msec: u32,
-        /// How far the time is valid.
+        /// Which parts of the time are valid.
         pub valid_flags: crate::gnss_1::UtcTimeFlags,
     }
 }
@@ -317,7 +317,7 @@ record! {
     /// Has the layout of [`gnss_1::ClockInfo`](crate::gnss_1::ClockInfo). No device profile lists
     /// it. Known from the MicroStrain MIP SDK only.
     ///
-    /// - Clock info 2 replaces it and tells more.
+    /// - Clock info 2 replaces it and gives more detail.
     ///
     /// Source: mip-sdk-4: Gnss2 Data (0x92).
     #[derive(Copy, Default)]
@@ -348,7 +348,7 @@ field! {
 record! {
     /// Fix info (0x92,0x0B).
     ///
-    /// Type of the position fix and what it is made of.
+    /// Type of the position fix and what it is based on.
     ///
     /// Has the layout of [`gnss_1::FixInfo`](crate::gnss_1::FixInfo). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
@@ -360,11 +360,11 @@ record! {
         ///
         /// Valid if [`valid_flags.fix_type`](crate::gnss_1::FixInfoFlags::fix_type) is set.
         pub fix_type: types::GnssFixType,
-        /// Number of satellites of the fix.
+        /// Number of satellites used in the fix.
         ///
         /// Unit: 1. Valid if [`valid_flags.num_sv`](crate::gnss_1::FixInfoFlags::num_sv) is set.
         pub num_sv: u8,
-        /// Aids of the fix.
+        /// What the fix uses.
         ///
         /// Valid if [`valid_flags.fix_flags`](crate::gnss_1::FixInfoFlags::fix_flags) is set.
         pub fix_flags: crate::gnss_1::FixFlags,
@@ -386,7 +386,7 @@ record! {
     /// Known from the MicroStrain MIP SDK only. Uncertain: Whether a packet holds one of these
     /// fields or several.
     ///
-    /// - The satellites come as one field each, in packets apart from other GNSS data.
+    /// - Each satellite is sent as one field, in packets separate from other GNSS data.
     ///
     /// Source: mip-sdk-4: Gnss2 Data (0x92).
     #[derive(Copy, Default, Eq, Hash)]
@@ -469,9 +469,9 @@ record! {
     /// State of the differential corrections.
     ///
     /// Has the layout of [`gnss_1::DgpsInfo`](crate::gnss_1::DgpsInfo). No device profile lists it.
-    /// Known from the MicroStrain MIP SDK only. Uncertain: The layout is that of a manual of the
-    /// 3DM-GX5-35 and of MSCL, another library of the vendor. It agrees with the valid flags.
-    /// Uncertain: The SDK has another one, u8, three floats and u16, which is that of
+    /// Known from the MicroStrain MIP SDK only. Uncertain: The layout is from a manual of the
+    /// 3DM-GX5-35 and from MSCL, another library of the vendor. It agrees with the valid flags.
+    /// Uncertain: The SDK has another layout: u8, three floats and u16. It is that of
     /// [`gnss_1::DgpsChannel`](crate::gnss_1::DgpsChannel) and does not agree with its own valid
     /// flags (age, base station id, base station status, number of channels).
     ///
@@ -518,7 +518,7 @@ record! {
     /// Has the layout of [`gnss_1::DgpsChannel`](crate::gnss_1::DgpsChannel). No device profile
     /// lists it. Known from the MicroStrain MIP SDK only.
     ///
-    /// - The active satellites come as one field each, all in one packet.
+    /// - Each active satellite is sent as one field, all in one packet.
     ///
     /// Source: mip-sdk-4: Gnss2 Data (0x92).
     #[derive(Copy, Default)]
@@ -694,8 +694,8 @@ record! {
         pub gnss_id: types::GnssConstellation,
         /// Satellite within the constellation.
         pub satellite_id: u8,
-        /// Indicator of the range error that is left after fast and long-term corrections, the
-        /// atmosphere apart; 14 is not monitored, 15 not usable.
+        /// Indicator of the range error that remains after fast and long-term corrections, not
+        /// counting the atmosphere; 14 is not monitored, 15 not usable.
         ///
         /// Range: 0 to 15. Valid if
         /// [`valid_flags.udrei`](crate::gnss_1::SbasCorrectionFlags::udrei) is set.
@@ -724,7 +724,7 @@ field! {
 record! {
     /// RF error detection (0x92,0x14).
     ///
-    /// Jamming and spoofing as the receiver detects them in one band.
+    /// Jamming and spoofing that the receiver detects in one band.
     ///
     /// Has the layout of [`gnss_1::RfErrorDetection`](crate::gnss_1::RfErrorDetection). No device
     /// profile lists it. Known from the MicroStrain MIP SDK only.
@@ -762,7 +762,7 @@ field! {
 record! {
     /// Satellite status (0x92,0x20).
     ///
-    /// Where one satellite stands, and its health.
+    /// Direction to one satellite, and its health.
     ///
     /// Has the layout of [`gnss_1::SatelliteStatus`](crate::gnss_1::SatelliteStatus). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
@@ -971,7 +971,7 @@ field! {
 record! {
     /// RTK corrections status (0x92,0x31).
     ///
-    /// Which corrections come, and how old they are.
+    /// Which corrections are received, and how old they are.
     ///
     /// Has the layout of [`gnss_1::RtkCorrectionsStatus`](crate::gnss_1::RtkCorrectionsStatus). No
     /// device profile lists it. Known from the MicroStrain MIP SDK only.
@@ -990,7 +990,7 @@ record! {
         /// [`valid_flags.week_number`](crate::gnss_1::RtkCorrectionsStatusFlags::week_number) is
         /// set.
         pub week_number: u16,
-        /// Corrections that came during this epoch.
+        /// Corrections received during this epoch.
         ///
         /// Valid if
         /// [`valid_flags.epoch_status`](crate::gnss_1::RtkCorrectionsStatusFlags::epoch_status) is
@@ -1002,8 +1002,8 @@ record! {
         /// [`valid_flags.dongle_status`](crate::gnss_1::RtkCorrectionsStatusFlags::dongle_status)
         /// is set.
         ///
-        /// - The same word as that of [`rtk::GetStatusFlags`](crate::rtk::GetStatusFlags), in one
-        ///   of its two forms.
+        /// - The same word as in the response to
+        ///   [`rtk::GetStatusFlags`](crate::rtk::GetStatusFlags), in one of its two forms.
         pub dongle_status: types::RtkStatusFlags,
         /// Latency of the last GPS correction.
         ///
@@ -1048,7 +1048,7 @@ record! {
     /// Has the layout of [`gnss_1::GpsEphemeris`](crate::gnss_1::GpsEphemeris). Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// - `iodc` changes with the clock data; the manual has it roll over at 4.
+    /// - `iodc` changes with the clock data; according to the manual, it rolls over at 4.
     ///
     /// Source: 3dm-cv7-gnss-ins: GPS Ephemeris (0x92,0x61).
     #[derive(Default)]
@@ -1281,7 +1281,7 @@ record! {
         /// Elements: x, y, z. Unit: m/s. Valid if
         /// [`valid_flags.ephemeris`](crate::gnss_1::GlonassEphemerisFlags::ephemeris) is set.
         pub velocity: types::Vector3f,
-        /// Acceleration of the satellite by perturbations, in PZ-90.
+        /// Acceleration of the satellite due to perturbations, in PZ-90.
         ///
         /// Elements: x, y, z. Unit: m/s^2. Valid if
         /// [`valid_flags.ephemeris`](crate::gnss_1::GlonassEphemerisFlags::ephemeris) is set.
@@ -1354,8 +1354,8 @@ record! {
     /// by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
-    ///   corrections hold here.
-    /// - `iodc` changes with the clock data; the manual has it roll over at 4.
+    ///   corrections mean here.
+    /// - `iodc` changes with the clock data; according to the manual, it rolls over at 4.
     ///
     /// Source: 3dm-cv7-gnss-ins: Galileo Ephemeris (0x92,0x63).
     #[derive(Default)]
@@ -1529,8 +1529,8 @@ record! {
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
     /// - The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
-    ///   corrections hold here.
-    /// - `iodc` changes with the clock data; the manual has it roll over at 4.
+    ///   corrections mean here.
+    /// - `iodc` changes with the clock data; according to the manual, it rolls over at 4.
     ///
     /// Source: 3dm-cv7-gnss-ins: BeiDou Ephemeris (0x92,0x64).
     #[derive(Default)]
@@ -1767,8 +1767,8 @@ record! {
         ///
         /// Valid if
         /// [`valid_flags.disturbance_flags`](crate::gnss_1::GalileoIonoCorrectionFlags::disturbance_flags)
-        /// is set. Uncertain: Whether the bits count from 0 or from 1, and which region each stands
-        /// for.
+        /// is set. Uncertain: Whether the bits count from 0 or from 1, and which region each
+        /// represents.
         pub disturbance_flags: u8,
         /// Which values are valid.
         pub valid_flags: crate::gnss_1::GalileoIonoCorrectionFlags,

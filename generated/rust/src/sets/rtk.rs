@@ -66,7 +66,7 @@ open_enum! {
 record! {
     /// Get status flags (0x0F,0x01).
     ///
-    /// Asks for the state of the modem and of the corrections.
+    /// Gets the state of the modem and of the corrections.
     ///
     /// Answered by [`GetStatusFlagsResponse`]. No device profile lists it. Known from the
     /// MicroStrain MIP SDK only.
@@ -98,7 +98,7 @@ command! {
 record! {
     /// Get IMEI (0x0F,0x02).
     ///
-    /// Asks for the identity of the modem.
+    /// Gets the identity of the modem.
     ///
     /// Answered by [`GetImeiResponse`]. No device profile lists it. Known from the MicroStrain MIP
     /// SDK only.
@@ -127,7 +127,7 @@ command! {
 record! {
     /// Get IMSI (0x0F,0x03).
     ///
-    /// Asks for the identity of the subscriber.
+    /// Gets the identity of the subscriber.
     ///
     /// Answered by [`GetImsiResponse`]. No device profile lists it. Known from the MicroStrain MIP
     /// SDK only.
@@ -156,7 +156,7 @@ command! {
 record! {
     /// Get ICCID (0x0F,0x04).
     ///
-    /// Asks for the number of the SIM card.
+    /// Gets the number of the SIM card.
     ///
     /// Answered by [`GetIccidResponse`]. No device profile lists it. Known from the MicroStrain MIP
     /// SDK only.
@@ -185,7 +185,7 @@ command! {
 record! {
     /// Get RSSI (0x0F,0x05).
     ///
-    /// Asks for the strength of the cellular signal.
+    /// Gets the strength of the cellular signal.
     ///
     /// Answered by [`GetRssiResponse`]. No device profile lists it. Known from the MicroStrain MIP
     /// SDK only.
@@ -243,7 +243,7 @@ constructors! {
     /// Apply the new setting.
     fn write(device_type: ConnectedDevice) = WRITE;
 
-    /// Send the current setting back in a response.
+    /// Return the current setting in a response.
     fn read() = READ;
 
     /// Save the current setting to non-volatile memory.
@@ -268,7 +268,7 @@ command! {
 record! {
     /// Get activation code (0x0F,0x07).
     ///
-    /// Asks for the activation code.
+    /// Gets the activation code.
     ///
     /// Also called `get_act_code`. Answered by [`GetActivationCodeResponse`]. No device profile
     /// lists it. Known from the MicroStrain MIP SDK only.
@@ -297,7 +297,7 @@ command! {
 record! {
     /// Get modem firmware version (0x0F,0x08).
     ///
-    /// Asks for the firmware version of the cellular modem.
+    /// Gets the firmware version of the cellular modem.
     ///
     /// Answered by [`GetModemFirmwareVersionResponse`]. No device profile lists it. Known from the
     /// MicroStrain MIP SDK only.
@@ -326,7 +326,7 @@ command! {
 record! {
     /// Service status (0x0F,0x0A).
     ///
-    /// Asks a correction server about the connection, and so keeps it open.
+    /// Queries a correction server about the connection, which also keeps it open.
     ///
     /// Answered by [`ServiceStatusResponse`]. The device sends it, and the host answers. No device
     /// profile lists it. Known from the MicroStrain MIP SDK only.
@@ -367,7 +367,7 @@ record! {
     /// For advanced use. Also called `prod_erase_storage`. No device profile lists it. Known from
     /// the MicroStrain MIP SDK only.
     ///
-    /// - All that is stored is lost. The command is for production.
+    /// - All stored data is lost. The command is for production.
     /// - Accepted in calibration mode only.
     ///
     /// Source: mip-sdk-4: Prod Erase Storage (0x0F,0x20).
@@ -449,7 +449,7 @@ record! {
     ///
     /// For advanced use. No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
-    /// - It wears the flash memory out; use it rarely.
+    /// - It wears out the flash memory; use it rarely.
     /// - Accepted in calibration mode only.
     ///
     /// Source: mip-sdk-4: Modem Hard Reset (0x0F,0x22).
@@ -548,7 +548,7 @@ record! {
     /// Get RSSI response (0x0F,0x85).
     ///
     /// Answers [`GetRssi`]. Known from the MicroStrain MIP SDK only. Uncertain: That `valid`
-    /// vouches for the other values is inferred.
+    /// applies to the other values is inferred.
     ///
     /// Source: mip-sdk-4: Get Rssi (0x0F,0x05).
     #[derive(Copy, Default, Eq, Hash)]
@@ -631,8 +631,8 @@ record! {
     ///
     /// What the server knows of the connection.
     ///
-    /// Answers [`ServiceStatus`]. Known from the MicroStrain MIP SDK only. Uncertain: What exactly
-    /// the counters count.
+    /// Answers [`ServiceStatus`]. Known from the MicroStrain MIP SDK only. Uncertain: What the
+    /// counters count.
     ///
     /// Source: mip-sdk-4: Service Status (0x0F,0x0A).
     #[derive(Copy, Default, Eq, Hash)]
