@@ -595,14 +595,14 @@ class EcefPosition(Command[None]):
     frame_id: int
     """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
     position: types.Vector3d
-    """Position. Elements: x, y, z. Unit: m. Frame: ecef. Each element is valid by its bit: x by
-    `AxisFlags.X` of `valid_flags`, y by `AxisFlags.Y` of `valid_flags`, z by `AxisFlags.Z` of
+    """Position. Elements: x, y, z. Unit: m. Frame: ecef. Each element has its own valid flag. x:
+    `AxisFlags.X` of `valid_flags`, y: `AxisFlags.Y` of `valid_flags`, z: `AxisFlags.Z` of
     `valid_flags`.
     """
     uncertainty: types.Vector3f
     """Uncertainty of the position. Elements: x, y, z. Unit: m. Frame: ecef. Range: greater than 0.
-    Each element is valid by its bit: x by `AxisFlags.X` of `valid_flags`, y by `AxisFlags.Y` of
-    `valid_flags`, z by `AxisFlags.Z` of `valid_flags`.
+    Each element has its own valid flag. x: `AxisFlags.X` of `valid_flags`, y: `AxisFlags.Y` of
+    `valid_flags`, z: `AxisFlags.Z` of `valid_flags`.
     """
     valid_flags: AxisFlags
     """Which axes are valid."""
@@ -704,8 +704,9 @@ class LlhPosition(Command[None]):
     """
     uncertainty: types.Vector3f
     """Uncertainty along north, east and down. Elements: x, y, z. Unit: m. Frame: ned. Range:
-    greater than 0. Each element is valid by its bit: x by `LlhAxisFlags.LATITUDE` of `valid_flags`,
-    y by `LlhAxisFlags.LONGITUDE` of `valid_flags`, z by `LlhAxisFlags.HEIGHT` of `valid_flags`.
+    greater than 0. Each element has its own valid flag. x: `LlhAxisFlags.LATITUDE` of
+    `valid_flags`, y: `LlhAxisFlags.LONGITUDE` of `valid_flags`, z: `LlhAxisFlags.HEIGHT` of
+    `valid_flags`.
     """
     valid_flags: LlhAxisFlags
     """Which coordinates are valid."""
@@ -860,14 +861,14 @@ class EcefVelocity(Command[None]):
     frame_id: int
     """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
     velocity: types.Vector3f
-    """Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Each element is valid by its bit: x by
-    `AxisFlags.X` of `valid_flags`, y by `AxisFlags.Y` of `valid_flags`, z by `AxisFlags.Z` of
+    """Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Each element has its own valid flag. x:
+    `AxisFlags.X` of `valid_flags`, y: `AxisFlags.Y` of `valid_flags`, z: `AxisFlags.Z` of
     `valid_flags`.
     """
     uncertainty: types.Vector3f
     """Uncertainty of the velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Range: greater than
-    0. Each element is valid by its bit: x by `AxisFlags.X` of `valid_flags`, y by `AxisFlags.Y` of
-    `valid_flags`, z by `AxisFlags.Z` of `valid_flags`.
+    0. Each element has its own valid flag. x: `AxisFlags.X` of `valid_flags`, y: `AxisFlags.Y` of
+    `valid_flags`, z: `AxisFlags.Z` of `valid_flags`.
     """
     valid_flags: AxisFlags
     """Which axes are valid."""
@@ -944,14 +945,14 @@ class NedVelocity(Command[None]):
     frame_id: int
     """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
     velocity: types.Vector3f
-    """Velocity. Elements: x, y, z. Unit: m/s. Frame: ned. Each element is valid by its bit: x by
-    `AxisFlags.X` of `valid_flags`, y by `AxisFlags.Y` of `valid_flags`, z by `AxisFlags.Z` of
+    """Velocity. Elements: x, y, z. Unit: m/s. Frame: ned. Each element has its own valid flag. x:
+    `AxisFlags.X` of `valid_flags`, y: `AxisFlags.Y` of `valid_flags`, z: `AxisFlags.Z` of
     `valid_flags`.
     """
     uncertainty: types.Vector3f
     """Uncertainty of the velocity. Elements: x, y, z. Unit: m/s. Frame: ned. Range: greater than 0.
-    Each element is valid by its bit: x by `AxisFlags.X` of `valid_flags`, y by `AxisFlags.Y` of
-    `valid_flags`, z by `AxisFlags.Z` of `valid_flags`.
+    Each element has its own valid flag. x: `AxisFlags.X` of `valid_flags`, y: `AxisFlags.Y` of
+    `valid_flags`, z: `AxisFlags.Z` of `valid_flags`.
     """
     valid_flags: AxisFlags
     """Which axes are valid."""
@@ -1031,14 +1032,14 @@ class BodyFrameVelocity(Command[None]):
     frame_id: int
     """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
     velocity: types.Vector3f
-    """Velocity. Elements: x, y, z. Unit: m/s. Frame: aiding. Each element is valid by its bit: x by
-    `AxisFlags.X` of `valid_flags`, y by `AxisFlags.Y` of `valid_flags`, z by `AxisFlags.Z` of
+    """Velocity. Elements: x, y, z. Unit: m/s. Frame: aiding. Each element has its own valid flag.
+    x: `AxisFlags.X` of `valid_flags`, y: `AxisFlags.Y` of `valid_flags`, z: `AxisFlags.Z` of
     `valid_flags`.
     """
     uncertainty: types.Vector3f
     """Standard deviation of the velocity. Elements: x, y, z. Unit: m/s. Frame: aiding. Range:
-    greater than 0. Each element is valid by its bit: x by `AxisFlags.X` of `valid_flags`, y by
-    `AxisFlags.Y` of `valid_flags`, z by `AxisFlags.Z` of `valid_flags`.
+    greater than 0. Each element has its own valid flag. x: `AxisFlags.X` of `valid_flags`, y:
+    `AxisFlags.Y` of `valid_flags`, z: `AxisFlags.Z` of `valid_flags`.
     """
     valid_flags: AxisFlags
     """Which axes are valid."""
@@ -1185,14 +1186,14 @@ class MagneticField(Command[None]):
     frame_id: int
     """Frame of the sensor, as `FrameConfig` defines it. Range: 1 to 4."""
     magnetic_field: types.Vector3f
-    """Magnetic field. Elements: x, y, z. Unit: gauss. Frame: aiding. Each element is valid by its
-    bit: x by `AxisFlags.X` of `valid_flags`, y by `AxisFlags.Y` of `valid_flags`, z by
-    `AxisFlags.Z` of `valid_flags`.
+    """Magnetic field. Elements: x, y, z. Unit: gauss. Frame: aiding. Each element has its own valid
+    flag. x: `AxisFlags.X` of `valid_flags`, y: `AxisFlags.Y` of `valid_flags`, z: `AxisFlags.Z` of
+    `valid_flags`.
     """
     uncertainty: types.Vector3f
     """Standard deviation of the magnetic field. Elements: x, y, z. Unit: gauss. Frame: aiding.
-    Range: greater than 0. Each element is valid by its bit: x by `AxisFlags.X` of `valid_flags`, y
-    by `AxisFlags.Y` of `valid_flags`, z by `AxisFlags.Z` of `valid_flags`.
+    Range: greater than 0. Each element has its own valid flag. x: `AxisFlags.X` of `valid_flags`,
+    y: `AxisFlags.Y` of `valid_flags`, z: `AxisFlags.Z` of `valid_flags`.
     """
     valid_flags: AxisFlags
     """Which axes are valid."""
@@ -1305,7 +1306,7 @@ class Pressure(Command[None]):
 FrameConfigResponse.COMMANDS = (FrameConfig,)
 EchoControlResponse.COMMANDS = (EchoControl,)
 
-#: The types of each descriptor; several where constants or the size of the data tell layouts apart.
+#: The types of each descriptor; several if constants or the size of the data distinguish layouts.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (FrameConfig,),
     0x1F: (EchoControl,),

@@ -223,8 +223,8 @@ class BuiltInTestResponse(Response):
     """Failure flags, defined by each device. Zero means that every test passed.
 
     - On the 3DM-CV7-GNSS/INS: values of `types.Cv7BuiltInTest`.
-    - On the 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values that are
-      not known.
+    - On the 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: the values are not
+      known.
     - On the 3DM-GX5-15: values of `types.Gx5BuiltInTest`.
     """
 
@@ -996,7 +996,7 @@ GetExtendedDescriptorsResponse.COMMANDS = (GetExtendedDescriptors,)
 ContinuousBuiltInTestResponse.COMMANDS = (ContinuousBuiltInTest,)
 CommSpeedResponse.COMMANDS = (CommSpeed,)
 
-#: The types of each descriptor; several where constants or the size of the data tell layouts apart.
+#: The types of each descriptor; several if constants or the size of the data distinguish layouts.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (Ping,),
     0x02: (SetIdle,),

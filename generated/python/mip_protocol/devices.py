@@ -1,4 +1,4 @@
-"""What each device supports, and how it reads values that devices read differently."""
+"""What each device supports, and what values mean there that differ between devices."""
 
 from __future__ import annotations
 
@@ -37,8 +37,8 @@ CL5_10 = Device(
     generation=5,
     manual=None,
 )
-"""Inertial measurement unit. Also called 3DM-CL5-IMU. Generation 5. Model number 6279. No manual of
-it is known. This profile is incomplete: No manual is known. The SDK gives only its name and number.
+"""Inertial measurement unit. Also called 3DM-CL5-IMU. Generation 5. Model number 6279. No manual is
+known. This profile is incomplete: No manual is known. The SDK gives only its name and number.
 Uncertain: MSCL does not list it among the devices with streams or a device status.
 
 - mip-sdk-4: Device models
@@ -90,8 +90,8 @@ CL5_15 = Device(
     generation=5,
     manual=None,
 )
-"""Attitude reference. Also called 3DM-CL5-AR. Generation 5. Model number 6280. No manual of it is
-known. This profile is incomplete: No manual is known. The SDK gives only its name and number.
+"""Attitude reference. Also called 3DM-CL5-AR. Generation 5. Model number 6280. No manual is known.
+This profile is incomplete: No manual is known. The SDK gives only its name and number.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -142,8 +142,8 @@ CL5_25 = Device(
     manual=None,
 )
 """Attitude and heading reference system. Also called 3DM-CL5-AHRS. Generation 5. Model number 6281.
-No manual of it is known. This profile is incomplete: No manual is known. The SDK gives only its
-name and number.
+No manual is known. This profile is incomplete: No manual is known. The SDK gives only its name and
+number.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -192,8 +192,8 @@ CV5_10 = Device(
     generation=5,
     manual=None,
 )
-"""Inertial measurement unit. Also called 3DM-CV5-IMU. Generation 5. Model number 6259. No manual of
-it is known. This profile is incomplete: No manual is known. The SDK gives only its name and number.
+"""Inertial measurement unit. Also called 3DM-CV5-IMU. Generation 5. Model number 6259. No manual is
+known. This profile is incomplete: No manual is known. The SDK gives only its name and number.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -244,8 +244,8 @@ CV5_15 = Device(
     generation=5,
     manual=None,
 )
-"""Attitude reference. Also called 3DM-CV5-AR. Generation 5. Model number 6258. No manual of it is
-known. This profile is incomplete: No manual is known. The SDK gives only its name and number.
+"""Attitude reference. Also called 3DM-CV5-AR. Generation 5. Model number 6258. No manual is known.
+This profile is incomplete: No manual is known. The SDK gives only its name and number.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -296,8 +296,8 @@ CV5_25 = Device(
     manual=None,
 )
 """Attitude and heading reference system. Also called 3DM-CV5-AHRS. Generation 5. Model number 6257.
-No manual of it is known. This profile is incomplete: No manual is known. The SDK gives only its
-name and number.
+No manual is known. This profile is incomplete: No manual is known. The SDK gives only its name and
+number.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1054,8 +1054,8 @@ CX5_10 = Device(
     generation=5,
     manual=None,
 )
-"""Inertial measurement unit. Also called 3DM-CX5-IMU. Generation 5. Model number 6275. No manual of
-it is known. This profile is incomplete: No manual is known. The SDK gives only its name and number.
+"""Inertial measurement unit. Also called 3DM-CX5-IMU. Generation 5. Model number 6275. No manual is
+known. This profile is incomplete: No manual is known. The SDK gives only its name and number.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1104,9 +1104,9 @@ CX5_15 = Device(
     generation=5,
     manual=None,
 )
-"""Attitude reference. Also called 3DM-CX5-AR. Generation 5. Model number 6274. No manual of it is
-known. This profile is incomplete: No manual is known. The SDK gives only its name and number.
-Uncertain: MSCL does not list it among the devices for which it limits the choices of the filter.
+"""Attitude reference. Also called 3DM-CX5-AR. Generation 5. Model number 6274. No manual is known.
+This profile is incomplete: No manual is known. The SDK gives only its name and number. Uncertain:
+MSCL does not list it among the devices for which it limits the choices of the filter.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1155,9 +1155,9 @@ CX5_25 = Device(
     manual=None,
 )
 """Attitude and heading reference system. Also called 3DM-CX5-AHRS. Generation 5. Model number 6273.
-No manual of it is known. This profile is incomplete: No manual is known. The SDK gives only its
-name and number. Uncertain: MSCL does not list it among the devices for which it limits the choices
-of the filter.
+No manual is known. This profile is incomplete: No manual is known. The SDK gives only its name and
+number. Uncertain: MSCL does not list it among the devices for which it limits the choices of the
+filter.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1206,8 +1206,8 @@ CX5_35 = Device(
     manual=None,
 )
 """Attitude and heading reference with GNSS. Also called 3DM-CX5-GNSS/AHRS. Generation 5. Model
-number 6272. No manual of it is known. This profile is incomplete: No manual is known. The SDK gives
-only its name and number.
+number 6272. No manual is known. This profile is incomplete: No manual is known. The SDK gives only
+its name and number.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1256,8 +1256,8 @@ CX5_45 = Device(
     manual=None,
 )
 """Inertial navigation system with GNSS. Also called 3DM-CX5-GNSS/INS. Generation 5. Model number
-6271. No manual of it is known. This profile is incomplete: No manual is known. The SDK gives only
-its name and number.
+6271. No manual is known. This profile is incomplete: No manual is known. The SDK gives only its
+name and number.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1299,8 +1299,8 @@ DH3 = Device(
     manual=None,
 )
 """Device of generation 3, known only by its name and its number. Generation 3. Model number 6219.
-No manual of it is known. This profile is incomplete: No manual is known. The SDK gives only its
-name and number.
+No manual is known. This profile is incomplete: No manual is known. The SDK gives only its name and
+number.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1534,8 +1534,8 @@ GV7_AHRS = Device(
     generation=7,
     manual=None,
 )
-"""Attitude and heading reference system. Generation 7. Model number 6288. No manual of it is known.
-This profile is incomplete: No manual is known. The SDK gives only its name and number.
+"""Attitude and heading reference system. Generation 7. Model number 6288. No manual is known. This
+profile is incomplete: No manual is known. The SDK gives only its name and number.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1572,7 +1572,7 @@ GV7_AR = Device(
     generation=7,
     manual=None,
 )
-"""Attitude reference. Generation 7. Model number 6289. No manual of it is known. This profile is
+"""Attitude reference. Generation 7. Model number 6289. No manual is known. This profile is
 incomplete: No manual is known. The SDK gives only its name and number.
 
 - mip-sdk-4: Device models
@@ -1610,8 +1610,8 @@ GV7_INS = Device(
     generation=7,
     manual=None,
 )
-"""Inertial navigation system. Generation 7. Model number 6290. No manual of it is known. This
-profile is incomplete: No manual is known. The SDK gives only its name and number.
+"""Inertial navigation system. Generation 7. Model number 6290. No manual is known. This profile is
+incomplete: No manual is known. The SDK gives only its name and number.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1653,8 +1653,8 @@ GX3_15 = Device(
     manual=None,
 )
 """Device of generation 3, known only by its name and its number. Generation 3. Model number 6227.
-No manual of it is known. This profile is incomplete: No manual is known. The SDK gives only its
-name and number.
+No manual is known. This profile is incomplete: No manual is known. The SDK gives only its name and
+number.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1696,8 +1696,8 @@ GX3_25 = Device(
     manual=None,
 )
 """Device of generation 3, known only by its name and its number. Generation 3. Model number 6223.
-No manual of it is known. This profile is incomplete: No manual is known. The SDK gives only its
-name and number.
+No manual is known. This profile is incomplete: No manual is known. The SDK gives only its name and
+number.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1739,8 +1739,8 @@ GX3_35 = Device(
     manual=None,
 )
 """Device of generation 3, known only by its name and its number. Generation 3. Model number 6225.
-No manual of it is known. This profile is incomplete: No manual is known. The SDK gives only its
-name and number.
+No manual is known. This profile is incomplete: No manual is known. The SDK gives only its name and
+number.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1793,8 +1793,8 @@ GX3_45 = Device(
     manual=None,
 )
 """Device of generation 3, known only by its name and its number. Generation 3. Model number 6228.
-No manual of it is known. This profile is incomplete: No manual is known. The SDK gives only its
-name and number.
+No manual is known. This profile is incomplete: No manual is known. The SDK gives only its name and
+number.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1852,8 +1852,8 @@ GX4_15 = Device(
     manual=None,
 )
 """Device of generation 4, known only by its name and its number. Generation 4. Model number 6233.
-No manual of it is known. This profile is incomplete: No manual is known. The SDK gives only its
-name and number.
+No manual is known. This profile is incomplete: No manual is known. The SDK gives only its name and
+number.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1912,8 +1912,8 @@ GX4_25 = Device(
     manual=None,
 )
 """Device of generation 4, known only by its name and its number. Generation 4. Model number 6234.
-No manual of it is known. This profile is incomplete: No manual is known. The SDK gives only its
-name and number.
+No manual is known. This profile is incomplete: No manual is known. The SDK gives only its name and
+number.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -1972,8 +1972,8 @@ GX4_45 = Device(
     manual=None,
 )
 """Device of generation 4, known only by its name and its number. Generation 4. Model number 6236.
-No manual of it is known. This profile is incomplete: No manual is known. The SDK gives only its
-name and number.
+No manual is known. This profile is incomplete: No manual is known. The SDK gives only its name and
+number.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -2022,8 +2022,8 @@ GX5_10 = Device(
     generation=5,
     manual=None,
 )
-"""Inertial measurement unit. Also called 3DM-GX5-IMU. Generation 5. Model number 6255. No manual of
-it is known. This profile is incomplete: No manual is known. The SDK gives only its name and number.
+"""Inertial measurement unit. Also called 3DM-GX5-IMU. Generation 5. Model number 6255. No manual is
+known. This profile is incomplete: No manual is known. The SDK gives only its name and number.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -2235,8 +2235,8 @@ GX5_25 = Device(
     manual=None,
 )
 """Attitude and heading reference system. Also called 3DM-GX5-AHRS. Generation 5. Model number 6253.
-No manual of it is known. This profile is incomplete: No manual is known. The SDK gives only its
-name and number.
+No manual is known. This profile is incomplete: No manual is known. The SDK gives only its name and
+number.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -2761,8 +2761,8 @@ MV5_AR = Device(
     manual=None,
 )
 """Device of generation 5, known only by its name and its number. Also called 3DM-MV5-15. Generation
-5. Model number 6243. No manual of it is known. This profile is incomplete: No manual is known. The
-SDK gives only its name and number.
+5. Model number 6243. No manual is known. This profile is incomplete: No manual is known. The SDK
+gives only its name and number.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -2981,8 +2981,8 @@ RTK = Device(
     generation=7,
     manual=None,
 )
-"""Modem for GNSS corrections. Generation 7. Model number 6285. No manual of it is known. This
-profile is incomplete: No manual is known. The SDK gives only its name and number.
+"""Modem for GNSS corrections. Generation 7. Model number 6285. No manual is known. This profile is
+incomplete: No manual is known. The SDK gives only its name and number.
 
 - mip-sdk-4: Device models
 - mscl: MIP node features
@@ -3036,17 +3036,17 @@ def find(name: str) -> Device | None:
 
 
 def by_name(name: str) -> Device:
-    """The same, however it is spelt ("gx5 15"); raises UnknownName, which says the nearest names."""
+    """The same for any spelling ("gx5 15"); raises UnknownName, which gives the nearest names."""
     return DEVICES[device_id(name)]
 
 
 def by_model(number: int) -> Device | None:
-    """A device by its model number; None if it is unknown, as newer ones are."""
+    """A device by its model number; None if it is unknown, for example of a newer device."""
     return next((d for d in DEVICES.values() if d.model_number == number), None)
 
 
 def identify(info: DeviceInfo) -> Device | None:
-    """The device that the device information is of; None if it is unknown."""
+    """The device that sent this device information; None if it is unknown."""
     number = model_number(info.model_number) or model_number(info.serial_number)
     return by_model(number) if number else None
 

@@ -307,7 +307,7 @@ class VehicleDynamicsModeResponse(Response):
     """Vehicle dynamics mode response (0x0D,0x80).
 
     Answers `VehicleDynamicsMode`. Supported by 3DM-GX5-45. May be supported by 3DM-GX3-45. Known
-    from the MicroStrain MIP SDK only.
+    only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
     """
@@ -391,8 +391,8 @@ _SENSOR_TO_VEHICLE_OFFSET_RESPONSE_0 = codec.Block("fff", *["offset"] * 3)
 class SensorToVehicleOffsetResponse(Response):
     """Sensor to vehicle offset response (0x0D,0x82).
 
-    Answers `SensorToVehicleOffset`. Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK
-    only.
+    Answers `SensorToVehicleOffset`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP
+    SDK.
 
     - mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12)
     """
@@ -810,8 +810,8 @@ _AUTO_ZUPT_RESPONSE_0 = codec.Block("Bf", "enable", "threshold")
 class AutoZuptResponse(Response):
     """Automatic zero velocity update response (0x0D,0x8D).
 
-    Answers `AutoZupt`. Supported by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Known from the MicroStrain MIP
-    SDK only.
+    Answers `AutoZupt`. Supported by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Known only from the
+    MicroStrain MIP SDK.
 
     - mip-sdk-4: Auto Zupt (0x0D,0x1E)
     """
@@ -994,8 +994,8 @@ _PRESSURE_ALTITUDE_NOISE_RESPONSE_0 = codec.Block("f", "noise")
 class PressureAltitudeNoiseResponse(Response):
     """Pressure altitude noise response (0x0D,0x94).
 
-    Answers `PressureAltitudeNoise`. Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK
-    only.
+    Answers `PressureAltitudeNoise`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP
+    SDK.
 
     - mip-sdk-4: Pressure Altitude Noise (0x0D,0x29)
     """
@@ -1033,7 +1033,7 @@ _HARD_IRON_OFFSET_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
 class HardIronOffsetNoiseResponse(Response):
     """Hard iron offset noise response (0x0D,0x96).
 
-    Answers `HardIronOffsetNoise`. Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
+    Answers `HardIronOffsetNoise`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B)
     """
@@ -1072,7 +1072,7 @@ _SOFT_IRON_MATRIX_NOISE_RESPONSE_0 = codec.Block("fffffffff", *["noise"] * 9)
 class SoftIronMatrixNoiseResponse(Response):
     """Soft iron matrix noise response (0x0D,0x97).
 
-    Answers `SoftIronMatrixNoise`. Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
+    Answers `SoftIronMatrixNoise`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C)
     """
@@ -1191,7 +1191,7 @@ _MAG_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
 class MagNoiseResponse(Response):
     """Magnetometer noise response (0x0D,0xB1).
 
-    Answers `MagNoise`. Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
+    Answers `MagNoise`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Mag Noise (0x0D,0x42)
     """
@@ -1408,7 +1408,7 @@ class MagMagnitudeErrorAdaptiveMeasurementResponse(Response):
 
     Answers `MagMagnitudeErrorAdaptiveMeasurement`. Supported by 3DM-GX5-45. May be supported by
     3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
-    Known from the MicroStrain MIP SDK only.
+    Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
     """
@@ -1531,8 +1531,8 @@ _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0 = codec.Block(
 class MagDipAngleErrorAdaptiveMeasurementResponse(Response):
     """Magnetometer dip angle error adaptive measurement response (0x0D,0xB5).
 
-    Answers `MagDipAngleErrorAdaptiveMeasurement`. Supported by 3DM-GX5-45. Known from the
-    MicroStrain MIP SDK only.
+    Answers `MagDipAngleErrorAdaptiveMeasurement`. Supported by 3DM-GX5-45. Known only from the
+    MicroStrain MIP SDK.
 
     - mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
     """
@@ -1623,7 +1623,7 @@ _ALTITUDE_AIDING_RESPONSE_0 = codec.Block("B", "selector")
 class AltitudeAidingResponse(Response):
     """Altitude aiding response (0x0D,0xB7).
 
-    Answers `AltitudeAiding`. Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
+    Answers `AltitudeAiding`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Altitude Aiding (0x0D,0x47)
     """
@@ -1699,8 +1699,8 @@ _MAGNETIC_INCLINATION_SOURCE_RESPONSE_0 = codec.Block("Bf", "source", "inclinati
 class MagneticInclinationSourceResponse(Response):
     """Magnetic inclination source response (0x0D,0xBC).
 
-    Also called `inclination_source_response`. Answers `MagneticInclinationSource`. Known from the
-    MicroStrain MIP SDK only.
+    Also called `inclination_source_response`. Answers `MagneticInclinationSource`. Known only from
+    the MicroStrain MIP SDK.
 
     - mip-sdk-4: Inclination Source (0x0D,0x4C)
     """
@@ -1744,8 +1744,8 @@ _MAGNETIC_MAGNITUDE_SOURCE_RESPONSE_0 = codec.Block("Bf", "source", "magnitude")
 class MagneticMagnitudeSourceResponse(Response):
     """Magnetic field magnitude source response (0x0D,0xBD).
 
-    Also called `mag_field_magnitude_source_response`. Answers `MagneticMagnitudeSource`. Known from
-    the MicroStrain MIP SDK only.
+    Also called `mag_field_magnitude_source_response`. Answers `MagneticMagnitudeSource`. Known only
+    from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D)
     """
@@ -1789,7 +1789,7 @@ _SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_0 = codec.Block("fffffffff", *["dcm"] *
 class SensorToVehicleRotationDcmResponse(Response):
     """Sensor to vehicle rotation, matrix response (0x0D,0xBE).
 
-    Answers `SensorToVehicleRotationDcm`. Known from the MicroStrain MIP SDK only.
+    Answers `SensorToVehicleRotationDcm`. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E)
     """
@@ -1830,7 +1830,7 @@ _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE_0 = codec.Block("ffff", *["q"] *
 class SensorToVehicleRotationQuaternionResponse(Response):
     """Sensor to vehicle rotation, quaternion response (0x0D,0xBF).
 
-    Answers `SensorToVehicleRotationQuaternion`. Known from the MicroStrain MIP SDK only.
+    Answers `SensorToVehicleRotationQuaternion`. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F)
     """
@@ -1918,7 +1918,7 @@ _KINEMATIC_CONSTRAINT_RESPONSE_0 = codec.Block(
 class KinematicConstraintResponse(Response):
     """Kinematic constraint response (0x0D,0xD1).
 
-    Answers `KinematicConstraint`. Known from the MicroStrain MIP SDK only.
+    Answers `KinematicConstraint`. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
     """
@@ -2385,7 +2385,7 @@ _VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE_0 = codec.Block("B", "enable")
 class VerticalGyroConstraintControlResponse(Response):
     """Vertical gyro constraint response (0x0D,0xE2).
 
-    Answers `VerticalGyroConstraintControl`. Known from the MicroStrain MIP SDK only.
+    Answers `VerticalGyroConstraintControl`. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62)
     """
@@ -2668,7 +2668,7 @@ class VehicleDynamicsMode(Command[R]):
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `VehicleDynamicsModeResponse`. Supported by 3DM-GX5-45. May be supported by 3DM-GX3-45. Known
-    from the MicroStrain MIP SDK only.
+    only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
     """
@@ -2915,8 +2915,8 @@ class SensorToVehicleOffset(Command[R]):
     Origin of the vehicle frame, as seen from the sensor.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `SensorToVehicleOffsetResponse`. Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK
-    only. Uncertain: The direction, from the sensor to the origin of the vehicle frame, is inferred
+    `SensorToVehicleOffsetResponse`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP
+    SDK. Uncertain: The direction, from the sensor to the origin of the vehicle frame, is inferred
     from the name.
 
     It shifts only `filter_data.LlhPosition`. The shift is constant. It does not follow the
@@ -3347,7 +3347,7 @@ class ExternalGnssUpdate(Command[None]):
 
     Gives the filter one position and velocity of a GNSS receiver that the user provides.
 
-    Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
+    Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     Refused unless `GnssSource` selects the external source. The highest rate depends on the device.
 
@@ -4215,7 +4215,7 @@ class AutoZupt(Command[R]):
     Lets the filter assume that the device is at rest while its GNSS speed is low.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AutoZuptResponse`.
-    Supported by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
+    Supported by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     The update applies while the magnitude of the GNSS velocity vector is at or below the threshold.
 
@@ -4623,7 +4623,7 @@ class CommandedZupt(Command[None]):
 
     Tells the filter once that the device is at rest.
 
-    Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
+    Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     The highest rate depends on the device.
 
@@ -4840,7 +4840,7 @@ class MagCaptureAutoCalibration(Command[None]):
     Makes the automatic magnetometer calibration part of the fixed one.
 
     Also called `mag_capture_auto_cal`. Functions: `write` and `save`. Supported by 3DM-GX5-45.
-    Known from the MicroStrain MIP SDK only.
+    Known only from the MicroStrain MIP SDK.
 
     A write combines the automatic calibration with `mip_3dm.MagHardIronOffset` and
     `mip_3dm.MagSoftIronMatrix`, and resets it. A save does the same as the save of both of these
@@ -5003,8 +5003,8 @@ class PressureAltitudeNoise(Command[R]):
     Standard deviation of the noise of the pressure altitude model that the filter assumes.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `PressureAltitudeNoiseResponse`. Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK
-    only.
+    `PressureAltitudeNoiseResponse`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP
+    SDK.
 
     With a small value, the altitude follows the pressure faster, but weather and draughts appear as
     changes of height.
@@ -5107,7 +5107,7 @@ class HardIronOffsetNoise(Command[R]):
     Standard deviation of the noise of the estimated hard iron offset (process noise).
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `HardIronOffsetNoiseResponse`. Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
+    `HardIronOffsetNoiseResponse`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B)
     """
@@ -5212,7 +5212,7 @@ class SoftIronMatrixNoise(Command[R]):
     Standard deviation of the noise of the estimated soft iron matrix (process noise).
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `SoftIronMatrixNoiseResponse`. Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
+    `SoftIronMatrixNoiseResponse`. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C)
     """
@@ -5417,7 +5417,7 @@ class MagNoise(Command[R]):
     Standard deviation of the magnetometer noise that the filter assumes.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `MagNoiseResponse`.
-    Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only. Uncertain: The SDK calls it
+    Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK. Uncertain: The SDK calls it
     process noise, although the noise is that of a measurement.
 
     - mip-sdk-4: Mag Noise (0x0D,0x42)
@@ -5917,7 +5917,7 @@ class MagMagnitudeErrorAdaptiveMeasurement(Command[R]):
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `MagMagnitudeErrorAdaptiveMeasurementResponse`. Supported by 3DM-GX5-45. May be supported by
     3DM-GQ4-45, 3DM-GX3-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
-    Known from the MicroStrain MIP SDK only. Uncertain: Whether the parameters after the selector
+    Known only from the MicroStrain MIP SDK. Uncertain: Whether the parameters after the selector
     may be left out on write, as those of `AccelMagnitudeErrorAdaptiveMeasurement` may.
 
     The limits and the low-pass filter take effect only with `fixed`; with `auto` the device
@@ -6180,8 +6180,8 @@ class MagDipAngleErrorAdaptiveMeasurement(Command[R]):
     How far the filter trusts a magnetic field whose dip angle is not as expected.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `MagDipAngleErrorAdaptiveMeasurementResponse`. Supported by 3DM-GX5-45. Known from the
-    MicroStrain MIP SDK only.
+    `MagDipAngleErrorAdaptiveMeasurementResponse`. Supported by 3DM-GX5-45. Known only from the
+    MicroStrain MIP SDK.
 
     It has no effect while `AccelMagnitudeErrorAdaptiveMeasurement` or
     `MagMagnitudeErrorAdaptiveMeasurement` is set to `auto`. High limits suit high dynamics but do
@@ -6381,7 +6381,7 @@ class AltitudeAiding(Command[R]):
     What aids the altitude in addition to GNSS.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AltitudeAidingResponse`.
-    Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
+    Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     GNSS remains the main source of altitude; the aid improves it and bridges outages. Weather and
     location shift the pressure altitude, sometimes by more than 40 m.
@@ -6585,8 +6585,8 @@ class MagneticInclinationSource(Command[R]):
     Source of the local inclination (dip angle) of the magnetic field.
 
     Also called `inclination_source`. Functions: `write`, `read`, `save`, `load` and `default`.
-    Answered by `MagneticInclinationSourceResponse`. No device profile lists it. Known from the
-    MicroStrain MIP SDK only.
+    Answered by `MagneticInclinationSourceResponse`. Not listed in any device profile. Known only
+    from the MicroStrain MIP SDK.
 
     Without a good inclination source, keep automatic magnetometer calibration off.
 
@@ -6708,8 +6708,8 @@ class MagneticMagnitudeSource(Command[R]):
     Source of the local magnitude of the magnetic field.
 
     Also called `mag_field_magnitude_source`. Functions: `write`, `read`, `save`, `load` and
-    `default`. Answered by `MagneticMagnitudeSourceResponse`. No device profile lists it. Known from
-    the MicroStrain MIP SDK only.
+    `default`. Answered by `MagneticMagnitudeSourceResponse`. Not listed in any device profile.
+    Known only from the MicroStrain MIP SDK.
 
     Without a good magnitude source, keep automatic magnetometer calibration off.
     `MagMagnitudeErrorAdaptiveMeasurement` relies on it too.
@@ -6831,8 +6831,8 @@ class SensorToVehicleRotationDcm(Command[R]):
     Rotation from the sensor frame to the vehicle frame as a direction cosine matrix.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `SensorToVehicleRotationDcmResponse`. No device profile lists it. Known from the MicroStrain MIP
-    SDK only.
+    `SensorToVehicleRotationDcmResponse`. Not listed in any device profile. Known only from the
+    MicroStrain MIP SDK.
 
     It is the inverse of the matrix that `mip_3dm.SensorToVehicleTransformDcm` takes. It rotates the
     scaled acceleration, angular rate and magnetic field, delta theta and delta velocity, and the
@@ -6943,8 +6943,8 @@ class SensorToVehicleRotationQuaternion(Command[R]):
     Rotation from the sensor frame to the vehicle frame as a quaternion.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `SensorToVehicleRotationQuaternionResponse`. No device profile lists it. Known from the
-    MicroStrain MIP SDK only.
+    `SensorToVehicleRotationQuaternionResponse`. Not listed in any device profile. Known only from
+    the MicroStrain MIP SDK.
 
     It is the inverse of the quaternion that `mip_3dm.SensorToVehicleTransformQuaternion` takes. It
     rotates the scaled acceleration, angular rate and magnetic field, delta theta and delta
@@ -7197,8 +7197,8 @@ class KinematicConstraint(Command[R]):
     Assumptions about the motion that the filter uses as measurements.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `KinematicConstraintResponse`. No device profile lists it. Known from the MicroStrain MIP SDK
-    only. Uncertain: Whether there are further values. The SDK has plain numbers and gives the
+    `KinematicConstraintResponse`. Not listed in any device profile. Known only from the MicroStrain
+    MIP SDK. Uncertain: Whether there are further values. The SDK has plain numbers and gives the
     values in remarks.
 
     - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
@@ -8171,8 +8171,8 @@ class SpeedMeasurement(Command[None]):
 
     Gives the filter one measurement of the forward speed of the vehicle (along its x axis).
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: The SDK names a
-    response, `filter.speed_measurement_response`, but has no layout of it.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: The SDK
+    names a response, `filter.speed_measurement_response`, but has no layout of it.
 
     It must not be used together with the odometer of the device. Single precision resolves the time
     of week to 0.0625 s at the end of the week.
@@ -8360,8 +8360,8 @@ class VerticalGyroConstraintControl(Command[R]):
     Lets the filter maintain pitch and roll by the accelerometers while there is no GNSS.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `VerticalGyroConstraintControlResponse`. No device profile lists it. Known from the MicroStrain
-    MIP SDK only.
+    `VerticalGyroConstraintControlResponse`. Not listed in any device profile. Known only from the
+    MicroStrain MIP SDK.
 
     It assumes that the linear acceleration is zero.
 
@@ -8736,7 +8736,7 @@ VerticalGyroConstraintControlResponse.COMMANDS = (VerticalGyroConstraintControl,
 WheeledVehicleConstraintControlResponse.COMMANDS = (WheeledVehicleConstraintControl,)
 GnssAntennaCalibrationControlResponse.COMMANDS = (GnssAntennaCalibrationControl,)
 
-#: The types of each descriptor; several where constants or the size of the data tell layouts apart.
+#: The types of each descriptor; several if constants or the size of the data distinguish layouts.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (Reset,),
     0x02: (SetInitialAttitude,),

@@ -1560,7 +1560,7 @@ class GyroScaleFactor(Data):
 
     Estimated scale factor of the gyroscope.
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Gyro Scale Factor (0x82,0x16)
     """
@@ -1611,7 +1611,7 @@ class AccelScaleFactor(Data):
 
     Estimated scale factor of the accelerometer.
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Accel Scale Factor (0x82,0x17)
     """
@@ -1664,7 +1664,7 @@ class GyroScaleFactorUncertainty(Data):
 
     Standard deviation of the estimated scale factor of the gyroscope.
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Gyro Scale Factor Uncertainty (0x82,0x18)
     """
@@ -1721,7 +1721,7 @@ class AccelScaleFactorUncertainty(Data):
 
     Standard deviation of the estimated scale factor of the accelerometer.
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Accel Scale Factor Uncertainty (0x82,0x19)
     """
@@ -1776,7 +1776,7 @@ class MagBias(Data):
 
     Estimated bias of the magnetometer.
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Mag Bias (0x82,0x1A)
     """
@@ -1823,7 +1823,7 @@ class MagBiasUncertainty(Data):
 
     Standard deviation of the estimated bias of the magnetometer.
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Mag Bias Uncertainty (0x82,0x1B)
     """
@@ -1930,7 +1930,7 @@ class StandardAtmosphere(Data):
 
     US Standard Atmosphere of 1976 at the altitude of the device.
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     It is valid only with a valid GNSS position.
 
@@ -2083,8 +2083,8 @@ class DensityAltitude(Data):
 
     Altitude at which the standard atmosphere has the density of the air around the device.
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: The SDK gives
-    the name only; the description is the usual meaning of the term.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: The SDK
+    gives the name only; the description is the usual meaning of the term.
 
     - mip-sdk-4: Density Altitude (0x82,0x22)
     """
@@ -2128,8 +2128,8 @@ class MagOffset(Data):
 
     Estimated hard iron offset of the magnetometer.
 
-    Also called `magnetometer_offset`. No device profile lists it. Known from the MicroStrain MIP
-    SDK only.
+    Also called `magnetometer_offset`. Not listed in any device profile. Known only from the
+    MicroStrain MIP SDK.
 
     The filter adds it to the stored offset of `mip_3dm.MagHardIronOffset`.
 
@@ -2178,8 +2178,8 @@ class MagMatrix(Data):
 
     Estimated soft iron matrix of the magnetometer.
 
-    Also called `magnetometer_matrix`. No device profile lists it. Known from the MicroStrain MIP
-    SDK only.
+    Also called `magnetometer_matrix`. Not listed in any device profile. Known only from the
+    MicroStrain MIP SDK.
 
     The filter multiplies the stored matrix of `mip_3dm.MagSoftIronMatrix` by it, from the right.
 
@@ -2228,8 +2228,8 @@ class MagOffsetUncertainty(Data):
 
     Standard deviation of the estimated hard iron offset.
 
-    Also called `magnetometer_offset_uncertainty`. No device profile lists it. Known from the
-    MicroStrain MIP SDK only.
+    Also called `magnetometer_offset_uncertainty`. Not listed in any device profile. Known only from
+    the MicroStrain MIP SDK.
 
     - mip-sdk-4: Magnetometer Offset Uncertainty (0x82,0x28)
     """
@@ -2281,8 +2281,8 @@ class MagMatrixUncertainty(Data):
 
     Standard deviation of the estimated soft iron matrix.
 
-    Also called `magnetometer_matrix_uncertainty`. No device profile lists it. Known from the
-    MicroStrain MIP SDK only.
+    Also called `magnetometer_matrix_uncertainty`. Not listed in any device profile. Known only from
+    the MicroStrain MIP SDK.
 
     - mip-sdk-4: Magnetometer Matrix Uncertainty (0x82,0x29)
     """
@@ -2337,8 +2337,8 @@ class MagCovarianceMatrix(Data):
 
     Covariance of the magnetometer measurement.
 
-    Also called `magnetometer_covariance_matrix`. No device profile lists it. Known from the
-    MicroStrain MIP SDK only.
+    Also called `magnetometer_covariance_matrix`. Not listed in any device profile. Known only from
+    the MicroStrain MIP SDK.
 
     - mip-sdk-4: Magnetometer Covariance Matrix (0x82,0x2A)
     """
@@ -2388,8 +2388,8 @@ class MagResidualVector(Data):
 
     Residual of the magnetometer measurement.
 
-    Also called `magnetometer_residual_vector`. No device profile lists it. Known from the
-    MicroStrain MIP SDK only.
+    Also called `magnetometer_residual_vector`. Not listed in any device profile. Known only from
+    the MicroStrain MIP SDK.
 
     - mip-sdk-4: Magnetometer Residual Vector (0x82,0x2C)
     """
@@ -2438,7 +2438,7 @@ class AntennaOffsetCorrection(Data):
 
     Estimated error of the offset of the GNSS antenna.
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     The filter adds it to the stored offset of `filter.AntennaOffset`.
 
@@ -2491,7 +2491,7 @@ class AntennaOffsetCorrectionUncertainty(Data):
 
     Standard deviation of the estimated error of the offset of the GNSS antenna.
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Antenna Offset Correction Uncertainty (0x82,0x31)
     """
@@ -2542,7 +2542,7 @@ class ClockCorrection(Data):
 
     Estimated clock error of one GNSS receiver.
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Clock Correction (0x82,0x32)
     """
@@ -2605,7 +2605,7 @@ class ClockCorrectionUncertainty(Data):
 
     Standard deviation of the estimated clock error of one GNSS receiver.
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Clock Correction Uncertainty (0x82,0x33)
     """
@@ -3122,8 +3122,8 @@ class GnssAttitudeAidingStatus(Data):
 
     How the filter uses the attitude that two GNSS antennas give.
 
-    Also called `gnss_att_aid_status`. No device profile lists it. Known from the MicroStrain MIP
-    SDK only.
+    Also called `gnss_att_aid_status`. Not listed in any device profile. Known only from the
+    MicroStrain MIP SDK.
 
     Single precision resolves the time of week to 0.0625 s at the end of the week.
 
@@ -3183,8 +3183,8 @@ class HeadingAidingStatus(Data):
 
     The heading measurement that the filter used last.
 
-    Also called `head_aid_status`. No device profile lists it. Known from the MicroStrain MIP SDK
-    only.
+    Also called `head_aid_status`. Not listed in any device profile. Known only from the MicroStrain
+    MIP SDK.
 
     Single precision resolves the time of week to 0.0625 s at the end of the week.
 
@@ -3620,7 +3620,7 @@ class AidingFrameConfigErrorUncertainty(Data):
         return codec.finished(out)
 
 
-#: The types of each descriptor; several where constants or the size of the data tell layouts apart.
+#: The types of each descriptor; several if constants or the size of the data distinguish layouts.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (LlhPosition,),
     0x02: (NedVelocity,),

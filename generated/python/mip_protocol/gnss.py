@@ -132,7 +132,7 @@ class ReceiverInfoResponse(Response):
     NAME = "gnss.receiver_info_response"
     ROLE = "response"
 
-    # On the wire: num_receivers. Number of physical receivers. The number of elements of
+    # On the wire only: num_receivers. Number of physical receivers. The number of elements of
     # `receiver_info`.
     receiver_info: tuple[ReceiverInfoEntry, ...]
     """The receivers."""
@@ -242,8 +242,8 @@ _RTK_DONGLE_CONFIG_RESPONSE_0 = codec.Block("BBBB", "enable", *["reserved"] * 3)
 class RtkDongleConfigResponse(Response):
     """RTK dongle configuration response (0x0E,0x90).
 
-    Also called `rtk_dongle_configuration_response`. Answers `RtkDongleConfig`. Known from the
-    MicroStrain MIP SDK only.
+    Also called `rtk_dongle_configuration_response`. Answers `RtkDongleConfig`. Known only from the
+    MicroStrain MIP SDK.
 
     - mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)
     """
@@ -649,8 +649,8 @@ class RtkDongleConfig(Command[R]):
     Whether the device talks to the RTK dongle that is connected to it.
 
     Also called `rtk_dongle_configuration`. Functions: `write`, `read`, `save`, `load` and
-    `default`. Answered by `RtkDongleConfigResponse`. No device profile lists it. Known from the
-    MicroStrain MIP SDK only.
+    `default`. Answered by `RtkDongleConfigResponse`. Not listed in any device profile. Known only
+    from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)
     """
@@ -1022,7 +1022,7 @@ SignalConfigResponse.COMMANDS = (SignalConfig,)
 RtkDongleConfigResponse.COMMANDS = (RtkDongleConfig,)
 SpartnConfigResponse.COMMANDS = (SpartnConfig,)
 
-#: The types of each descriptor; several where constants or the size of the data tell layouts apart.
+#: The types of each descriptor; several if constants or the size of the data distinguish layouts.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (ReceiverInfo,),
     0x02: (SignalConfig,),

@@ -1316,7 +1316,7 @@ class ClockInfo(Data):
 
     Bias and drift of the receiver clock.
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     Clock info 2 replaces it and gives more detail.
 
@@ -1453,8 +1453,8 @@ class SvInfo(Data):
 
     One satellite that is tracked.
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: Whether a packet
-    holds one of these fields or several.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: Whether a
+    packet holds one of these fields or several.
 
     Each satellite is sent as one field, in packets separate from other GNSS data.
 
@@ -1639,8 +1639,8 @@ class DgpsInfo(Data):
 
     State of the differential corrections.
 
-    No device profile lists it. Uncertain: The layout is from a manual of the 3DM-GX5-35 and from
-    MSCL, another library of the vendor. It agrees with the valid flags. Uncertain: The SDK has
+    Not listed in any device profile. Uncertain: The layout is from a manual of the 3DM-GX5-35 and
+    from MSCL, another library of the vendor. It agrees with the valid flags. Uncertain: The SDK has
     another layout: u8, three floats and u16. It is that of `DgpsChannel` and does not agree with
     its own valid flags (age, base station id, base station status, number of channels).
 
@@ -1734,7 +1734,7 @@ class DgpsChannel(Data):
 
     Differential correction for one satellite.
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     Each active satellite is sent as one field, all in one packet.
 
@@ -2082,7 +2082,7 @@ class SbasCorrection(Data):
 
     SBAS correction for one satellite.
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     An epoch is sent as one field for each satellite; index and count number the fields. udrei 0 to
     13 are these variances in m^2: 0.0520, 0.0924, 0.1444, 0.2830, 0.4678, 0.8315, 1.2992, 1.8709,
@@ -2238,7 +2238,7 @@ class RfErrorDetection(Data):
 
     Jamming and spoofing that the receiver detects in one band.
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Rf Error Detection (0x81,0x14)
     """
@@ -2762,7 +2762,7 @@ class BaseStationInfo(Data):
 
     The base station of the corrections, from an RTCM message 1005 or 1006.
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Base Station Info (0x81,0x30)
     """
@@ -2892,7 +2892,7 @@ class RtkCorrectionsStatus(Data):
 
     Which corrections are received, and how old they are.
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Rtk Corrections Status (0x81,0x31)
     """
@@ -4791,8 +4791,8 @@ class GpsIonoCorrection(Data):
 
     Model of the ionosphere that GPS broadcasts.
 
-    Also called `gps_iono_corr`. No device profile lists it. Known from the MicroStrain MIP SDK
-    only.
+    Also called `gps_iono_corr`. Not listed in any device profile. Known only from the MicroStrain
+    MIP SDK.
 
     - mip-sdk-4: Gps Iono Corr (0x81,0x71)
     """
@@ -4875,8 +4875,8 @@ class GalileoIonoCorrection(Data):
 
     Model of the ionosphere that Galileo broadcasts.
 
-    Also called `galileo_iono_corr`. No device profile lists it. Known from the MicroStrain MIP SDK
-    only.
+    Also called `galileo_iono_corr`. Not listed in any device profile. Known only from the
+    MicroStrain MIP SDK.
 
     - mip-sdk-4: Galileo Iono Corr (0x81,0x73)
     """
@@ -4967,8 +4967,8 @@ class BeidouIonoCorrection(Data):
 
     Model of the ionosphere that BeiDou broadcasts.
 
-    Also called `beidou_iono_corr`. No device profile lists it. Known from the MicroStrain MIP SDK
-    only.
+    Also called `beidou_iono_corr`. Not listed in any device profile. Known only from the
+    MicroStrain MIP SDK.
 
     - mip-sdk-4: Beidou Iono Corr (0x81,0x74)
     """
@@ -5051,7 +5051,7 @@ class BeidouIonoCorrection(Data):
         return codec.finished(out)
 
 
-#: The types of each descriptor; several where constants or the size of the data tell layouts apart.
+#: The types of each descriptor; several if constants or the size of the data distinguish layouts.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x03: (LlhPosition,),
     0x04: (EcefPosition,),

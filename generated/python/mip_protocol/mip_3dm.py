@@ -434,7 +434,7 @@ class ImuMessageFormatResponse(Response):
     NAME = "3dm.imu_message_format_response"
     ROLE = "response"
 
-    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[types.DescriptorRate, ...]
     """Fields and decimations."""
 
@@ -479,7 +479,7 @@ class GnssMessageFormatResponse(Response):
     NAME = "3dm.gnss_message_format_response"
     ROLE = "response"
 
-    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     # Range: 0 to 82.
     descriptors: tuple[types.DescriptorRate, ...]
     """Fields and decimations."""
@@ -526,7 +526,7 @@ class FilterMessageFormatResponse(Response):
     NAME = "3dm.filter_message_format_response"
     ROLE = "response"
 
-    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[types.DescriptorRate, ...]
     """Fields and decimations."""
 
@@ -598,8 +598,8 @@ class GetGnssBaseRateResponse(Response):
     """Get GNSS Data Base Rate response (0x0C,0x84).
 
     Also called `gnss_get_base_rate_response`. Answers `GetGnssBaseRate`. Supported by 3DM-GQ4-45,
-    3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known from the MicroStrain MIP SDK
-    only.
+    3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP
+    SDK.
 
     - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
     """
@@ -856,7 +856,7 @@ class NmeaMessageFormatResponse(Response):
     NAME = "3dm.nmea_message_format_response"
     ROLE = "response"
 
-    # On the wire: count. Number of sentences. The number of elements of `format_entries`.
+    # On the wire only: count. Number of sentences. The number of elements of `format_entries`.
     format_entries: tuple[types.NmeaMessage, ...]
     """Sentences to stream."""
 
@@ -947,7 +947,7 @@ class MessageFormatResponse(Response):
 
     descriptor_set: int
     """Data descriptor set; 0 means all of them (save, load, default)."""
-    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[types.DescriptorRate, ...]
     """Fields and decimations."""
 
@@ -984,8 +984,8 @@ class DeviceStatusBasicResponse(Response):
 
     State and timer.
 
-    Answers `DeviceStatus`. Told from `DeviceStatusBasicWithoutStateResponse` by the size of its
-    data. Sent if `status_selector` is `DeviceStatusSelector.BASIC`. Supported by 3DM-GQ4-45,
+    Answers `DeviceStatus`. Distinguished from `DeviceStatusBasicWithoutStateResponse` by the size
+    of its data. Sent if `status_selector` is `DeviceStatusSelector.BASIC`. Supported by 3DM-GQ4-45,
     3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by
     3DM-CL5-15, 3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25,
     3DM-CX5-35, 3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and 3DM-GX5-25.
@@ -1006,7 +1006,7 @@ class DeviceStatusBasicResponse(Response):
 
     model_number: int
     """Model number of the device."""
-    # On the wire: status_selector. Basic status. Always 1.
+    # On the wire only: status_selector. Basic status. Always 1.
     status_flags: int
     """Reserved."""
     system_state: int
@@ -1056,8 +1056,8 @@ class DeviceStatusBasicWithoutStateResponse(Response):
 
     Timer only.
 
-    Answers `DeviceStatus`. Told from `DeviceStatusBasicResponse` by the size of its data. Sent if
-    `status_selector` is `DeviceStatusSelector.BASIC`. Supported by 3DM-GQ4-45, 3DM-GX5-15,
+    Answers `DeviceStatus`. Distinguished from `DeviceStatusBasicResponse` by the size of its data.
+    Sent if `status_selector` is `DeviceStatusSelector.BASIC`. Supported by 3DM-GQ4-45, 3DM-GX5-15,
     3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-CL5-15,
     3DM-CL5-25, 3DM-CV5-10, 3DM-CV5-15, 3DM-CV5-25, 3DM-CX5-10, 3DM-CX5-15, 3DM-CX5-25, 3DM-CX5-35,
     3DM-CX5-45, 3DM-GX4-15, 3DM-GX4-25, 3DM-GX4-45, 3DM-GX5-10 and 3DM-GX5-25. Uncertain: MSCL has
@@ -1081,7 +1081,7 @@ class DeviceStatusBasicWithoutStateResponse(Response):
 
     model_number: int
     """Model number of the device."""
-    # On the wire: status_selector. Basic status. Always 1.
+    # On the wire only: status_selector. Basic status. Always 1.
     status_flags: int
     """Reserved."""
     system_timer: int
@@ -1141,7 +1141,7 @@ class DeviceStatusDiagnosticResponse(Response):
 
     State and timer with the counters of streams and port.
 
-    Answers `DeviceStatus`. Told from `DeviceStatusDiagnosticGnssResponse`,
+    Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticGnssResponse`,
     `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
     `DeviceStatusDiagnosticGx4Response` and `DeviceStatusDiagnosticImuResponse` by the size of its
     data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GQ4-45,
@@ -1197,7 +1197,7 @@ class DeviceStatusDiagnosticResponse(Response):
 
     model_number: int
     """Model number of the device."""
-    # On the wire: status_selector. Diagnostic status. Always 2.
+    # On the wire only: status_selector. Diagnostic status. Always 2.
     status_flags: int
     """Reserved."""
     system_state: int
@@ -1359,7 +1359,7 @@ class DeviceStatusDiagnosticGnssResponse(Response):
 
     State and timer with the counters of pulses, streams, port and receiver.
 
-    Answers `DeviceStatus`. Told from `DeviceStatusDiagnosticResponse`,
+    Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
     `DeviceStatusDiagnosticGq4_45Response`, `DeviceStatusDiagnosticRq1_45Response`,
     `DeviceStatusDiagnosticGx4Response` and `DeviceStatusDiagnosticImuResponse` by the size of its
     data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GQ4-45,
@@ -1434,7 +1434,7 @@ class DeviceStatusDiagnosticGnssResponse(Response):
 
     model_number: int
     """Model number of the device."""
-    # On the wire: status_selector. Diagnostic status. Always 2.
+    # On the wire only: status_selector. Diagnostic status. Always 2.
     status_flags: int
     """Reserved."""
     system_state: int
@@ -1655,7 +1655,7 @@ class DeviceStatusDiagnosticGq4_45Response(Response):
 
     The layout with GNSS, plus what could not be started.
 
-    Answers `DeviceStatus`. Told from `DeviceStatusDiagnosticResponse`,
+    Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
     `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticRq1_45Response`,
     `DeviceStatusDiagnosticGx4Response` and `DeviceStatusDiagnosticImuResponse` by the size of its
     data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GQ4-45,
@@ -1735,7 +1735,7 @@ class DeviceStatusDiagnosticGq4_45Response(Response):
 
     model_number: int
     """Model number of the device."""
-    # On the wire: status_selector. Diagnostic status. Always 2.
+    # On the wire only: status_selector. Diagnostic status. Always 2.
     status_flags: int
     """Reserved."""
     system_state: int
@@ -1977,7 +1977,7 @@ class DeviceStatusDiagnosticRq1_45Response(Response):
 
     The layout with GNSS, plus the temperature.
 
-    Answers `DeviceStatus`. Told from `DeviceStatusDiagnosticResponse`,
+    Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
     `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`,
     `DeviceStatusDiagnosticGx4Response` and `DeviceStatusDiagnosticImuResponse` by the size of its
     data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Supported by 3DM-GQ4-45,
@@ -2057,7 +2057,7 @@ class DeviceStatusDiagnosticRq1_45Response(Response):
 
     model_number: int
     """Model number of the device."""
-    # On the wire: status_selector. Diagnostic status. Always 2.
+    # On the wire only: status_selector. Diagnostic status. Always 2.
     status_flags: int
     """Reserved."""
     system_state: int
@@ -2293,7 +2293,7 @@ class DeviceStatusDiagnosticGx4Response(Response):
 
     Timer with the counters of pulses, streams, port and USB.
 
-    Answers `DeviceStatus`. Told from `DeviceStatusDiagnosticResponse`,
+    Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
     `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`,
     `DeviceStatusDiagnosticRq1_45Response` and `DeviceStatusDiagnosticImuResponse` by the size of
     its data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Supported by
@@ -2362,7 +2362,7 @@ class DeviceStatusDiagnosticGx4Response(Response):
 
     model_number: int
     """Model number of the device."""
-    # On the wire: status_selector. Diagnostic status. Always 2.
+    # On the wire only: status_selector. Diagnostic status. Always 2.
     status_flags: int
     """Reserved."""
     system_timer: int
@@ -2556,7 +2556,7 @@ class DeviceStatusDiagnosticImuResponse(Response):
 
     Timer, available sensors, temperature, and the counters of pulses, stream and port.
 
-    Answers `DeviceStatus`. Told from `DeviceStatusDiagnosticResponse`,
+    Answers `DeviceStatus`. Distinguished from `DeviceStatusDiagnosticResponse`,
     `DeviceStatusDiagnosticGnssResponse`, `DeviceStatusDiagnosticGq4_45Response`,
     `DeviceStatusDiagnosticRq1_45Response` and `DeviceStatusDiagnosticGx4Response` by the size of
     its data. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`. Supported by
@@ -2625,7 +2625,7 @@ class DeviceStatusDiagnosticImuResponse(Response):
 
     model_number: int
     """Model number of the device."""
-    # On the wire: status_selector. Diagnostic status. Always 2.
+    # On the wire only: status_selector. Diagnostic status. Always 2.
     status_flags: int
     """Reserved."""
     system_timer: int
@@ -3114,8 +3114,8 @@ class ConstellationSettingsResponse(Response):
     """Channels that the receiver has. Unit: 1."""
     max_channels_use: int
     """Maximum number of channels in use. Unit: 1."""
-    # On the wire: config_count. Number of entries. The number of elements of `settings`. Range: 0
-    # to 41.
+    # On the wire only: config_count. Number of entries. The number of elements of `settings`.
+    # Range: 0 to 41.
     settings: tuple[ConstellationSettingsEntry, ...]
     """One entry for each constellation."""
 
@@ -3178,8 +3178,8 @@ class GnssSbasSettingsResponse(Response):
     """1 switches SBAS on, 0 off. Range: 0 to 1."""
     sbas_options: SbasOptions
     """What SBAS is used for."""
-    # On the wire: num_included_prns. Number of satellites listed; 0 searches for all. The number of
-    # elements of `included_prns`.
+    # On the wire only: num_included_prns. Number of satellites listed; 0 searches for all. The
+    # number of elements of `included_prns`.
     included_prns: tuple[int, ...]
     """PRN numbers of the SBAS satellites to search for."""
 
@@ -3220,8 +3220,8 @@ _GNSS_ASSISTED_FIX_RESPONSE_0 = codec.Block("BB", "option", "flags")
 class GnssAssistedFixResponse(Response):
     """GNSS Assisted Fix response (0x0C,0xA2).
 
-    Answers `GnssAssistedFix`. Supported by 3DM-GX5-35. May be supported by 3DM-GX5-45. Known from
-    the MicroStrain MIP SDK only.
+    Answers `GnssAssistedFix`. Supported by 3DM-GX5-35. May be supported by 3DM-GX5-45. Known only
+    from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
     """
@@ -3264,7 +3264,7 @@ class GnssTimeAssistanceResponse(Response):
     """GNSS Time Assistance response (0x0C,0xA3).
 
     Answers `GnssTimeAssistance`. Supported by 3DM-GX5-35. May be supported by 3DM-GX5-45. Known
-    from the MicroStrain MIP SDK only.
+    only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Gnss Time Assistance (0x0C,0x24)
     """
@@ -3499,7 +3499,7 @@ class GetEventSupportResponse(Response):
     """Query given in the command."""
     max_instances: int
     """Number of slots; instances go from 1 to this. Unit: 1."""
-    # On the wire: num_entries. Number of types. The number of elements of `entries`.
+    # On the wire only: num_entries. Number of types. The number of elements of `entries`.
     entries: tuple[EventSupportInfo, ...]
     """The types.
 
@@ -3597,7 +3597,7 @@ class GetEventTriggerStatusResponse(Response):
     NAME = "3dm.get_event_trigger_status_response"
     ROLE = "response"
 
-    # On the wire: count. Number of entries. The number of elements of `triggers`.
+    # On the wire only: count. Number of entries. The number of elements of `triggers`.
     triggers: tuple[EventTriggerStatusEntry, ...]
     """One entry per trigger, in the requested order, or by instance if all were requested."""
 
@@ -3642,7 +3642,7 @@ class GetEventActionStatusResponse(Response):
     NAME = "3dm.get_event_action_status_response"
     ROLE = "response"
 
-    # On the wire: count. Number of entries. The number of elements of `actions`.
+    # On the wire only: count. Number of entries. The number of elements of `actions`.
     actions: tuple[EventActionStatusEntry, ...]
     """One entry per action, in the requested order, or by instance if all were requested."""
 
@@ -4047,7 +4047,7 @@ class GetCalibratedSensorRangesResponse(Response):
 
     sensor: SensorRangeType
     """Sensor given in the command."""
-    # On the wire: num_ranges. Number of ranges. The number of elements of `ranges`.
+    # On the wire only: num_ranges. Number of ranges. The number of elements of `ranges`.
     ranges: tuple[SensorRangeEntry, ...]
     """The ranges.
 
@@ -4183,7 +4183,7 @@ class PollImuData(Command[None]):
 
     suppress_ack: bool
     """Send no acknowledge."""
-    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[PollEntry, ...]
     """Fields to send."""
 
@@ -4225,7 +4225,7 @@ class PollGnssData(Command[None]):
 
     Also called `poll_gnss_message`. Not acknowledged if `suppress_ack` is true. Supported by
     3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. May be supported by 3DM-GX5-35. Known
-    from the MicroStrain MIP SDK only.
+    only from the MicroStrain MIP SDK.
 
     An empty list polls the format stored by `GnssMessageFormat`; if none is stored, the device
     refuses the command. Descriptors that the device does not know are omitted. The data is sent in
@@ -4244,7 +4244,7 @@ class PollGnssData(Command[None]):
 
     suppress_ack: bool
     """Send no acknowledge."""
-    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     # Range: 0 to 83.
     descriptors: tuple[PollEntry, ...]
     """Fields to send. Uncertain: The SDK has a decimation in place of the reserved number and does
@@ -4307,7 +4307,7 @@ class PollFilterData(Command[None]):
 
     suppress_ack: bool
     """Send no acknowledge."""
-    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[PollEntry, ...]
     """Fields to send."""
 
@@ -4367,7 +4367,7 @@ class PollNmeaData(Command[None]):
 
     suppress_ack: bool
     """Send no acknowledge."""
-    # On the wire: count. Number of sentences. The number of elements of `format_entries`.
+    # On the wire only: count. Number of sentences. The number of elements of `format_entries`.
     format_entries: tuple[types.NmeaMessage, ...]
     """Sentences to send."""
 
@@ -4434,8 +4434,8 @@ class GetGnssBaseRate(Command[GetGnssBaseRateResponse]):
     Gets the rate that is divided by the decimations of the GNSS message format.
 
     Also called `gnss_get_base_rate`. Answered by `GetGnssBaseRateResponse`. Supported by
-    3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known from the MicroStrain
-    MIP SDK only.
+    3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the
+    MicroStrain MIP SDK.
 
     - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
     """
@@ -4489,7 +4489,7 @@ class ImuMessageFormat(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     # Required for `write`.
     descriptors: tuple[types.DescriptorRate, ...] | None
     """Fields and decimations. Required for `write`."""
@@ -4605,7 +4605,7 @@ class GnssMessageFormat(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     # Range: 0 to 82. Required for `write`.
     descriptors: tuple[types.DescriptorRate, ...] | None
     """Fields and decimations. Required for `write`."""
@@ -4721,7 +4721,7 @@ class FilterMessageFormat(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     # Required for `write`.
     descriptors: tuple[types.DescriptorRate, ...] | None
     """Fields and decimations. Required for `write`."""
@@ -4864,8 +4864,8 @@ class NmeaMessageFormat(Command[R]):
 
     function: FunctionSelector
     """What to do with the setting."""
-    # On the wire: count. Number of sentences. The number of elements of `format_entries`. Required
-    # for `write`.
+    # On the wire only: count. Number of sentences. The number of elements of `format_entries`.
+    # Required for `write`.
     format_entries: tuple[types.NmeaMessage, ...] | None
     """Sentences to stream. Required for `write`."""
 
@@ -4979,7 +4979,7 @@ class PollData(Command[None]):
     """Data descriptor set. Range: 128 to 254."""
     suppress_ack: bool
     """Send no acknowledge."""
-    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[int, ...]
     """Field descriptors."""
 
@@ -5094,7 +5094,7 @@ class MessageFormat(Command[R]):
     """What to do with the setting."""
     descriptor_set: int | None
     """Data descriptor set; 0 means all of them (save, load, default)."""
-    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # On the wire only: num_descriptors. Number of fields. The number of elements of `descriptors`.
     # Required for `write`.
     descriptors: tuple[types.DescriptorRate, ...] | None
     """Fields and decimations. Required for `write`."""
@@ -5414,8 +5414,8 @@ class ConstellationSettings(Command[R]):
     """Maximum number of tracking channels in use; at most the number that the response reports as
     available. Unit: 1. Required for `write`.
     """
-    # On the wire: config_count. Number of entries. The number of elements of `settings`. Range: 0
-    # to 41. Required for `write`.
+    # On the wire only: config_count. Number of entries. The number of elements of `settings`.
+    # Range: 0 to 41. Required for `write`.
     settings: tuple[ConstellationSettingsEntry, ...] | None
     """One entry for each constellation. Required for `write`."""
 
@@ -5555,8 +5555,8 @@ class GnssSbasSettings(Command[R]):
 
     - On the 3DM-GX5-35: default `SbasOptions.ENABLE_RANGING` and `SbasOptions.ENABLE_CORRECTIONS`.
     """
-    # On the wire: num_included_prns. Number of satellites listed; 0 searches for all. The number of
-    # elements of `included_prns`. Required for `write`.
+    # On the wire only: num_included_prns. Number of satellites listed; 0 searches for all. The
+    # number of elements of `included_prns`. Required for `write`.
     included_prns: tuple[int, ...] | None
     """PRN numbers of the SBAS satellites to search for. Required for `write`."""
 
@@ -5682,8 +5682,8 @@ class GnssAssistedFix(Command[R]):
     power-up.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GnssAssistedFixResponse`.
-    Supported by 3DM-GX5-35. May be supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK
-    only.
+    Supported by 3DM-GX5-35. May be supported by 3DM-GX5-45. Known only from the MicroStrain MIP
+    SDK.
 
     The last fix is kept in the flash memory and the FRAM of the receiver. With the time of
     `GnssTimeAssistance` right after power-up, the first fix takes 1 s at best. A change from
@@ -5815,7 +5815,7 @@ class GnssTimeAssistance(Command[R]):
     Gives the GNSS receiver the current GPS time.
 
     Functions: `write` and `read`. Answered by `GnssTimeAssistanceResponse`. Supported by
-    3DM-GX5-35. May be supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
+    3DM-GX5-35. May be supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
 
     It is needed right after power-up if `GnssAssistedFix` was on at power-off.
 
@@ -6207,8 +6207,8 @@ class GetEventTriggerStatus(Command[GetEventTriggerStatusResponse]):
     ROLE = "command"
     RESPONSES = (GetEventTriggerStatusResponse,)
 
-    # On the wire: requested_count. Number of requested triggers; 0 requests all slots. The number
-    # of elements of `requested_instances`.
+    # On the wire only: requested_count. Number of requested triggers; 0 requests all slots. The
+    # number of elements of `requested_instances`.
     requested_instances: tuple[int, ...]
     """Trigger instances."""
 
@@ -6259,8 +6259,8 @@ class GetEventActionStatus(Command[GetEventActionStatusResponse]):
     ROLE = "command"
     RESPONSES = (GetEventActionStatusResponse,)
 
-    # On the wire: requested_count. Number of requested actions; 0 requests all slots. The number of
-    # elements of `requested_instances`.
+    # On the wire only: requested_count. Number of requested actions; 0 requests all slots. The
+    # number of elements of `requested_instances`.
     requested_instances: tuple[int, ...]
     """Action instances."""
 
@@ -9137,7 +9137,7 @@ SensorRangeResponse.COMMANDS = (SensorRange,)
 GetCalibratedSensorRangesResponse.COMMANDS = (GetCalibratedSensorRanges,)
 LowPassFilterResponse.COMMANDS = (LowPassFilter,)
 
-#: The types of each descriptor; several where constants or the size of the data tell layouts apart.
+#: The types of each descriptor; several if constants or the size of the data distinguish layouts.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (PollImuData,),
     0x02: (PollGnssData,),

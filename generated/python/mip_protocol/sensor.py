@@ -56,7 +56,7 @@ class RawAccel(Data):
 
     Raw acceleration in counts of the sensor, temperature compensated.
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Raw Accel (0x80,0x01)
     """
@@ -97,7 +97,7 @@ class RawGyro(Data):
 
     Raw angular rate in counts of the sensor, temperature compensated.
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Raw Gyro (0x80,0x02)
     """
@@ -138,7 +138,7 @@ class RawMag(Data):
 
     Raw magnetic field in counts of the sensor, temperature compensated.
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Raw Mag (0x80,0x03)
     """
@@ -490,9 +490,9 @@ class CompOrientationUpdateMatrix(Data):
 
     Change of the attitude from the complementary filter as a matrix.
 
-    Deprecated: the SDK marks it as deprecated and names no replacement. No device profile lists it.
-    Known from the MicroStrain MIP SDK only. Uncertain: The interval of the change and the frames.
-    The SDK gives the name only.
+    Deprecated: the SDK marks it as deprecated and names no replacement. Not listed in any device
+    profile. Known only from the MicroStrain MIP SDK. Uncertain: The interval of the change and the
+    frames. The SDK gives the name only.
 
     - mip-sdk-4: Comp Orientation Update Matrix (0x80,0x0B)
     """
@@ -585,7 +585,8 @@ class OrientationRawTemperature(Data):
     Raw readings of four temperature sensors.
 
     Deprecated: the SDK marks it as deprecated and names no replacement. Also called
-    `orientation_raw_temp`. No device profile lists it. Known from the MicroStrain MIP SDK only.
+    `orientation_raw_temp`. Not listed in any device profile. Known only from the MicroStrain MIP
+    SDK.
 
     - mip-sdk-4: Orientation Raw Temp (0x80,0x0D)
     """
@@ -627,8 +628,8 @@ class InternalTimestamp(Data):
 
     Free-running counter of the device.
 
-    Deprecated: the SDK marks it as deprecated and names no replacement. No device profile lists it.
-    Known from the MicroStrain MIP SDK only.
+    Deprecated: the SDK marks it as deprecated and names no replacement. Not listed in any device
+    profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Internal Timestamp (0x80,0x0E)
     """
@@ -668,8 +669,8 @@ class PpsTimestamp(Data):
 
     Time counted by the pulse per second.
 
-    Deprecated: the SDK marks it as deprecated and names no replacement. No device profile lists it.
-    Known from the MicroStrain MIP SDK only. Uncertain: The epoch.
+    Deprecated: the SDK marks it as deprecated and names no replacement. Not listed in any device
+    profile. Known only from the MicroStrain MIP SDK. Uncertain: The epoch.
 
     - mip-sdk-4: Pps Timestamp (0x80,0x0F)
     """
@@ -935,7 +936,7 @@ class RawPressure(Data):
 
     Raw ambient pressure in counts of the sensor, temperature compensated.
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     - mip-sdk-4: Raw Pressure (0x80,0x16)
     """
@@ -1104,7 +1105,7 @@ class Odometer(Data):
         return codec.finished(out)
 
 
-#: The types of each descriptor; several where constants or the size of the data tell layouts apart.
+#: The types of each descriptor; several if constants or the size of the data distinguish layouts.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (RawAccel,),
     0x02: (RawGyro,),

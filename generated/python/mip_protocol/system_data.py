@@ -173,7 +173,7 @@ class GpioAnalogValue(Data):
 
     Voltage at one GPIO pin.
 
-    No device profile lists it. Known from the MicroStrain MIP SDK only.
+    Not listed in any device profile. Known only from the MicroStrain MIP SDK.
 
     Only for pins that are configured as analog inputs.
 
@@ -211,7 +211,7 @@ class GpioAnalogValue(Data):
         return codec.finished(out)
 
 
-#: The types of each descriptor; several where constants or the size of the data tell layouts apart.
+#: The types of each descriptor; several if constants or the size of the data distinguish layouts.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (BuiltInTest,),
     0x02: (TimeSyncStatus,),

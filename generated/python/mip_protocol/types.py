@@ -550,7 +550,7 @@ class EventActionMessage(Structure):
     the base rate of the descriptor set divided by this value. At each activation, a packet is sent
     immediately and the count restarts.
     """
-    # On the wire: num_fields. Number of fields in the packet. The number of elements of
+    # On the wire only: num_fields. Number of fields in the packet. The number of elements of
     # `descriptors`. Range: 0 to 12.
     descriptors: tuple[int, ...]
     """Field descriptors, in order."""

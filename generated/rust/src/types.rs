@@ -357,7 +357,7 @@ item! { EventTriggerGpio { pin mode } }
 constructors! {
     EventTriggerGpio
 
-    /// Puts the values together.
+    /// Creates it from its values.
     fn new(pin: u8, mode: EventTriggerGpioMode);
 }
 
@@ -377,7 +377,7 @@ item! { EventThresholdWindow { low_threshold high_threshold } }
 constructors! {
     EventThresholdWindow
 
-    /// Puts the values together.
+    /// Creates it from its values.
     fn new(low_threshold: f64, high_threshold: f64);
 }
 
@@ -399,7 +399,7 @@ item! { EventThresholdInterval { interval_threshold interval } }
 constructors! {
     EventThresholdInterval
 
-    /// Puts the values together.
+    /// Creates it from its values.
     fn new(interval_threshold: f64, interval: f64);
 }
 
@@ -457,7 +457,7 @@ item! { EventTriggerThreshold { descriptor_set field_descriptor parameter_id typ
 constructors! {
     EventTriggerThreshold
 
-    /// Puts the values together.
+    /// Creates it from its values.
     fn new(
         descriptor_set: u8,
         field_descriptor: u8,
@@ -487,7 +487,7 @@ item! { EventTriggerCombination { logic_table input_triggers } }
 constructors! {
     EventTriggerCombination
 
-    /// Puts the values together.
+    /// Creates it from its values.
     fn new(logic_table: u16, input_triggers: [u8; 4]);
 }
 
@@ -510,14 +510,14 @@ item! { EventActionGpio { pin mode } }
 constructors! {
     EventActionGpio
 
-    /// Puts the values together.
+    /// Creates it from its values.
     fn new(pin: u8, mode: EventActionGpioMode);
 }
 
 record! {
     /// An action that sends data packets.
     ///
-    /// On the wire there is also `num_fields`: Number of fields in the packet. The number of
+    /// The wire format also contains `num_fields`: Number of fields in the packet. The number of
     /// elements of [`descriptors`](EventActionMessage::descriptors). Range: 0 to 12.
     ///
     /// Source: 3dm-cv7-gnss-ins: MessageParams.
@@ -544,7 +544,7 @@ item! { EventActionMessage { descriptor_set decimation descriptors } }
 constructors! {
     EventActionMessage
 
-    /// Puts the values together.
+    /// Creates it from its values.
     fn new(
         descriptor_set: u8,
         decimation: u16,
@@ -908,7 +908,7 @@ item! { NmeaMessage { message_id talker_id source_descriptor_set decimation } }
 constructors! {
     NmeaMessage
 
-    /// Puts the values together.
+    /// Creates it from its values.
     fn new(
         message_id: NmeaMessageId,
         talker_id: NmeaTalkerId,
@@ -1108,7 +1108,7 @@ item! { DescriptorRate { descriptor decimation } }
 constructors! {
     DescriptorRate
 
-    /// Puts the values together.
+    /// Creates it from its values.
     fn new(descriptor: u8, decimation: u16);
 }
 

@@ -3,7 +3,7 @@
  *
  * 3DM (0x0C). Commands that set up the sensors, the outputs, the pins and the events of a device.
  *
- * Devices that may support a field, though it is not certain, are in mip/profiles.h only.
+ * Devices that may support a field, but are not certain to, are listed only in mip/profiles.h.
  */
 #ifndef MIP_3DM_H
 #define MIP_3DM_H
@@ -337,7 +337,7 @@ mip_3dm_poll_imu_data_make(struct mip_3dm_poll_imu_data *command, mip_bool suppr
  * Requests one GNSS data packet with the listed fields, in the listed order.
  *
  * Also called `poll_gnss_message`. Not acknowledged if suppress_ack is true. Supported by
- * 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known from the MicroStrain MIP SDK only.
+ * 3DM-GQ4-45, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the MicroStrain MIP SDK.
  *
  * An empty list polls the format stored by mip_3dm_gnss_message_format; if none is stored, the
  * device refuses the command.
@@ -614,8 +614,8 @@ static inline mip_error mip_3dm_get_imu_base_rate_response_encode_inline(
  * Gets the rate that is divided by the decimations of the GNSS message format.
  *
  * Also called `gnss_get_base_rate`. Answered by mip_3dm_get_gnss_base_rate_response. Supported by
- * 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known from the MicroStrain
- * MIP SDK only.
+ * 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
  */
@@ -650,8 +650,8 @@ static inline mip_error mip_3dm_get_gnss_base_rate_encode(
  * Get GNSS Data Base Rate response: response (0x0C,0x84).
  *
  * Also called `gnss_get_base_rate_response`. Answers mip_3dm_get_gnss_base_rate. Supported by
- * 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known from the MicroStrain
- * MIP SDK only.
+ * 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
  */
@@ -726,8 +726,8 @@ static inline mip_error mip_3dm_get_gnss_base_rate_response_encode_inline(
  */
 struct mip_3dm_imu_message_format {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -852,8 +852,8 @@ static inline mip_error mip_3dm_imu_message_format_response_encode(
  */
 struct mip_3dm_gnss_message_format {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -984,8 +984,8 @@ static inline mip_error mip_3dm_gnss_message_format_response_encode(
  */
 struct mip_3dm_filter_message_format {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -1208,8 +1208,8 @@ static inline mip_error mip_3dm_get_filter_base_rate_response_encode_inline(
  */
 struct mip_3dm_nmea_message_format {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -1532,8 +1532,8 @@ static inline mip_error mip_3dm_get_base_rate_response_encode_inline(
  */
 struct mip_3dm_message_format {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -1740,8 +1740,8 @@ static inline struct mip_3dm_factory_streaming *mip_3dm_factory_streaming_make(
  */
 struct mip_3dm_data_stream_control {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -1923,8 +1923,8 @@ static inline mip_error mip_3dm_data_stream_control_response_encode_inline(
  */
 struct mip_3dm_constellation_settings {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -2059,8 +2059,8 @@ static inline mip_error mip_3dm_constellation_settings_response_encode(
  */
 struct mip_3dm_gnss_sbas_settings {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -2192,7 +2192,7 @@ static inline mip_error mip_3dm_gnss_sbas_settings_response_encode(
  * Whether the GNSS receiver keeps the data of its last fix and starts from it at the next power-up.
  *
  * Functions: write, read, save, load and default. Answered by mip_3dm_gnss_assisted_fix_response.
- * Supported by 3DM-GX5-35. Known from the MicroStrain MIP SDK only.
+ * Supported by 3DM-GX5-35. Known only from the MicroStrain MIP SDK.
  *
  * The last fix is kept in the flash memory and the FRAM of the receiver.
  *
@@ -2208,8 +2208,8 @@ static inline mip_error mip_3dm_gnss_sbas_settings_response_encode(
  */
 struct mip_3dm_gnss_assisted_fix {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -2290,8 +2290,8 @@ mip_3dm_gnss_assisted_fix_default(struct mip_3dm_gnss_assisted_fix *command) {
 /**
  * GNSS Assisted Fix response: response (0x0C,0xA2).
  *
- * Answers mip_3dm_gnss_assisted_fix. Supported by 3DM-GX5-35. Known from the MicroStrain MIP SDK
- * only.
+ * Answers mip_3dm_gnss_assisted_fix. Supported by 3DM-GX5-35. Known only from the MicroStrain MIP
+ * SDK.
  *
  * - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
  */
@@ -2361,7 +2361,7 @@ static inline mip_error mip_3dm_gnss_assisted_fix_response_encode_inline(
  * Gives the GNSS receiver the current GPS time.
  *
  * Functions: write and read. Answered by mip_3dm_gnss_time_assistance_response. Supported by
- * 3DM-GX5-35. Known from the MicroStrain MIP SDK only.
+ * 3DM-GX5-35. Known only from the MicroStrain MIP SDK.
  *
  * It is needed right after power-up if mip_3dm_gnss_assisted_fix was on at power-off.
  *
@@ -2369,8 +2369,8 @@ static inline mip_error mip_3dm_gnss_assisted_fix_response_encode_inline(
  */
 struct mip_3dm_gnss_time_assistance {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -2426,8 +2426,8 @@ mip_3dm_gnss_time_assistance_read(struct mip_3dm_gnss_time_assistance *command) 
 /**
  * GNSS Time Assistance response: response (0x0C,0xA3).
  *
- * Answers mip_3dm_gnss_time_assistance. Supported by 3DM-GX5-35. Known from the MicroStrain MIP SDK
- * only.
+ * Answers mip_3dm_gnss_time_assistance. Supported by 3DM-GX5-35. Known only from the MicroStrain
+ * MIP SDK.
  *
  * - mip-sdk-4: Gnss Time Assistance (0x0C,0x24)
  */
@@ -2508,8 +2508,8 @@ static inline mip_error mip_3dm_gnss_time_assistance_response_encode_inline(
  */
 struct mip_3dm_pps_source_control {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -2773,8 +2773,8 @@ static inline mip_error mip_3dm_get_event_support_response_encode(
  */
 struct mip_3dm_event_control {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -3123,8 +3123,8 @@ union mip_3dm_event_trigger_config_parameters {
  */
 struct mip_3dm_event_trigger_config {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -3293,8 +3293,8 @@ union mip_3dm_event_action_config_parameters {
  */
 struct mip_3dm_event_action_config {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -3528,7 +3528,7 @@ mip_3dm_device_settings_default(struct mip_3dm_device_settings *command) {
  *
  * Mounting of the sensor in the vehicle as Euler angles.
  *
- * In full: 3dm.sensor_to_vehicle_transform_euler.
+ * Full name: 3dm.sensor_to_vehicle_transform_euler.
  *
  * Also called `sensor_2_vehicle_transform_euler`. Functions: write, read, save, load and default.
  * Answered by mip_3dm_sensor_to_vehicle_euler_response. Supported by 3DM-CV7-GNSS/INS and
@@ -3553,8 +3553,8 @@ mip_3dm_device_settings_default(struct mip_3dm_device_settings *command) {
  */
 struct mip_3dm_sensor_to_vehicle_euler {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -3630,7 +3630,7 @@ mip_3dm_sensor_to_vehicle_euler_default(struct mip_3dm_sensor_to_vehicle_euler *
 /**
  * Sensor-to-Vehicle Frame Transformation Euler response: response (0x0C,0xB1).
  *
- * In full: 3dm.sensor_to_vehicle_transform_euler_response.
+ * Full name: 3dm.sensor_to_vehicle_transform_euler_response.
  *
  * Also called `sensor_2_vehicle_transform_euler_response`. Answers mip_3dm_sensor_to_vehicle_euler.
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.
@@ -3704,7 +3704,7 @@ static inline mip_error mip_3dm_sensor_to_vehicle_euler_response_encode_inline(
  *
  * Mounting of the sensor in the vehicle as a quaternion.
  *
- * In full: 3dm.sensor_to_vehicle_transform_quaternion.
+ * Full name: 3dm.sensor_to_vehicle_transform_quaternion.
  *
  * Also called `sensor_2_vehicle_transform_quaternion`. Functions: write, read, save, load and
  * default. Answered by mip_3dm_sensor_to_vehicle_quaternion_response. Supported by
@@ -3722,8 +3722,8 @@ static inline mip_error mip_3dm_sensor_to_vehicle_euler_response_encode_inline(
  */
 struct mip_3dm_sensor_to_vehicle_quaternion {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -3797,7 +3797,7 @@ mip_3dm_sensor_to_vehicle_quaternion_default(struct mip_3dm_sensor_to_vehicle_qu
 /**
  * Sensor-to-Vehicle Frame Transformation Quaternion response: response (0x0C,0xB2).
  *
- * In full: 3dm.sensor_to_vehicle_transform_quaternion_response.
+ * Full name: 3dm.sensor_to_vehicle_transform_quaternion_response.
  *
  * Also called `sensor_2_vehicle_transform_quaternion_response`. Answers
  * mip_3dm_sensor_to_vehicle_quaternion. Supported by 3DM-CV7-GNSS/INS.
@@ -3872,7 +3872,7 @@ static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_response_encode_inl
  *
  * Mounting of the sensor in the vehicle as a direction cosine matrix.
  *
- * In full: 3dm.sensor_to_vehicle_transform_dcm.
+ * Full name: 3dm.sensor_to_vehicle_transform_dcm.
  *
  * Also called `sensor_2_vehicle_transform_dcm`. Functions: write, read, save, load and default.
  * Answered by mip_3dm_sensor_to_vehicle_dcm_response. Supported by 3DM-CV7-GNSS/INS.
@@ -3889,8 +3889,8 @@ static inline mip_error mip_3dm_sensor_to_vehicle_quaternion_response_encode_inl
  */
 struct mip_3dm_sensor_to_vehicle_dcm {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -3963,7 +3963,7 @@ mip_3dm_sensor_to_vehicle_dcm_default(struct mip_3dm_sensor_to_vehicle_dcm *comm
 /**
  * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix response: response (0x0C,0xB3).
  *
- * In full: 3dm.sensor_to_vehicle_transform_dcm_response.
+ * Full name: 3dm.sensor_to_vehicle_transform_dcm_response.
  *
  * Also called `sensor_2_vehicle_transform_dcm_response`. Answers mip_3dm_sensor_to_vehicle_dcm.
  * Supported by 3DM-CV7-GNSS/INS.
@@ -4045,8 +4045,8 @@ static inline mip_error mip_3dm_sensor_to_vehicle_dcm_response_encode_inline(
  */
 struct mip_3dm_accel_bias {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -4208,8 +4208,8 @@ static inline mip_error mip_3dm_accel_bias_response_encode_inline(
  */
 struct mip_3dm_gyro_bias {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -4453,8 +4453,8 @@ static inline struct mip_3dm_capture_gyro_bias *mip_3dm_capture_gyro_bias_make(
  */
 struct mip_3dm_mag_hard_iron_offset {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -4619,8 +4619,8 @@ static inline mip_error mip_3dm_mag_hard_iron_offset_response_encode_inline(
  */
 struct mip_3dm_mag_soft_iron_matrix {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -4783,8 +4783,8 @@ static inline mip_error mip_3dm_mag_soft_iron_matrix_response_encode_inline(
  */
 struct mip_3dm_coning_sculling_enable {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -4933,8 +4933,8 @@ static inline mip_error mip_3dm_coning_sculling_enable_response_encode_inline(
  */
 struct mip_3dm_uart_baud_rate {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -5088,8 +5088,8 @@ static inline mip_error mip_3dm_uart_baud_rate_response_encode_inline(
  */
 struct mip_3dm_gpio_config {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -5283,8 +5283,8 @@ static inline mip_error mip_3dm_gpio_config_response_encode_inline(
  */
 struct mip_3dm_gpio_state {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -5410,8 +5410,8 @@ static inline mip_error mip_3dm_gpio_state_response_encode_inline(
  */
 struct mip_3dm_odometer_config {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -5582,8 +5582,8 @@ static inline mip_error mip_3dm_odometer_config_response_encode_inline(
  */
 struct mip_3dm_imu_low_pass_filter {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -5781,8 +5781,8 @@ static inline mip_error mip_3dm_imu_low_pass_filter_response_encode_inline(
  */
 struct mip_3dm_complementary_filter {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -5963,8 +5963,8 @@ static inline mip_error mip_3dm_complementary_filter_response_encode_inline(
  */
 struct mip_3dm_sensor_range {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -6234,8 +6234,8 @@ static inline mip_error mip_3dm_get_calibrated_sensor_ranges_response_encode(
  */
 struct mip_3dm_low_pass_filter {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -6503,11 +6503,11 @@ mip_3dm_device_status_make(struct mip_3dm_device_status *command, uint16_t model
  *
  * State and timer.
  *
- * Answers mip_3dm_device_status. Told from mip_3dm_device_status_basic_stateless_response by the
- * size of its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC. Supported by
- * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
+ * Answers mip_3dm_device_status. Distinguished from mip_3dm_device_status_basic_stateless_response
+ * by the size of its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC.
+ * Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
- * On the wire only, without a member:
+ * Parameters without a member, on the wire only:
  * - status_selector: Basic status. Always 1.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
@@ -6553,16 +6553,16 @@ static inline mip_error mip_3dm_device_status_basic_response_encode(
  *
  * Timer only.
  *
- * In full: 3dm.device_status_basic_without_state_response.
+ * Full name: 3dm.device_status_basic_without_state_response.
  *
- * Answers mip_3dm_device_status. Told from mip_3dm_device_status_basic_response by the size of its
- * data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC. Supported by 3DM-GQ4-45,
- * 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Uncertain: MSCL has it for
- * the 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10. Uncertain: The manual of the
- * 3DM-GX5-45 gives it too, but for the model number of another device; MSCL has the layout with a
- * state for that device.
+ * Answers mip_3dm_device_status. Distinguished from mip_3dm_device_status_basic_response by the
+ * size of its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC. Supported by
+ * 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST. Uncertain: MSCL
+ * has it for the 3DM-GX4-15, 3DM-GX4-25, 3DM-GX5-10, 3DM-CX5-10 and 3DM-CV5-10. Uncertain: The
+ * manual of the 3DM-GX5-45 gives it too, but for the model number of another device; MSCL has the
+ * layout with a state for that device.
  *
- * On the wire only, without a member:
+ * Parameters without a member, on the wire only:
  * - status_selector: Basic status. Always 1.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
@@ -6608,14 +6608,14 @@ static inline mip_error mip_3dm_device_status_basic_stateless_response_encode(
  *
  * State and timer with the counters of streams and port.
  *
- * Answers mip_3dm_device_status. Told from mip_3dm_device_status_diagnostic_gnss_response,
+ * Answers mip_3dm_device_status. Distinguished from mip_3dm_device_status_diagnostic_gnss_response,
  * mip_3dm_device_status_diagnostic_gq4_45_response,
  * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response
  * and mip_3dm_device_status_diagnostic_imu_response by the size of its data. Sent if
  * status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Supported by 3DM-GQ4-45,
  * 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
- * On the wire only, without a member:
+ * Parameters without a member, on the wire only:
  * - status_selector: Diagnostic status. Always 2.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
@@ -6683,7 +6683,7 @@ static inline mip_error mip_3dm_device_status_diagnostic_response_encode(
  *
  * State and timer with the counters of pulses, streams, port and receiver.
  *
- * Answers mip_3dm_device_status. Told from mip_3dm_device_status_diagnostic_response,
+ * Answers mip_3dm_device_status. Distinguished from mip_3dm_device_status_diagnostic_response,
  * mip_3dm_device_status_diagnostic_gq4_45_response,
  * mip_3dm_device_status_diagnostic_rq1_45_response, mip_3dm_device_status_diagnostic_gx4_response
  * and mip_3dm_device_status_diagnostic_imu_response by the size of its data. Sent if
@@ -6693,7 +6693,7 @@ static inline mip_error mip_3dm_device_status_diagnostic_response_encode(
  * only names the values; the descriptions follow from the names, and the times are assumed to be in
  * ms like the system timer.
  *
- * On the wire only, without a member:
+ * Parameters without a member, on the wire only:
  * - status_selector: Diagnostic status. Always 2.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
@@ -6779,7 +6779,7 @@ static inline mip_error mip_3dm_device_status_diagnostic_gnss_response_encode(
  *
  * The layout with GNSS, plus what could not be started.
  *
- * Answers mip_3dm_device_status. Told from mip_3dm_device_status_diagnostic_response,
+ * Answers mip_3dm_device_status. Distinguished from mip_3dm_device_status_diagnostic_response,
  * mip_3dm_device_status_diagnostic_gnss_response, mip_3dm_device_status_diagnostic_rq1_45_response,
  * mip_3dm_device_status_diagnostic_gx4_response and mip_3dm_device_status_diagnostic_imu_response
  * by the size of its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC.
@@ -6787,7 +6787,7 @@ static inline mip_error mip_3dm_device_status_diagnostic_gnss_response_encode(
  * Uncertain: No known manual gives it. Uncertain: MSCL only names the values; the descriptions
  * follow from the names, and the times are assumed to be in ms like the system timer.
  *
- * On the wire only, without a member:
+ * Parameters without a member, on the wire only:
  * - status_selector: Diagnostic status. Always 2.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
@@ -6879,7 +6879,7 @@ static inline mip_error mip_3dm_device_status_diagnostic_gq4_45_response_encode(
  *
  * The layout with GNSS, plus the temperature.
  *
- * Answers mip_3dm_device_status. Told from mip_3dm_device_status_diagnostic_response,
+ * Answers mip_3dm_device_status. Distinguished from mip_3dm_device_status_diagnostic_response,
  * mip_3dm_device_status_diagnostic_gnss_response, mip_3dm_device_status_diagnostic_gq4_45_response,
  * mip_3dm_device_status_diagnostic_gx4_response and mip_3dm_device_status_diagnostic_imu_response
  * by the size of its data. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC.
@@ -6887,7 +6887,7 @@ static inline mip_error mip_3dm_device_status_diagnostic_gq4_45_response_encode(
  * Uncertain: No known manual gives it. Uncertain: MSCL only names the values; the descriptions
  * follow from the names, and the times are assumed to be in ms like the system timer.
  *
- * On the wire only, without a member:
+ * Parameters without a member, on the wire only:
  * - status_selector: Diagnostic status. Always 2.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
@@ -6979,7 +6979,7 @@ static inline mip_error mip_3dm_device_status_diagnostic_rq1_45_response_encode(
  *
  * Timer with the counters of pulses, streams, port and USB.
  *
- * Answers mip_3dm_device_status. Told from mip_3dm_device_status_diagnostic_response,
+ * Answers mip_3dm_device_status. Distinguished from mip_3dm_device_status_diagnostic_response,
  * mip_3dm_device_status_diagnostic_gnss_response, mip_3dm_device_status_diagnostic_gq4_45_response,
  * mip_3dm_device_status_diagnostic_rq1_45_response and
  * mip_3dm_device_status_diagnostic_imu_response by the size of its data. Sent if status_selector is
@@ -6989,7 +6989,7 @@ static inline mip_error mip_3dm_device_status_diagnostic_rq1_45_response_encode(
  * the values; the descriptions follow from the names, and the times are assumed to be in ms like
  * the system timer.
  *
- * On the wire only, without a member:
+ * Parameters without a member, on the wire only:
  * - status_selector: Diagnostic status. Always 2.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
@@ -7069,7 +7069,7 @@ static inline mip_error mip_3dm_device_status_diagnostic_gx4_response_encode(
  *
  * Timer, available sensors, temperature, and the counters of pulses, stream and port.
  *
- * Answers mip_3dm_device_status. Told from mip_3dm_device_status_diagnostic_response,
+ * Answers mip_3dm_device_status. Distinguished from mip_3dm_device_status_diagnostic_response,
  * mip_3dm_device_status_diagnostic_gnss_response, mip_3dm_device_status_diagnostic_gq4_45_response,
  * mip_3dm_device_status_diagnostic_rq1_45_response and
  * mip_3dm_device_status_diagnostic_gx4_response by the size of its data. Sent if status_selector is
@@ -7079,7 +7079,7 @@ static inline mip_error mip_3dm_device_status_diagnostic_gx4_response_encode(
  * descriptions follow from the names, and the times are assumed to be in ms like the system timer.
  * Uncertain: The units of the ranges are not known.
  *
- * On the wire only, without a member:
+ * Parameters without a member, on the wire only:
  * - status_selector: Diagnostic status. Always 2.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)

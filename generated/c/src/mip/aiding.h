@@ -124,8 +124,8 @@ union mip_aiding_frame_config_rotation {
  */
 struct mip_aiding_frame_config {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -292,8 +292,8 @@ static inline mip_error mip_aiding_frame_config_response_encode(
  */
 struct mip_aiding_echo_control {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -445,15 +445,15 @@ struct mip_aiding_ecef_position {
     /** Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4. */
     uint8_t frame_id;
     /**
-     * Position. Elements: x, y, z. Unit: m. Frame: ecef. Each element is valid by its bit: x by
-     * MIP_AIDING_AXIS_FLAGS_X in valid_flags, y by MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z by
+     * Position. Elements: x, y, z. Unit: m. Frame: ecef. Each element has its own valid flag. x:
+     * MIP_AIDING_AXIS_FLAGS_X in valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z:
      * MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
      */
     double position[3];
     /**
      * Uncertainty of the position. Elements: x, y, z. Unit: m. Frame: ecef. Range: greater than 0.
-     * Each element is valid by its bit: x by MIP_AIDING_AXIS_FLAGS_X in valid_flags, y by
-     * MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z by MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+     * Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y:
+     * MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
      */
     float uncertainty[3];
     /** Which axes are valid. */
@@ -579,8 +579,8 @@ struct mip_aiding_llh_position {
     double height;
     /**
      * Uncertainty along north, east and down. Elements: x, y, z. Unit: m. Frame: ned. Range:
-     * greater than 0. Each element is valid by its bit: x by MIP_AIDING_LLH_AXIS_FLAGS_LATITUDE in
-     * valid_flags, y by MIP_AIDING_LLH_AXIS_FLAGS_LONGITUDE in valid_flags, z by
+     * greater than 0. Each element has its own valid flag. x: MIP_AIDING_LLH_AXIS_FLAGS_LATITUDE in
+     * valid_flags, y: MIP_AIDING_LLH_AXIS_FLAGS_LONGITUDE in valid_flags, z:
      * MIP_AIDING_LLH_AXIS_FLAGS_HEIGHT in valid_flags.
      */
     float uncertainty[3];
@@ -795,15 +795,15 @@ struct mip_aiding_ecef_velocity {
     /** Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4. */
     uint8_t frame_id;
     /**
-     * Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Each element is valid by its bit: x by
-     * MIP_AIDING_AXIS_FLAGS_X in valid_flags, y by MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z by
+     * Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Each element has its own valid flag. x:
+     * MIP_AIDING_AXIS_FLAGS_X in valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z:
      * MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
      */
     float velocity[3];
     /**
      * Uncertainty of the velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Range: greater than
-     * 0. Each element is valid by its bit: x by MIP_AIDING_AXIS_FLAGS_X in valid_flags, y by
-     * MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z by MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+     * 0. Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y:
+     * MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
      */
     float uncertainty[3];
     /** Which axes are valid. */
@@ -916,15 +916,15 @@ struct mip_aiding_ned_velocity {
     /** Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4. */
     uint8_t frame_id;
     /**
-     * Velocity. Elements: x, y, z. Unit: m/s. Frame: ned. Each element is valid by its bit: x by
-     * MIP_AIDING_AXIS_FLAGS_X in valid_flags, y by MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z by
+     * Velocity. Elements: x, y, z. Unit: m/s. Frame: ned. Each element has its own valid flag. x:
+     * MIP_AIDING_AXIS_FLAGS_X in valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z:
      * MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
      */
     float velocity[3];
     /**
      * Uncertainty of the velocity. Elements: x, y, z. Unit: m/s. Frame: ned. Range: greater than 0.
-     * Each element is valid by its bit: x by MIP_AIDING_AXIS_FLAGS_X in valid_flags, y by
-     * MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z by MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+     * Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y:
+     * MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
      */
     float uncertainty[3];
     /** Which axes are valid. */
@@ -1042,15 +1042,15 @@ struct mip_aiding_body_frame_velocity {
     /** Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4. */
     uint8_t frame_id;
     /**
-     * Velocity. Elements: x, y, z. Unit: m/s. Frame: aiding. Each element is valid by its bit: x by
-     * MIP_AIDING_AXIS_FLAGS_X in valid_flags, y by MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z by
+     * Velocity. Elements: x, y, z. Unit: m/s. Frame: aiding. Each element has its own valid flag.
+     * x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z:
      * MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
      */
     float velocity[3];
     /**
      * Standard deviation of the velocity. Elements: x, y, z. Unit: m/s. Frame: aiding. Range:
-     * greater than 0. Each element is valid by its bit: x by MIP_AIDING_AXIS_FLAGS_X in
-     * valid_flags, y by MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z by MIP_AIDING_AXIS_FLAGS_Z in
+     * greater than 0. Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in
+     * valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in
      * valid_flags.
      */
     float uncertainty[3];
@@ -1260,15 +1260,15 @@ struct mip_aiding_magnetic_field {
     /** Frame of the sensor, as mip_aiding_frame_config defines it. Range: 1 to 4. */
     uint8_t frame_id;
     /**
-     * Magnetic field. Elements: x, y, z. Unit: gauss. Frame: aiding. Each element is valid by its
-     * bit: x by MIP_AIDING_AXIS_FLAGS_X in valid_flags, y by MIP_AIDING_AXIS_FLAGS_Y in
-     * valid_flags, z by MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
+     * Magnetic field. Elements: x, y, z. Unit: gauss. Frame: aiding. Each element has its own valid
+     * flag. x: MIP_AIDING_AXIS_FLAGS_X in valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags,
+     * z: MIP_AIDING_AXIS_FLAGS_Z in valid_flags.
      */
     float magnetic_field[3];
     /**
      * Standard deviation of the magnetic field. Elements: x, y, z. Unit: gauss. Frame: aiding.
-     * Range: greater than 0. Each element is valid by its bit: x by MIP_AIDING_AXIS_FLAGS_X in
-     * valid_flags, y by MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z by MIP_AIDING_AXIS_FLAGS_Z in
+     * Range: greater than 0. Each element has its own valid flag. x: MIP_AIDING_AXIS_FLAGS_X in
+     * valid_flags, y: MIP_AIDING_AXIS_FLAGS_Y in valid_flags, z: MIP_AIDING_AXIS_FLAGS_Z in
      * valid_flags.
      */
     float uncertainty[3];

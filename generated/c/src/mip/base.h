@@ -4,7 +4,7 @@
  * Base (0x01). Commands common to all devices: identity, supported descriptors, idle and resume,
  * self test, reset.
  *
- * Devices that may support a field, though it is not certain, are in mip/profiles.h only.
+ * Devices that may support a field, but are not certain to, are listed only in mip/profiles.h.
  */
 #ifndef MIP_BASE_H
 #define MIP_BASE_H
@@ -392,7 +392,7 @@ struct mip_base_built_in_test_response {
     /**
      * Failure flags, defined by each device. Zero means that every test passed. On the
      * 3DM-CV7-GNSS/INS: values of mip_cv7_built_in_test. On the 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45,
-     * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: values that are not known. On the 3DM-GX5-15: values of
+     * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST: the values are not known. On the 3DM-GX5-15: values of
      * mip_gx5_built_in_test.
      */
     uint32_t result;
@@ -692,8 +692,8 @@ static inline mip_error mip_base_continuous_built_in_test_response_encode_inline
  */
 struct mip_base_comm_speed {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -856,8 +856,8 @@ static inline mip_error mip_base_comm_speed_response_encode_inline(
  */
 struct mip_base_gps_time_update {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */

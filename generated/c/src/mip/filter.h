@@ -3,7 +3,7 @@
  *
  * Filter commands (0x0D). Commands that set up, start and aid the navigation filter.
  *
- * Devices that may support a field, though it is not certain, are in mip/profiles.h only.
+ * Devices that may support a field, but are not certain to, are listed only in mip/profiles.h.
  */
 #ifndef MIP_FILTER_H
 #define MIP_FILTER_H
@@ -249,15 +249,17 @@ enum mip_filter_angular_constraint {
 MIP_API const char *mip_filter_angular_constraint_name(uint8_t value);
 /** Which initial conditions the device determines automatically and which the user provides. */
 enum mip_filter_initial_condition_source {
-    /** Position, velocity and attitude are automatic. In full: auto_position_velocity_attitude. */
+    /**
+     * Position, velocity and attitude are automatic. Full name: auto_position_velocity_attitude.
+     */
     MIP_FILTER_INITIAL_CONDITION_SOURCE_AUTO_POS_VEL_ATTITUDE = 0,
     /**
-     * Position, velocity, pitch and roll are automatic; the user provides the heading. In full:
+     * Position, velocity, pitch and roll are automatic; the user provides the heading. Full name:
      * auto_position_velocity_pitch_roll.
      */
     MIP_FILTER_INITIAL_CONDITION_SOURCE_AUTO_POS_VEL_PITCH_ROLL = 1,
     /**
-     * Position and velocity are automatic; the user provides the attitude. In full:
+     * Position and velocity are automatic; the user provides the attitude. Full name:
      * auto_position_velocity.
      */
     MIP_FILTER_INITIAL_CONDITION_SOURCE_AUTO_POS_VEL = 2,
@@ -568,15 +570,15 @@ static inline mip_error mip_filter_run_encode(const struct mip_filter_run *value
  * Kind of vehicle that the filter is tuned for.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_vehicle_dynamics_mode_response. Supported by 3DM-GX5-45. Known from the MicroStrain
- * MIP SDK only.
+ * mip_filter_vehicle_dynamics_mode_response. Supported by 3DM-GX5-45. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
  */
 struct mip_filter_vehicle_dynamics_mode {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -650,8 +652,8 @@ mip_filter_vehicle_dynamics_mode_default(struct mip_filter_vehicle_dynamics_mode
 /**
  * Vehicle dynamics mode response: response (0x0D,0x80).
  *
- * Answers mip_filter_vehicle_dynamics_mode. Supported by 3DM-GX5-45. Known from the MicroStrain MIP
- * SDK only.
+ * Answers mip_filter_vehicle_dynamics_mode. Supported by 3DM-GX5-45. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
  */
@@ -713,7 +715,7 @@ static inline mip_error mip_filter_vehicle_dynamics_mode_response_encode_inline(
  *
  * Euler angles of the rotation from the sensor frame to the vehicle frame (5-series).
  *
- * In full: filter.sensor_to_vehicle_rotation_euler.
+ * Full name: filter.sensor_to_vehicle_rotation_euler.
  *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_sensor_to_vehicle_euler_response. Supported by 3DM-GX5-15 and 3DM-GX5-45.
@@ -728,8 +730,8 @@ static inline mip_error mip_filter_vehicle_dynamics_mode_response_encode_inline(
  */
 struct mip_filter_sensor_to_vehicle_euler {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -805,7 +807,7 @@ mip_filter_sensor_to_vehicle_euler_default(struct mip_filter_sensor_to_vehicle_e
 /**
  * Sensor to vehicle frame transformation response: response (0x0D,0x81).
  *
- * In full: filter.sensor_to_vehicle_rotation_euler_response.
+ * Full name: filter.sensor_to_vehicle_rotation_euler_response.
  *
  * Answers mip_filter_sensor_to_vehicle_euler. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
@@ -879,9 +881,9 @@ static inline mip_error mip_filter_sensor_to_vehicle_euler_response_encode_inlin
  * Origin of the vehicle frame, as seen from the sensor.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_sensor_to_vehicle_offset_response. Supported by 3DM-GX5-45. Known from the MicroStrain
- * MIP SDK only. Uncertain: The direction, from the sensor to the origin of the vehicle frame, is
- * inferred from the name.
+ * mip_filter_sensor_to_vehicle_offset_response. Supported by 3DM-GX5-45. Known only from the
+ * MicroStrain MIP SDK. Uncertain: The direction, from the sensor to the origin of the vehicle
+ * frame, is inferred from the name.
  *
  * It shifts only mip_filter_data_llh_position.
  *
@@ -891,8 +893,8 @@ static inline mip_error mip_filter_sensor_to_vehicle_euler_response_encode_inlin
  */
 struct mip_filter_sensor_to_vehicle_offset {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -965,8 +967,8 @@ mip_filter_sensor_to_vehicle_offset_default(struct mip_filter_sensor_to_vehicle_
 /**
  * Sensor to vehicle offset response: response (0x0D,0x82).
  *
- * Answers mip_filter_sensor_to_vehicle_offset. Supported by 3DM-GX5-45. Known from the MicroStrain
- * MIP SDK only.
+ * Answers mip_filter_sensor_to_vehicle_offset. Supported by 3DM-GX5-45. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12)
  */
@@ -1047,8 +1049,8 @@ static inline mip_error mip_filter_sensor_to_vehicle_offset_response_encode_inli
  */
 struct mip_filter_antenna_offset {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -1197,8 +1199,8 @@ static inline mip_error mip_filter_antenna_offset_response_encode_inline(
  */
 struct mip_filter_estimation_control {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -1349,8 +1351,8 @@ static inline mip_error mip_filter_estimation_control_response_encode_inline(
  */
 struct mip_filter_gnss_source {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -1484,7 +1486,7 @@ static inline mip_error mip_filter_gnss_source_response_encode_inline(
  *
  * Gives the filter one position and velocity of a GNSS receiver that the user provides.
  *
- * Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
+ * Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
  *
  * Refused unless mip_filter_gnss_source selects the external source.
  *
@@ -1710,8 +1712,8 @@ static inline struct mip_filter_external_heading_update *mip_filter_external_hea
  */
 struct mip_filter_heading_source {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -1862,8 +1864,8 @@ static inline mip_error mip_filter_heading_source_response_encode_inline(
  */
 struct mip_filter_auto_initialization_control {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -2014,8 +2016,8 @@ static inline mip_error mip_filter_auto_initialization_control_response_encode_i
  */
 struct mip_filter_accel_noise {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -2165,8 +2167,8 @@ static inline mip_error mip_filter_accel_noise_response_encode_inline(
  */
 struct mip_filter_gyro_noise {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -2313,8 +2315,8 @@ static inline mip_error mip_filter_gyro_noise_response_encode_inline(
  */
 struct mip_filter_accel_bias_model {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -2478,8 +2480,8 @@ static inline mip_error mip_filter_accel_bias_model_response_encode_inline(
  */
 struct mip_filter_gyro_bias_model {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -2637,7 +2639,7 @@ static inline mip_error mip_filter_gyro_bias_model_response_encode_inline(
  * Lets the filter assume that the device is at rest while its GNSS speed is low.
  *
  * Functions: write, read, save, load and default. Answered by mip_filter_auto_zupt_response.
- * Supported by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
+ * Supported by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
  *
  * The update applies while the magnitude of the GNSS velocity vector is at or below the threshold.
  *
@@ -2645,8 +2647,8 @@ static inline mip_error mip_filter_gyro_bias_model_response_encode_inline(
  */
 struct mip_filter_auto_zupt {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -2719,8 +2721,8 @@ mip_filter_auto_zupt_default(struct mip_filter_auto_zupt *command) {
 /**
  * Automatic zero velocity update response: response (0x0D,0x8D).
  *
- * Answers mip_filter_auto_zupt. Supported by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Known from the
- * MicroStrain MIP SDK only.
+ * Answers mip_filter_auto_zupt. Supported by 3DM-GQ7-GNSS/INS and 3DM-GX5-45. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Auto Zupt (0x0D,0x1E)
  */
@@ -2906,8 +2908,8 @@ mip_filter_external_heading_update_with_time_make(
  */
 struct mip_filter_auto_angular_zupt {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -3062,8 +3064,8 @@ static inline mip_error mip_filter_auto_angular_zupt_response_encode_inline(
  */
 struct mip_filter_tare_orientation {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -3198,7 +3200,7 @@ static inline mip_error mip_filter_tare_orientation_response_encode_inline(
  *
  * Tells the filter once that the device is at rest.
  *
- * Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
+ * Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
  *
  * The highest rate depends on the device.
  *
@@ -3281,8 +3283,8 @@ static inline mip_error mip_filter_commanded_angular_zupt_encode(
  */
 struct mip_filter_reference_position {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -3437,7 +3439,7 @@ static inline mip_error mip_filter_reference_position_response_encode_inline(
  * Makes the automatic magnetometer calibration part of the fixed one.
  *
  * Also called `mag_capture_auto_cal`. Functions: write and save. Supported by 3DM-GX5-45. Known
- * from the MicroStrain MIP SDK only.
+ * only from the MicroStrain MIP SDK.
  *
  * A write combines the automatic calibration with mip_3dm_mag_hard_iron_offset and
  * mip_3dm_mag_soft_iron_matrix, and resets it.
@@ -3530,8 +3532,8 @@ mip_filter_mag_capture_auto_calibration_save(
  */
 struct mip_filter_gravity_noise {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -3672,8 +3674,8 @@ static inline mip_error mip_filter_gravity_noise_response_encode_inline(
  * Standard deviation of the noise of the pressure altitude model that the filter assumes.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_pressure_altitude_noise_response. Supported by 3DM-GX5-45. Known from the MicroStrain
- * MIP SDK only.
+ * mip_filter_pressure_altitude_noise_response. Supported by 3DM-GX5-45. Known only from the
+ * MicroStrain MIP SDK.
  *
  * With a small value, the altitude follows the pressure faster, but weather and draughts appear as
  * changes of height.
@@ -3682,8 +3684,8 @@ static inline mip_error mip_filter_gravity_noise_response_encode_inline(
  */
 struct mip_filter_pressure_altitude_noise {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -3753,8 +3755,8 @@ mip_filter_pressure_altitude_noise_default(struct mip_filter_pressure_altitude_n
 /**
  * Pressure altitude noise response: response (0x0D,0x94).
  *
- * Answers mip_filter_pressure_altitude_noise. Supported by 3DM-GX5-45. Known from the MicroStrain
- * MIP SDK only.
+ * Answers mip_filter_pressure_altitude_noise. Supported by 3DM-GX5-45. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Pressure Altitude Noise (0x0D,0x29)
  */
@@ -3817,15 +3819,15 @@ static inline mip_error mip_filter_pressure_altitude_noise_response_encode_inlin
  * Standard deviation of the noise of the estimated hard iron offset (process noise).
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_hard_iron_offset_noise_response. Supported by 3DM-GX5-45. Known from the MicroStrain
- * MIP SDK only.
+ * mip_filter_hard_iron_offset_noise_response. Supported by 3DM-GX5-45. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B)
  */
 struct mip_filter_hard_iron_offset_noise {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -3898,8 +3900,8 @@ mip_filter_hard_iron_offset_noise_default(struct mip_filter_hard_iron_offset_noi
 /**
  * Hard iron offset noise response: response (0x0D,0x96).
  *
- * Answers mip_filter_hard_iron_offset_noise. Supported by 3DM-GX5-45. Known from the MicroStrain
- * MIP SDK only.
+ * Answers mip_filter_hard_iron_offset_noise. Supported by 3DM-GX5-45. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B)
  */
@@ -3966,15 +3968,15 @@ static inline mip_error mip_filter_hard_iron_offset_noise_response_encode_inline
  * Standard deviation of the noise of the estimated soft iron matrix (process noise).
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_soft_iron_matrix_noise_response. Supported by 3DM-GX5-45. Known from the MicroStrain
- * MIP SDK only.
+ * mip_filter_soft_iron_matrix_noise_response. Supported by 3DM-GX5-45. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C)
  */
 struct mip_filter_soft_iron_matrix_noise {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -4047,8 +4049,8 @@ mip_filter_soft_iron_matrix_noise_default(struct mip_filter_soft_iron_matrix_noi
 /**
  * Soft iron matrix noise response: response (0x0D,0x97).
  *
- * Answers mip_filter_soft_iron_matrix_noise. Supported by 3DM-GX5-45. Known from the MicroStrain
- * MIP SDK only.
+ * Answers mip_filter_soft_iron_matrix_noise. Supported by 3DM-GX5-45. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C)
  */
@@ -4124,8 +4126,8 @@ static inline mip_error mip_filter_soft_iron_matrix_noise_response_encode_inline
  */
 struct mip_filter_enable_measurements {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -4258,15 +4260,15 @@ static inline mip_error mip_filter_enable_measurements_response_encode_inline(
  * Standard deviation of the magnetometer noise that the filter assumes.
  *
  * Functions: write, read, save, load and default. Answered by mip_filter_mag_noise_response.
- * Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only. Uncertain: The SDK calls it
+ * Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK. Uncertain: The SDK calls it
  * process noise, although the noise is that of a measurement.
  *
  * - mip-sdk-4: Mag Noise (0x0D,0x42)
  */
 struct mip_filter_mag_noise {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -4339,7 +4341,7 @@ mip_filter_mag_noise_default(struct mip_filter_mag_noise *command) {
 /**
  * Magnetometer noise response: response (0x0D,0xB1).
  *
- * Answers mip_filter_mag_noise. Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
+ * Answers mip_filter_mag_noise. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Mag Noise (0x0D,0x42)
  */
@@ -4415,8 +4417,8 @@ static inline mip_error mip_filter_mag_noise_response_encode_inline(
  */
 struct mip_filter_magnetic_declination_source {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -4569,7 +4571,7 @@ static inline mip_error mip_filter_magnetic_declination_source_response_encode_i
  *
  * How far the filter trusts gravity measurements whose magnitude is not that of gravity.
  *
- * In full: filter.accel_magnitude_error_adaptive_measurement.
+ * Full name: filter.accel_magnitude_error_adaptive_measurement.
  *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_accel_magnitude_adaptive_response. Supported by 3DM-GX5-15 and 3DM-GX5-45.
@@ -4588,9 +4590,9 @@ static inline mip_error mip_filter_magnetic_declination_source_response_encode_i
  */
 struct mip_filter_accel_magnitude_adaptive {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required; with a ..._WITH_... constant, all up to that
-     * one.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones; a ..._WITH_... constant for all up to
+     * that one.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -4690,7 +4692,7 @@ mip_filter_accel_magnitude_adaptive_default(struct mip_filter_accel_magnitude_ad
 /**
  * Gravity magnitude error adaptive measurement response: response (0x0D,0xB3).
  *
- * In full: filter.accel_magnitude_error_adaptive_measurement_response.
+ * Full name: filter.accel_magnitude_error_adaptive_measurement_response.
  *
  * Answers mip_filter_accel_magnitude_adaptive. Supported by 3DM-GX5-15 and 3DM-GX5-45.
  *
@@ -4779,12 +4781,12 @@ static inline mip_error mip_filter_accel_magnitude_adaptive_response_encode_inli
  *
  * How far the filter trusts a magnetic field whose magnitude is not as expected.
  *
- * In full: filter.mag_magnitude_error_adaptive_measurement.
+ * Full name: filter.mag_magnitude_error_adaptive_measurement.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_mag_magnitude_adaptive_response. Supported by 3DM-GX5-45. Known from the MicroStrain
- * MIP SDK only. Uncertain: Whether the parameters after the selector may be left out on write, as
- * those of mip_filter_accel_magnitude_adaptive may.
+ * mip_filter_mag_magnitude_adaptive_response. Supported by 3DM-GX5-45. Known only from the
+ * MicroStrain MIP SDK. Uncertain: Whether the parameters after the selector may be left out on
+ * write, as those of mip_filter_accel_magnitude_adaptive may.
  *
  * The limits and the low-pass filter take effect only with `fixed`; with `auto` the device
  * determines the limits.
@@ -4796,8 +4798,8 @@ static inline mip_error mip_filter_accel_magnitude_adaptive_response_encode_inli
  */
 struct mip_filter_mag_magnitude_adaptive {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -4910,10 +4912,10 @@ mip_filter_mag_magnitude_adaptive_default(struct mip_filter_mag_magnitude_adapti
 /**
  * Magnetometer magnitude error adaptive measurement response: response (0x0D,0xB4).
  *
- * In full: filter.mag_magnitude_error_adaptive_measurement_response.
+ * Full name: filter.mag_magnitude_error_adaptive_measurement_response.
  *
- * Answers mip_filter_mag_magnitude_adaptive. Supported by 3DM-GX5-45. Known from the MicroStrain
- * MIP SDK only.
+ * Answers mip_filter_mag_magnitude_adaptive. Supported by 3DM-GX5-45. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
  */
@@ -5015,11 +5017,11 @@ static inline mip_error mip_filter_mag_magnitude_adaptive_response_encode_inline
  *
  * How far the filter trusts a magnetic field whose dip angle is not as expected.
  *
- * In full: filter.mag_dip_angle_error_adaptive_measurement.
+ * Full name: filter.mag_dip_angle_error_adaptive_measurement.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_mag_dip_angle_adaptive_response. Supported by 3DM-GX5-45. Known from the MicroStrain
- * MIP SDK only.
+ * mip_filter_mag_dip_angle_adaptive_response. Supported by 3DM-GX5-45. Known only from the
+ * MicroStrain MIP SDK.
  *
  * It has no effect while mip_filter_accel_magnitude_adaptive or mip_filter_mag_magnitude_adaptive
  * is set to `auto`.
@@ -5031,8 +5033,8 @@ static inline mip_error mip_filter_mag_magnitude_adaptive_response_encode_inline
  */
 struct mip_filter_mag_dip_angle_adaptive {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -5124,10 +5126,10 @@ mip_filter_mag_dip_angle_adaptive_default(struct mip_filter_mag_dip_angle_adapti
 /**
  * Magnetometer dip angle error adaptive measurement response: response (0x0D,0xB5).
  *
- * In full: filter.mag_dip_angle_error_adaptive_measurement_response.
+ * Full name: filter.mag_dip_angle_error_adaptive_measurement_response.
  *
- * Answers mip_filter_mag_dip_angle_adaptive. Supported by 3DM-GX5-45. Known from the MicroStrain
- * MIP SDK only.
+ * Answers mip_filter_mag_dip_angle_adaptive. Supported by 3DM-GX5-45. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
  */
@@ -5216,7 +5218,7 @@ static inline mip_error mip_filter_mag_dip_angle_adaptive_response_encode_inline
  * What aids the altitude in addition to GNSS.
  *
  * Functions: write, read, save, load and default. Answered by mip_filter_altitude_aiding_response.
- * Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK only.
+ * Supported by 3DM-GX5-45. Known only from the MicroStrain MIP SDK.
  *
  * GNSS remains the main source of altitude; the aid improves it and bridges outages.
  *
@@ -5226,8 +5228,8 @@ static inline mip_error mip_filter_mag_dip_angle_adaptive_response_encode_inline
  */
 struct mip_filter_altitude_aiding {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -5299,8 +5301,8 @@ mip_filter_altitude_aiding_default(struct mip_filter_altitude_aiding *command) {
 /**
  * Altitude aiding response: response (0x0D,0xB7).
  *
- * Answers mip_filter_altitude_aiding. Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK
- * only.
+ * Answers mip_filter_altitude_aiding. Supported by 3DM-GX5-45. Known only from the MicroStrain MIP
+ * SDK.
  *
  * - mip-sdk-4: Altitude Aiding (0x0D,0x47)
  */
@@ -5369,8 +5371,8 @@ static inline mip_error mip_filter_altitude_aiding_response_encode_inline(
  */
 struct mip_filter_pitch_roll_aiding {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -5506,8 +5508,8 @@ static inline mip_error mip_filter_pitch_roll_aiding_response_encode_inline(
  * Source of the local inclination (dip angle) of the magnetic field.
  *
  * Also called `inclination_source`. Functions: write, read, save, load and default. Answered by
- * mip_filter_magnetic_inclination_source_response. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * mip_filter_magnetic_inclination_source_response. Not listed in any device profile. Known only
+ * from the MicroStrain MIP SDK.
  *
  * Without a good inclination source, keep automatic magnetometer calibration off.
  *
@@ -5515,8 +5517,8 @@ static inline mip_error mip_filter_pitch_roll_aiding_response_encode_inline(
  */
 struct mip_filter_magnetic_inclination_source {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -5602,7 +5604,7 @@ mip_filter_magnetic_inclination_source_default(
  * Magnetic inclination source response: response (0x0D,0xBC).
  *
  * Also called `inclination_source_response`. Answers mip_filter_magnetic_inclination_source. Known
- * from the MicroStrain MIP SDK only.
+ * only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Inclination Source (0x0D,0x4C)
  */
@@ -5675,8 +5677,8 @@ static inline mip_error mip_filter_magnetic_inclination_source_response_encode_i
  * Source of the local magnitude of the magnetic field.
  *
  * Also called `mag_field_magnitude_source`. Functions: write, read, save, load and default.
- * Answered by mip_filter_magnetic_magnitude_source_response. No device profile lists it. Known from
- * the MicroStrain MIP SDK only.
+ * Answered by mip_filter_magnetic_magnitude_source_response. Not listed in any device profile.
+ * Known only from the MicroStrain MIP SDK.
  *
  * Without a good magnitude source, keep automatic magnetometer calibration off.
  *
@@ -5686,8 +5688,8 @@ static inline mip_error mip_filter_magnetic_inclination_source_response_encode_i
  */
 struct mip_filter_magnetic_magnitude_source {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -5768,7 +5770,7 @@ mip_filter_magnetic_magnitude_source_default(struct mip_filter_magnetic_magnitud
  * Magnetic field magnitude source response: response (0x0D,0xBD).
  *
  * Also called `mag_field_magnitude_source_response`. Answers mip_filter_magnetic_magnitude_source.
- * Known from the MicroStrain MIP SDK only.
+ * Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D)
  */
@@ -5840,11 +5842,11 @@ static inline mip_error mip_filter_magnetic_magnitude_source_response_encode_inl
  *
  * Rotation from the sensor frame to the vehicle frame as a direction cosine matrix.
  *
- * In full: filter.sensor_to_vehicle_rotation_dcm.
+ * Full name: filter.sensor_to_vehicle_rotation_dcm.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_sensor_to_vehicle_dcm_response. No device profile lists it. Known from the MicroStrain
- * MIP SDK only.
+ * mip_filter_sensor_to_vehicle_dcm_response. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * It is the inverse of the matrix that mip_3dm_sensor_to_vehicle_dcm takes.
  *
@@ -5860,8 +5862,8 @@ static inline mip_error mip_filter_magnetic_magnitude_source_response_encode_inl
  */
 struct mip_filter_sensor_to_vehicle_dcm {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -5934,9 +5936,9 @@ mip_filter_sensor_to_vehicle_dcm_default(struct mip_filter_sensor_to_vehicle_dcm
 /**
  * Sensor to vehicle rotation, matrix response: response (0x0D,0xBE).
  *
- * In full: filter.sensor_to_vehicle_rotation_dcm_response.
+ * Full name: filter.sensor_to_vehicle_rotation_dcm_response.
  *
- * Answers mip_filter_sensor_to_vehicle_dcm. Known from the MicroStrain MIP SDK only.
+ * Answers mip_filter_sensor_to_vehicle_dcm. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E)
  */
@@ -6006,11 +6008,11 @@ static inline mip_error mip_filter_sensor_to_vehicle_dcm_response_encode_inline(
  *
  * Rotation from the sensor frame to the vehicle frame as a quaternion.
  *
- * In full: filter.sensor_to_vehicle_rotation_quaternion.
+ * Full name: filter.sensor_to_vehicle_rotation_quaternion.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_sensor_to_vehicle_quaternion_response. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * mip_filter_sensor_to_vehicle_quaternion_response. Not listed in any device profile. Known only
+ * from the MicroStrain MIP SDK.
  *
  * It is the inverse of the quaternion that mip_3dm_sensor_to_vehicle_quaternion takes.
  *
@@ -6024,8 +6026,8 @@ static inline mip_error mip_filter_sensor_to_vehicle_dcm_response_encode_inline(
  */
 struct mip_filter_sensor_to_vehicle_quaternion {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -6103,9 +6105,9 @@ mip_filter_sensor_to_vehicle_quaternion_default(
 /**
  * Sensor to vehicle rotation, quaternion response: response (0x0D,0xBF).
  *
- * In full: filter.sensor_to_vehicle_rotation_quaternion_response.
+ * Full name: filter.sensor_to_vehicle_rotation_quaternion_response.
  *
- * Answers mip_filter_sensor_to_vehicle_quaternion. Known from the MicroStrain MIP SDK only.
+ * Answers mip_filter_sensor_to_vehicle_quaternion. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F)
  */
@@ -6184,8 +6186,8 @@ static inline mip_error mip_filter_sensor_to_vehicle_quaternion_response_encode_
  */
 struct mip_filter_aiding_measurement_enable {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -6342,16 +6344,16 @@ static inline mip_error mip_filter_aiding_measurement_enable_response_encode_inl
  * Assumptions about the motion that the filter uses as measurements.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_kinematic_constraint_response. No device profile lists it. Known from the MicroStrain
- * MIP SDK only. Uncertain: Whether there are further values. The SDK has plain numbers and gives
- * the values in remarks.
+ * mip_filter_kinematic_constraint_response. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK. Uncertain: Whether there are further values. The SDK has plain numbers and
+ * gives the values in remarks.
  *
  * - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
  */
 struct mip_filter_kinematic_constraint {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -6439,7 +6441,7 @@ mip_filter_kinematic_constraint_default(struct mip_filter_kinematic_constraint *
 /**
  * Kinematic constraint response: response (0x0D,0xD1).
  *
- * Answers mip_filter_kinematic_constraint. Known from the MicroStrain MIP SDK only.
+ * Answers mip_filter_kinematic_constraint. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
  */
@@ -6533,8 +6535,8 @@ static inline mip_error mip_filter_kinematic_constraint_response_encode_inline(
  */
 struct mip_filter_initialization_config {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -6773,8 +6775,8 @@ static inline mip_error mip_filter_initialization_config_response_encode_inline(
  */
 struct mip_filter_adaptive_filter_options {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -6928,8 +6930,8 @@ static inline mip_error mip_filter_adaptive_filter_options_response_encode_inlin
  */
 struct mip_filter_multi_antenna_offset {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -7090,8 +7092,8 @@ static inline mip_error mip_filter_multi_antenna_offset_response_encode_inline(
  */
 struct mip_filter_relative_position_config {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -7269,8 +7271,8 @@ static inline mip_error mip_filter_relative_position_config_response_encode_inli
  */
 struct mip_filter_reference_point_lever_arm {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -7427,8 +7429,8 @@ static inline mip_error mip_filter_reference_point_lever_arm_response_encode_inl
  *
  * Gives the filter one measurement of the forward speed of the vehicle (along its x axis).
  *
- * No device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: The SDK names a
- * response, `filter.speed_measurement_response`, but has no layout of it.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: The SDK
+ * names a response, `filter.speed_measurement_response`, but has no layout of it.
  *
  * It must not be used together with the odometer of the device.
  *
@@ -7525,8 +7527,8 @@ static inline struct mip_filter_speed_measurement *mip_filter_speed_measurement_
  */
 struct mip_filter_speed_lever_arm {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -7676,11 +7678,11 @@ static inline mip_error mip_filter_speed_lever_arm_response_encode_inline(
  *
  * Lets the filter maintain pitch and roll by the accelerometers while there is no GNSS.
  *
- * In full: filter.vertical_gyro_constraint_control.
+ * Full name: filter.vertical_gyro_constraint_control.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_vertical_gyro_constraint_response. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * mip_filter_vertical_gyro_constraint_response. Not listed in any device profile. Known only from
+ * the MicroStrain MIP SDK.
  *
  * It assumes that the linear acceleration is zero.
  *
@@ -7688,8 +7690,8 @@ static inline mip_error mip_filter_speed_lever_arm_response_encode_inline(
  */
 struct mip_filter_vertical_gyro_constraint {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -7759,9 +7761,9 @@ mip_filter_vertical_gyro_constraint_default(struct mip_filter_vertical_gyro_cons
 /**
  * Vertical gyro constraint response: response (0x0D,0xE2).
  *
- * In full: filter.vertical_gyro_constraint_control_response.
+ * Full name: filter.vertical_gyro_constraint_control_response.
  *
- * Answers mip_filter_vertical_gyro_constraint. Known from the MicroStrain MIP SDK only.
+ * Answers mip_filter_vertical_gyro_constraint. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62)
  */
@@ -7824,7 +7826,7 @@ static inline mip_error mip_filter_vertical_gyro_constraint_response_encode_inli
  *
  * Lets the filter assume that the vehicle moves only along its x axis.
  *
- * In full: filter.wheeled_vehicle_constraint_control.
+ * Full name: filter.wheeled_vehicle_constraint_control.
  *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_wheeled_vehicle_constraint_response. Supported by 3DM-CV7-GNSS/INS.
@@ -7836,8 +7838,8 @@ static inline mip_error mip_filter_vertical_gyro_constraint_response_encode_inli
  */
 struct mip_filter_wheeled_vehicle_constraint {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -7909,7 +7911,7 @@ mip_filter_wheeled_vehicle_constraint_default(
 /**
  * Wheeled vehicle constraint response: response (0x0D,0xE3).
  *
- * In full: filter.wheeled_vehicle_constraint_control_response.
+ * Full name: filter.wheeled_vehicle_constraint_control_response.
  *
  * Answers mip_filter_wheeled_vehicle_constraint. Supported by 3DM-CV7-GNSS/INS.
  *
@@ -7976,7 +7978,7 @@ static inline mip_error mip_filter_wheeled_vehicle_constraint_response_encode_in
  *
  * Lets the filter track the error of the antenna offset.
  *
- * In full: filter.gnss_antenna_calibration_control.
+ * Full name: filter.gnss_antenna_calibration_control.
  *
  * Also called `gnss_antenna_cal_control`. Functions: write, read, save, load and default. Answered
  * by mip_filter_gnss_antenna_calibration_response. Supported by 3DM-CV7-GNSS/INS and
@@ -7987,8 +7989,8 @@ static inline mip_error mip_filter_wheeled_vehicle_constraint_response_encode_in
  */
 struct mip_filter_gnss_antenna_calibration {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -8064,7 +8066,7 @@ mip_filter_gnss_antenna_calibration_default(struct mip_filter_gnss_antenna_calib
 /**
  * GNSS antenna offset calibration response: response (0x0D,0xE4).
  *
- * In full: filter.gnss_antenna_calibration_control_response.
+ * Full name: filter.gnss_antenna_calibration_control_response.
  *
  * Also called `gnss_antenna_cal_control_response`. Answers mip_filter_gnss_antenna_calibration.
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GQ7-GNSS/INS.

@@ -59,7 +59,7 @@ static inline struct mip_result mip_call_filter_set_initial_attitude(struct mip_
 }
 
 /**
- * Set initial attitude: calls the command with these values, optional parameters too. See
+ * Set initial attitude: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_set_initial_attitude_with(
@@ -89,7 +89,7 @@ static inline struct mip_result mip_call_filter_set_initial_heading(struct mip_d
 }
 
 /**
- * Set initial heading: calls the command with these values, optional parameters too. See
+ * Set initial heading: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_set_initial_heading_with(
@@ -119,7 +119,7 @@ extern MIP_API const struct mip_command mip_filter_vehicle_dynamics_mode_command
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Vehicle dynamics
- * mode. The response goes to `response`, which may be NULL, if the command asks for it.
+ * mode. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_vehicle_dynamics_mode(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -175,7 +175,7 @@ mip_call_filter_vehicle_dynamics_mode_default(struct mip_device *device) {
 }
 
 /**
- * Vehicle dynamics mode: calls the command with these values, optional parameters too. See
+ * Vehicle dynamics mode: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_vehicle_dynamics_mode_with(
@@ -190,8 +190,8 @@ extern MIP_API const struct mip_command mip_filter_sensor_to_vehicle_euler_comma
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Sensor to vehicle
- * frame transformation. The response goes to `response`, which may be NULL, if the command asks for
- * it.
+ * frame transformation. If the command requests the response, it is stored in `response`, which may
+ * be NULL.
  */
 static inline mip_error mip_send_filter_sensor_to_vehicle_euler(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -254,8 +254,8 @@ mip_call_filter_sensor_to_vehicle_euler_default(struct mip_device *device) {
 }
 
 /**
- * Sensor to vehicle frame transformation: calls the command with these values, optional parameters
- * too. See mip_device_call.
+ * Sensor to vehicle frame transformation: calls the command with these values, including optional
+ * parameters. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_sensor_to_vehicle_euler_with(
     struct mip_device *device, const struct mip_filter_sensor_to_vehicle_euler *command,
@@ -269,7 +269,7 @@ extern MIP_API const struct mip_command mip_filter_sensor_to_vehicle_offset_comm
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Sensor to vehicle
- * offset. The response goes to `response`, which may be NULL, if the command asks for it.
+ * offset. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_sensor_to_vehicle_offset(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -327,7 +327,7 @@ mip_call_filter_sensor_to_vehicle_offset_default(struct mip_device *device) {
 }
 
 /**
- * Sensor to vehicle offset: calls the command with these values, optional parameters too. See
+ * Sensor to vehicle offset: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_sensor_to_vehicle_offset_with(
@@ -342,7 +342,7 @@ extern MIP_API const struct mip_command mip_filter_antenna_offset_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. GNSS antenna offset.
- * The response goes to `response`, which may be NULL, if the command asks for it.
+ * If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_antenna_offset(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -393,7 +393,7 @@ static inline struct mip_result mip_call_filter_antenna_offset_default(struct mi
 }
 
 /**
- * GNSS antenna offset: calls the command with these values, optional parameters too. See
+ * GNSS antenna offset: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_antenna_offset_with(
@@ -408,7 +408,7 @@ extern MIP_API const struct mip_command mip_filter_estimation_control_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Estimation control
- * flags. The response goes to `response`, which may be NULL, if the command asks for it.
+ * flags. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_estimation_control(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -463,7 +463,7 @@ mip_call_filter_estimation_control_default(struct mip_device *device) {
 }
 
 /**
- * Estimation control flags: calls the command with these values, optional parameters too. See
+ * Estimation control flags: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_estimation_control_with(
@@ -478,7 +478,7 @@ extern MIP_API const struct mip_command mip_filter_gnss_source_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. GNSS aiding source.
- * The response goes to `response`, which may be NULL, if the command asks for it.
+ * If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_gnss_source(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -529,7 +529,7 @@ static inline struct mip_result mip_call_filter_gnss_source_default(struct mip_d
 }
 
 /**
- * GNSS aiding source: calls the command with these values, optional parameters too. See
+ * GNSS aiding source: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_gnss_source_with(
@@ -566,7 +566,7 @@ static inline struct mip_result mip_call_filter_external_gnss_update(
 }
 
 /**
- * External GNSS update: calls the command with these values, optional parameters too. See
+ * External GNSS update: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_external_gnss_update_with(
@@ -600,7 +600,7 @@ static inline struct mip_result mip_call_filter_external_heading_update(
 }
 
 /**
- * External heading update: calls the command with these values, optional parameters too. See
+ * External heading update: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_external_heading_update_with(
@@ -614,7 +614,7 @@ extern MIP_API const struct mip_command mip_filter_heading_source_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Heading update
- * control. The response goes to `response`, which may be NULL, if the command asks for it.
+ * control. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_heading_source(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -666,7 +666,7 @@ static inline struct mip_result mip_call_filter_heading_source_default(struct mi
 }
 
 /**
- * Heading update control: calls the command with these values, optional parameters too. See
+ * Heading update control: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_heading_source_with(
@@ -681,7 +681,8 @@ extern MIP_API const struct mip_command mip_filter_auto_initialization_control_c
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Automatic
- * initialization. The response goes to `response`, which may be NULL, if the command asks for it.
+ * initialization. If the command requests the response, it is stored in `response`, which may be
+ * NULL.
  */
 static inline mip_error mip_send_filter_auto_initialization_control(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -740,7 +741,7 @@ mip_call_filter_auto_initialization_control_default(struct mip_device *device) {
 }
 
 /**
- * Automatic initialization: calls the command with these values, optional parameters too. See
+ * Automatic initialization: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_auto_initialization_control_with(
@@ -755,7 +756,7 @@ extern MIP_API const struct mip_command mip_filter_accel_noise_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Accelerometer noise.
- * The response goes to `response`, which may be NULL, if the command asks for it.
+ * If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_accel_noise(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -806,7 +807,7 @@ static inline struct mip_result mip_call_filter_accel_noise_default(struct mip_d
 }
 
 /**
- * Accelerometer noise: calls the command with these values, optional parameters too. See
+ * Accelerometer noise: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_accel_noise_with(
@@ -820,8 +821,8 @@ static inline struct mip_result mip_call_filter_accel_noise_with(
 extern MIP_API const struct mip_command mip_filter_gyro_noise_command;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Gyroscope noise. The
- * response goes to `response`, which may be NULL, if the command asks for it.
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Gyroscope noise. If
+ * the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_gyro_noise(struct mip_client *client,
                                                    struct mip_request *request,
@@ -872,7 +873,7 @@ static inline struct mip_result mip_call_filter_gyro_noise_default(struct mip_de
 }
 
 /**
- * Gyroscope noise: calls the command with these values, optional parameters too. See
+ * Gyroscope noise: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_gyro_noise_with(
@@ -887,7 +888,7 @@ extern MIP_API const struct mip_command mip_filter_accel_bias_model_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Accelerometer bias
- * model. The response goes to `response`, which may be NULL, if the command asks for it.
+ * model. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_accel_bias_model(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -943,7 +944,7 @@ mip_call_filter_accel_bias_model_default(struct mip_device *device) {
 }
 
 /**
- * Accelerometer bias model: calls the command with these values, optional parameters too. See
+ * Accelerometer bias model: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_accel_bias_model_with(
@@ -958,7 +959,7 @@ extern MIP_API const struct mip_command mip_filter_gyro_bias_model_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Gyroscope bias model.
- * The response goes to `response`, which may be NULL, if the command asks for it.
+ * If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_gyro_bias_model(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -1010,7 +1011,7 @@ static inline struct mip_result mip_call_filter_gyro_bias_model_default(struct m
 }
 
 /**
- * Gyroscope bias model: calls the command with these values, optional parameters too. See
+ * Gyroscope bias model: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_gyro_bias_model_with(
@@ -1025,7 +1026,8 @@ extern MIP_API const struct mip_command mip_filter_auto_zupt_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Automatic zero
- * velocity update. The response goes to `response`, which may be NULL, if the command asks for it.
+ * velocity update. If the command requests the response, it is stored in `response`, which may be
+ * NULL.
  */
 static inline mip_error mip_send_filter_auto_zupt(struct mip_client *client,
                                                   struct mip_request *request,
@@ -1084,8 +1086,8 @@ static inline struct mip_result mip_call_filter_auto_zupt_default(struct mip_dev
 }
 
 /**
- * Automatic zero velocity update: calls the command with these values, optional parameters too. See
- * mip_device_call.
+ * Automatic zero velocity update: calls the command with these values, including optional
+ * parameters. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_auto_zupt_with(
     struct mip_device *device, const struct mip_filter_auto_zupt *command,
@@ -1121,8 +1123,8 @@ static inline struct mip_result mip_call_filter_external_heading_update_with_tim
 }
 
 /**
- * External heading update with time: calls the command with these values, optional parameters too.
- * See mip_device_call.
+ * External heading update with time: calls the command with these values, including optional
+ * parameters. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_external_heading_update_with_time_with(
     struct mip_device *device, const struct mip_filter_external_heading_update_with_time *command) {
@@ -1135,7 +1137,7 @@ extern MIP_API const struct mip_command mip_filter_auto_angular_zupt_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Zero angular rate
- * update. The response goes to `response`, which may be NULL, if the command asks for it.
+ * update. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_auto_angular_zupt(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -1192,7 +1194,7 @@ mip_call_filter_auto_angular_zupt_default(struct mip_device *device) {
 }
 
 /**
- * Zero angular rate update: calls the command with these values, optional parameters too. See
+ * Zero angular rate update: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_auto_angular_zupt_with(
@@ -1206,8 +1208,8 @@ static inline struct mip_result mip_call_filter_auto_angular_zupt_with(
 extern MIP_API const struct mip_command mip_filter_tare_orientation_command;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Tare orientation. The
- * response goes to `response`, which may be NULL, if the command asks for it.
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Tare orientation. If
+ * the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_tare_orientation(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -1257,7 +1259,7 @@ mip_call_filter_tare_orientation_default(struct mip_device *device) {
 }
 
 /**
- * Tare orientation: calls the command with these values, optional parameters too. See
+ * Tare orientation: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_tare_orientation_with(
@@ -1311,7 +1313,7 @@ extern MIP_API const struct mip_command mip_filter_reference_position_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Set reference
- * position. The response goes to `response`, which may be NULL, if the command asks for it.
+ * position. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_reference_position(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -1366,7 +1368,7 @@ mip_call_filter_reference_position_default(struct mip_device *device) {
 }
 
 /**
- * Set reference position: calls the command with these values, optional parameters too. See
+ * Set reference position: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_reference_position_with(
@@ -1413,8 +1415,8 @@ mip_call_filter_mag_capture_auto_calibration_save(struct mip_device *device) {
 }
 
 /**
- * Capture automatic magnetometer calibration: calls the command with these values, optional
- * parameters too. See mip_device_call.
+ * Capture automatic magnetometer calibration: calls the command with these values, including
+ * optional parameters. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_mag_capture_auto_calibration_with(
     struct mip_device *device, const struct mip_filter_mag_capture_auto_calibration *command) {
@@ -1426,8 +1428,8 @@ static inline struct mip_result mip_call_filter_mag_capture_auto_calibration_wit
 extern MIP_API const struct mip_command mip_filter_gravity_noise_command;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Gravity noise. The
- * response goes to `response`, which may be NULL, if the command asks for it.
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Gravity noise. If the
+ * command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_gravity_noise(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -1476,7 +1478,8 @@ static inline struct mip_result mip_call_filter_gravity_noise_default(struct mip
 }
 
 /**
- * Gravity noise: calls the command with these values, optional parameters too. See mip_device_call.
+ * Gravity noise: calls the command with these values, including optional parameters. See
+ * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_gravity_noise_with(
     struct mip_device *device, const struct mip_filter_gravity_noise *command,
@@ -1490,7 +1493,7 @@ extern MIP_API const struct mip_command mip_filter_pressure_altitude_noise_comma
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Pressure altitude
- * noise. The response goes to `response`, which may be NULL, if the command asks for it.
+ * noise. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_pressure_altitude_noise(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -1546,7 +1549,7 @@ mip_call_filter_pressure_altitude_noise_default(struct mip_device *device) {
 }
 
 /**
- * Pressure altitude noise: calls the command with these values, optional parameters too. See
+ * Pressure altitude noise: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_pressure_altitude_noise_with(
@@ -1561,7 +1564,7 @@ extern MIP_API const struct mip_command mip_filter_hard_iron_offset_noise_comman
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Hard iron offset
- * noise. The response goes to `response`, which may be NULL, if the command asks for it.
+ * noise. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_hard_iron_offset_noise(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -1617,7 +1620,7 @@ mip_call_filter_hard_iron_offset_noise_default(struct mip_device *device) {
 }
 
 /**
- * Hard iron offset noise: calls the command with these values, optional parameters too. See
+ * Hard iron offset noise: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_hard_iron_offset_noise_with(
@@ -1632,7 +1635,7 @@ extern MIP_API const struct mip_command mip_filter_soft_iron_matrix_noise_comman
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Soft iron matrix
- * noise. The response goes to `response`, which may be NULL, if the command asks for it.
+ * noise. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_soft_iron_matrix_noise(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -1688,7 +1691,7 @@ mip_call_filter_soft_iron_matrix_noise_default(struct mip_device *device) {
 }
 
 /**
- * Soft iron matrix noise: calls the command with these values, optional parameters too. See
+ * Soft iron matrix noise: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_soft_iron_matrix_noise_with(
@@ -1703,7 +1706,8 @@ extern MIP_API const struct mip_command mip_filter_enable_measurements_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Enable or disable
- * measurements. The response goes to `response`, which may be NULL, if the command asks for it.
+ * measurements. If the command requests the response, it is stored in `response`, which may be
+ * NULL.
  */
 static inline mip_error mip_send_filter_enable_measurements(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -1763,8 +1767,8 @@ mip_call_filter_enable_measurements_default(struct mip_device *device) {
 }
 
 /**
- * Enable or disable measurements: calls the command with these values, optional parameters too. See
- * mip_device_call.
+ * Enable or disable measurements: calls the command with these values, including optional
+ * parameters. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_enable_measurements_with(
     struct mip_device *device, const struct mip_filter_enable_measurements *command,
@@ -1778,7 +1782,7 @@ extern MIP_API const struct mip_command mip_filter_mag_noise_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Magnetometer noise.
- * The response goes to `response`, which may be NULL, if the command asks for it.
+ * If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_mag_noise(struct mip_client *client,
                                                   struct mip_request *request,
@@ -1831,7 +1835,7 @@ static inline struct mip_result mip_call_filter_mag_noise_default(struct mip_dev
 }
 
 /**
- * Magnetometer noise: calls the command with these values, optional parameters too. See
+ * Magnetometer noise: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_mag_noise_with(
@@ -1846,7 +1850,7 @@ extern MIP_API const struct mip_command mip_filter_magnetic_declination_source_c
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Magnetic declination
- * source. The response goes to `response`, which may be NULL, if the command asks for it.
+ * source. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_magnetic_declination_source(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -1905,8 +1909,8 @@ mip_call_filter_magnetic_declination_source_default(struct mip_device *device) {
 }
 
 /**
- * Magnetic declination source: calls the command with these values, optional parameters too. See
- * mip_device_call.
+ * Magnetic declination source: calls the command with these values, including optional parameters.
+ * See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_magnetic_declination_source_with(
     struct mip_device *device, const struct mip_filter_magnetic_declination_source *command,
@@ -1920,8 +1924,8 @@ extern MIP_API const struct mip_command mip_filter_accel_magnitude_adaptive_comm
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Gravity magnitude
- * error adaptive measurement. The response goes to `response`, which may be NULL, if the command
- * asks for it.
+ * error adaptive measurement. If the command requests the response, it is stored in `response`,
+ * which may be NULL.
  */
 static inline mip_error mip_send_filter_accel_magnitude_adaptive(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -1988,8 +1992,8 @@ mip_call_filter_accel_magnitude_adaptive_default(struct mip_device *device) {
 }
 
 /**
- * Gravity magnitude error adaptive measurement: calls the command with these values, optional
- * parameters too. See mip_device_call.
+ * Gravity magnitude error adaptive measurement: calls the command with these values, including
+ * optional parameters. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_accel_magnitude_adaptive_with(
     struct mip_device *device, const struct mip_filter_accel_magnitude_adaptive *command,
@@ -2003,8 +2007,8 @@ extern MIP_API const struct mip_command mip_filter_mag_magnitude_adaptive_comman
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Magnetometer
- * magnitude error adaptive measurement. The response goes to `response`, which may be NULL, if the
- * command asks for it.
+ * magnitude error adaptive measurement. If the command requests the response, it is stored in
+ * `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_mag_magnitude_adaptive(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2077,8 +2081,8 @@ mip_call_filter_mag_magnitude_adaptive_default(struct mip_device *device) {
 }
 
 /**
- * Magnetometer magnitude error adaptive measurement: calls the command with these values, optional
- * parameters too. See mip_device_call.
+ * Magnetometer magnitude error adaptive measurement: calls the command with these values, including
+ * optional parameters. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_mag_magnitude_adaptive_with(
     struct mip_device *device, const struct mip_filter_mag_magnitude_adaptive *command,
@@ -2092,8 +2096,8 @@ extern MIP_API const struct mip_command mip_filter_mag_dip_angle_adaptive_comman
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Magnetometer dip
- * angle error adaptive measurement. The response goes to `response`, which may be NULL, if the
- * command asks for it.
+ * angle error adaptive measurement. If the command requests the response, it is stored in
+ * `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_mag_dip_angle_adaptive(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2165,8 +2169,8 @@ mip_call_filter_mag_dip_angle_adaptive_default(struct mip_device *device) {
 }
 
 /**
- * Magnetometer dip angle error adaptive measurement: calls the command with these values, optional
- * parameters too. See mip_device_call.
+ * Magnetometer dip angle error adaptive measurement: calls the command with these values, including
+ * optional parameters. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_mag_dip_angle_adaptive_with(
     struct mip_device *device, const struct mip_filter_mag_dip_angle_adaptive *command,
@@ -2179,8 +2183,8 @@ static inline struct mip_result mip_call_filter_mag_dip_angle_adaptive_with(
 extern MIP_API const struct mip_command mip_filter_altitude_aiding_command;
 
 /**
- * Adds the command to a packet and waits for its answer: see mip_client_send. Altitude aiding. The
- * response goes to `response`, which may be NULL, if the command asks for it.
+ * Adds the command to a packet and waits for its answer: see mip_client_send. Altitude aiding. If
+ * the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_altitude_aiding(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2229,7 +2233,7 @@ static inline struct mip_result mip_call_filter_altitude_aiding_default(struct m
 }
 
 /**
- * Altitude aiding: calls the command with these values, optional parameters too. See
+ * Altitude aiding: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_altitude_aiding_with(
@@ -2244,7 +2248,7 @@ extern MIP_API const struct mip_command mip_filter_pitch_roll_aiding_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Pitch and roll
- * aiding. The response goes to `response`, which may be NULL, if the command asks for it.
+ * aiding. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_pitch_roll_aiding(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2297,7 +2301,7 @@ mip_call_filter_pitch_roll_aiding_default(struct mip_device *device) {
 }
 
 /**
- * Pitch and roll aiding: calls the command with these values, optional parameters too. See
+ * Pitch and roll aiding: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_pitch_roll_aiding_with(
@@ -2312,7 +2316,7 @@ extern MIP_API const struct mip_command mip_filter_magnetic_inclination_source_c
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Magnetic inclination
- * source. The response goes to `response`, which may be NULL, if the command asks for it.
+ * source. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_magnetic_inclination_source(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2371,8 +2375,8 @@ mip_call_filter_magnetic_inclination_source_default(struct mip_device *device) {
 }
 
 /**
- * Magnetic inclination source: calls the command with these values, optional parameters too. See
- * mip_device_call.
+ * Magnetic inclination source: calls the command with these values, including optional parameters.
+ * See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_magnetic_inclination_source_with(
     struct mip_device *device, const struct mip_filter_magnetic_inclination_source *command,
@@ -2386,7 +2390,8 @@ extern MIP_API const struct mip_command mip_filter_magnetic_magnitude_source_com
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Magnetic field
- * magnitude source. The response goes to `response`, which may be NULL, if the command asks for it.
+ * magnitude source. If the command requests the response, it is stored in `response`, which may be
+ * NULL.
  */
 static inline mip_error mip_send_filter_magnetic_magnitude_source(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2448,8 +2453,8 @@ mip_call_filter_magnetic_magnitude_source_default(struct mip_device *device) {
 }
 
 /**
- * Magnetic field magnitude source: calls the command with these values, optional parameters too.
- * See mip_device_call.
+ * Magnetic field magnitude source: calls the command with these values, including optional
+ * parameters. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_magnetic_magnitude_source_with(
     struct mip_device *device, const struct mip_filter_magnetic_magnitude_source *command,
@@ -2463,7 +2468,8 @@ extern MIP_API const struct mip_command mip_filter_sensor_to_vehicle_dcm_command
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Sensor to vehicle
- * rotation, matrix. The response goes to `response`, which may be NULL, if the command asks for it.
+ * rotation, matrix. If the command requests the response, it is stored in `response`, which may be
+ * NULL.
  */
 static inline mip_error mip_send_filter_sensor_to_vehicle_dcm(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2525,8 +2531,8 @@ mip_call_filter_sensor_to_vehicle_dcm_default(struct mip_device *device) {
 }
 
 /**
- * Sensor to vehicle rotation, matrix: calls the command with these values, optional parameters too.
- * See mip_device_call.
+ * Sensor to vehicle rotation, matrix: calls the command with these values, including optional
+ * parameters. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_sensor_to_vehicle_dcm_with(
     struct mip_device *device, const struct mip_filter_sensor_to_vehicle_dcm *command,
@@ -2540,8 +2546,8 @@ extern MIP_API const struct mip_command mip_filter_sensor_to_vehicle_quaternion_
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Sensor to vehicle
- * rotation, quaternion. The response goes to `response`, which may be NULL, if the command asks for
- * it.
+ * rotation, quaternion. If the command requests the response, it is stored in `response`, which may
+ * be NULL.
  */
 static inline mip_error mip_send_filter_sensor_to_vehicle_quaternion(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2603,8 +2609,8 @@ mip_call_filter_sensor_to_vehicle_quaternion_default(struct mip_device *device) 
 }
 
 /**
- * Sensor to vehicle rotation, quaternion: calls the command with these values, optional parameters
- * too. See mip_device_call.
+ * Sensor to vehicle rotation, quaternion: calls the command with these values, including optional
+ * parameters. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_sensor_to_vehicle_quaternion_with(
     struct mip_device *device, const struct mip_filter_sensor_to_vehicle_quaternion *command,
@@ -2618,7 +2624,7 @@ extern MIP_API const struct mip_command mip_filter_aiding_measurement_enable_com
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Aiding measurement
- * control. The response goes to `response`, which may be NULL, if the command asks for it.
+ * control. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_aiding_measurement_enable(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2681,8 +2687,8 @@ static inline struct mip_result mip_call_filter_aiding_measurement_enable_defaul
 }
 
 /**
- * Aiding measurement control: calls the command with these values, optional parameters too. See
- * mip_device_call.
+ * Aiding measurement control: calls the command with these values, including optional parameters.
+ * See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_aiding_measurement_enable_with(
     struct mip_device *device, const struct mip_filter_aiding_measurement_enable *command,
@@ -2696,7 +2702,7 @@ extern MIP_API const struct mip_command mip_filter_kinematic_constraint_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Kinematic constraint.
- * The response goes to `response`, which may be NULL, if the command asks for it.
+ * If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_kinematic_constraint(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2754,7 +2760,7 @@ mip_call_filter_kinematic_constraint_default(struct mip_device *device) {
 }
 
 /**
- * Kinematic constraint: calls the command with these values, optional parameters too. See
+ * Kinematic constraint: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_kinematic_constraint_with(
@@ -2769,7 +2775,8 @@ extern MIP_API const struct mip_command mip_filter_initialization_config_command
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Navigation filter
- * initialization. The response goes to `response`, which may be NULL, if the command asks for it.
+ * initialization. If the command requests the response, it is stored in `response`, which may be
+ * NULL.
  */
 static inline mip_error mip_send_filter_initialization_config(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2839,8 +2846,8 @@ mip_call_filter_initialization_config_default(struct mip_device *device) {
 }
 
 /**
- * Navigation filter initialization: calls the command with these values, optional parameters too.
- * See mip_device_call.
+ * Navigation filter initialization: calls the command with these values, including optional
+ * parameters. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_initialization_config_with(
     struct mip_device *device, const struct mip_filter_initialization_config *command,
@@ -2854,7 +2861,7 @@ extern MIP_API const struct mip_command mip_filter_adaptive_filter_options_comma
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Adaptive filter
- * control. The response goes to `response`, which may be NULL, if the command asks for it.
+ * control. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_adaptive_filter_options(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2911,7 +2918,7 @@ mip_call_filter_adaptive_filter_options_default(struct mip_device *device) {
 }
 
 /**
- * Adaptive filter control: calls the command with these values, optional parameters too. See
+ * Adaptive filter control: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_adaptive_filter_options_with(
@@ -2926,7 +2933,7 @@ extern MIP_API const struct mip_command mip_filter_multi_antenna_offset_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. GNSS multi-antenna
- * offset. The response goes to `response`, which may be NULL, if the command asks for it.
+ * offset. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_multi_antenna_offset(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -2986,8 +2993,8 @@ mip_call_filter_multi_antenna_offset_default(struct mip_device *device, uint8_t 
 }
 
 /**
- * GNSS multi-antenna offset: calls the command with these values, optional parameters too. See
- * mip_device_call.
+ * GNSS multi-antenna offset: calls the command with these values, including optional parameters.
+ * See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_multi_antenna_offset_with(
     struct mip_device *device, const struct mip_filter_multi_antenna_offset *command,
@@ -3001,7 +3008,8 @@ extern MIP_API const struct mip_command mip_filter_relative_position_config_comm
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Relative position
- * configuration. The response goes to `response`, which may be NULL, if the command asks for it.
+ * configuration. If the command requests the response, it is stored in `response`, which may be
+ * NULL.
  */
 static inline mip_error mip_send_filter_relative_position_config(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -3066,8 +3074,8 @@ mip_call_filter_relative_position_config_default(struct mip_device *device) {
 }
 
 /**
- * Relative position configuration: calls the command with these values, optional parameters too.
- * See mip_device_call.
+ * Relative position configuration: calls the command with these values, including optional
+ * parameters. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_relative_position_config_with(
     struct mip_device *device, const struct mip_filter_relative_position_config *command,
@@ -3081,7 +3089,7 @@ extern MIP_API const struct mip_command mip_filter_reference_point_lever_arm_com
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Reference point lever
- * arm. The response goes to `response`, which may be NULL, if the command asks for it.
+ * arm. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_reference_point_lever_arm(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -3142,8 +3150,8 @@ mip_call_filter_reference_point_lever_arm_default(struct mip_device *device) {
 }
 
 /**
- * Reference point lever arm: calls the command with these values, optional parameters too. See
- * mip_device_call.
+ * Reference point lever arm: calls the command with these values, including optional parameters.
+ * See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_reference_point_lever_arm_with(
     struct mip_device *device, const struct mip_filter_reference_point_lever_arm *command,
@@ -3176,7 +3184,7 @@ static inline struct mip_result mip_call_filter_speed_measurement(struct mip_dev
 }
 
 /**
- * Speed measurement: calls the command with these values, optional parameters too. See
+ * Speed measurement: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_speed_measurement_with(
@@ -3189,7 +3197,7 @@ extern MIP_API const struct mip_command mip_filter_speed_lever_arm_command;
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Speed measurement
- * lever arm. The response goes to `response`, which may be NULL, if the command asks for it.
+ * lever arm. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_speed_lever_arm(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -3244,8 +3252,8 @@ static inline struct mip_result mip_call_filter_speed_lever_arm_default(struct m
 }
 
 /**
- * Speed measurement lever arm: calls the command with these values, optional parameters too. See
- * mip_device_call.
+ * Speed measurement lever arm: calls the command with these values, including optional parameters.
+ * See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_speed_lever_arm_with(
     struct mip_device *device, const struct mip_filter_speed_lever_arm *command,
@@ -3259,7 +3267,7 @@ extern MIP_API const struct mip_command mip_filter_vertical_gyro_constraint_comm
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Vertical gyro
- * constraint. The response goes to `response`, which may be NULL, if the command asks for it.
+ * constraint. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_vertical_gyro_constraint(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -3317,7 +3325,7 @@ mip_call_filter_vertical_gyro_constraint_default(struct mip_device *device) {
 }
 
 /**
- * Vertical gyro constraint: calls the command with these values, optional parameters too. See
+ * Vertical gyro constraint: calls the command with these values, including optional parameters. See
  * mip_device_call.
  */
 static inline struct mip_result mip_call_filter_vertical_gyro_constraint_with(
@@ -3332,7 +3340,7 @@ extern MIP_API const struct mip_command mip_filter_wheeled_vehicle_constraint_co
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. Wheeled vehicle
- * constraint. The response goes to `response`, which may be NULL, if the command asks for it.
+ * constraint. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_wheeled_vehicle_constraint(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -3391,8 +3399,8 @@ mip_call_filter_wheeled_vehicle_constraint_default(struct mip_device *device) {
 }
 
 /**
- * Wheeled vehicle constraint: calls the command with these values, optional parameters too. See
- * mip_device_call.
+ * Wheeled vehicle constraint: calls the command with these values, including optional parameters.
+ * See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_wheeled_vehicle_constraint_with(
     struct mip_device *device, const struct mip_filter_wheeled_vehicle_constraint *command,
@@ -3406,7 +3414,7 @@ extern MIP_API const struct mip_command mip_filter_gnss_antenna_calibration_comm
 
 /**
  * Adds the command to a packet and waits for its answer: see mip_client_send. GNSS antenna offset
- * calibration. The response goes to `response`, which may be NULL, if the command asks for it.
+ * calibration. If the command requests the response, it is stored in `response`, which may be NULL.
  */
 static inline mip_error mip_send_filter_gnss_antenna_calibration(
     struct mip_client *client, struct mip_request *request, struct mip_builder *packet,
@@ -3468,8 +3476,8 @@ mip_call_filter_gnss_antenna_calibration_default(struct mip_device *device) {
 }
 
 /**
- * GNSS antenna offset calibration: calls the command with these values, optional parameters too.
- * See mip_device_call.
+ * GNSS antenna offset calibration: calls the command with these values, including optional
+ * parameters. See mip_device_call.
  */
 static inline struct mip_result mip_call_filter_gnss_antenna_calibration_with(
     struct mip_device *device, const struct mip_filter_gnss_antenna_calibration *command,

@@ -86,7 +86,7 @@ enum mip_filter_data_heading_aiding_type {
 MIP_API const char *mip_filter_data_heading_aiding_type_name(uint8_t value);
 /**
  * Kind of an aiding measurement. Values from 0x20 are the descriptors of the commands of set
- * `aiding` that give the measurement. In full: aiding_measurement_type.
+ * `aiding` that give the measurement. Full name: aiding_measurement_type.
  */
 enum mip_filter_data_aiding_type {
     /** GNSS position and velocity. */
@@ -123,7 +123,7 @@ enum mip_filter_data_aiding_type {
 
 /** The name of a value in the specification; NULL if it has none. */
 MIP_API const char *mip_filter_data_aiding_type_name(uint8_t value);
-/** What the filter did with an aiding measurement. In full: aiding_measurement_indicator. */
+/** What the filter did with an aiding measurement. Full name: aiding_measurement_indicator. */
 typedef uint8_t mip_filter_data_aiding_indicator;
 /** Bit 0. The measurement is enabled. */
 #define MIP_FILTER_DATA_AIDING_INDICATOR_ENABLED 0x01U
@@ -230,47 +230,52 @@ typedef uint16_t mip_filter_data_gx5_status_flags;
 /** Bit 3. A matrix of the computation is singular. */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MATRIX_SINGULARITY 0x0008U
 /**
- * Bit 4. A position covariance is above its normal limit. In full: run_position_covariance_warning.
+ * Bit 4. A position covariance is above its normal limit. Full name:
+ * run_position_covariance_warning.
  */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_POSITION_COVARIANCE 0x0010U
 /**
- * Bit 5. A velocity covariance is above its normal limit. In full: run_velocity_covariance_warning.
+ * Bit 5. A velocity covariance is above its normal limit. Full name:
+ * run_velocity_covariance_warning.
  */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_VELOCITY_COVARIANCE 0x0020U
 /**
- * Bit 6. An attitude covariance is above its normal limit. In full:
+ * Bit 6. An attitude covariance is above its normal limit. Full name:
  * run_attitude_covariance_warning.
  */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ATTITUDE_COVARIANCE 0x0040U
 /**
- * Bit 7. The solution contains values that are not numbers. In full: run_nan_in_solution_warning.
+ * Bit 7. The solution contains values that are not numbers. Full name: run_nan_in_solution_warning.
  */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_NAN_IN_SOLUTION 0x0080U
-/** Bit 8. The estimated gyroscope bias is high. In full: run_gyro_bias_est_high_warning. */
+/** Bit 8. The estimated gyroscope bias is high. Full name: run_gyro_bias_est_high_warning. */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_GYRO_BIAS_HIGH 0x0100U
-/** Bit 9. The estimated accelerometer bias is high. In full: run_accel_bias_est_high_warning. */
+/** Bit 9. The estimated accelerometer bias is high. Full name: run_accel_bias_est_high_warning. */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ACCEL_BIAS_HIGH 0x0200U
 /**
- * Bit 10. The estimated gyroscope scale factor is high. In full:
+ * Bit 10. The estimated gyroscope scale factor is high. Full name:
  * run_gyro_scale_factor_est_high_warning.
  */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_GYRO_SCALE_FACTOR_HIGH 0x0400U
 /**
- * Bit 11. The estimated accelerometer scale factor is high. In full:
+ * Bit 11. The estimated accelerometer scale factor is high. Full name:
  * run_accel_scale_factor_est_high_warning.
  */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ACCEL_SCALE_FACTOR_HIGH 0x0800U
-/** Bit 12. The estimated magnetometer bias is high. In full: run_mag_bias_est_high_warning. */
+/** Bit 12. The estimated magnetometer bias is high. Full name: run_mag_bias_est_high_warning. */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MAG_BIAS_HIGH 0x1000U
 /**
- * Bit 13. The estimated correction of the antenna offset is high; on models with GNSS. In full:
+ * Bit 13. The estimated correction of the antenna offset is high; on models with GNSS. Full name:
  * run_antenna_offset_correction_est_high_warning.
  */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ANTENNA_OFFSET_HIGH 0x2000U
-/** Bit 14. The estimated hard-iron offset is high. In full: run_mag_hard_iron_est_high_warning. */
+/**
+ * Bit 14. The estimated hard-iron offset is high. Full name: run_mag_hard_iron_est_high_warning.
+ */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MAG_HARD_IRON_HIGH 0x4000U
 /**
- * Bit 15. The estimated soft-iron correction is high. In full: run_mag_soft_iron_est_high_warning.
+ * Bit 15. The estimated soft-iron correction is high. Full name:
+ * run_mag_soft_iron_est_high_warning.
  */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MAG_SOFT_IRON_HIGH 0x8000U
 /** Bit 12. The attitude is not initialized. Overlaps other bits. */
@@ -2027,7 +2032,7 @@ static inline mip_error mip_filter_data_magnetic_model_encode_inline(
  *
  * Estimated scale factor of the gyroscope.
  *
- * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gyro Scale Factor (0x82,0x16)
  */
@@ -2100,7 +2105,7 @@ static inline mip_error mip_filter_data_gyro_scale_factor_encode_inline(
  *
  * Estimated scale factor of the accelerometer.
  *
- * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Accel Scale Factor (0x82,0x17)
  */
@@ -2173,7 +2178,7 @@ static inline mip_error mip_filter_data_accel_scale_factor_encode_inline(
  *
  * Standard deviation of the estimated scale factor of the gyroscope.
  *
- * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gyro Scale Factor Uncertainty (0x82,0x18)
  */
@@ -2249,7 +2254,7 @@ static inline mip_error mip_filter_data_gyro_scale_factor_uncertainty_encode_inl
  *
  * Standard deviation of the estimated scale factor of the accelerometer.
  *
- * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Accel Scale Factor Uncertainty (0x82,0x19)
  */
@@ -2325,7 +2330,7 @@ static inline mip_error mip_filter_data_accel_scale_factor_uncertainty_encode_in
  *
  * Estimated bias of the magnetometer.
  *
- * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Mag Bias (0x82,0x1A)
  */
@@ -2398,7 +2403,7 @@ static inline mip_error mip_filter_data_mag_bias_encode_inline(
  *
  * Standard deviation of the estimated bias of the magnetometer.
  *
- * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Mag Bias Uncertainty (0x82,0x1B)
  */
@@ -2545,7 +2550,7 @@ static inline mip_error mip_filter_data_comp_accel_encode_inline(
  *
  * US Standard Atmosphere of 1976 at the altitude of the device.
  *
- * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * It is valid only with a valid GNSS position.
  *
@@ -2709,8 +2714,8 @@ static inline mip_error mip_filter_data_pressure_altitude_encode_inline(
  *
  * Altitude at which the standard atmosphere has the density of the air around the device.
  *
- * No device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: The SDK gives the
- * name only; the description is the usual meaning of the term.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: The SDK
+ * gives the name only; the description is the usual meaning of the term.
  *
  * - mip-sdk-4: Density Altitude (0x82,0x22)
  */
@@ -2776,8 +2781,8 @@ static inline mip_error mip_filter_data_density_altitude_encode_inline(
  *
  * Estimated hard iron offset of the magnetometer.
  *
- * Also called `magnetometer_offset`. No device profile lists it. Known from the MicroStrain MIP SDK
- * only.
+ * Also called `magnetometer_offset`. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * The filter adds it to the stored offset of mip_3dm_mag_hard_iron_offset.
  *
@@ -2852,8 +2857,8 @@ static inline mip_error mip_filter_data_mag_offset_encode_inline(
  *
  * Estimated soft iron matrix of the magnetometer.
  *
- * Also called `magnetometer_matrix`. No device profile lists it. Known from the MicroStrain MIP SDK
- * only.
+ * Also called `magnetometer_matrix`. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * The filter multiplies the stored matrix of mip_3dm_mag_soft_iron_matrix by it, from the right.
  *
@@ -2928,8 +2933,8 @@ static inline mip_error mip_filter_data_mag_matrix_encode_inline(
  *
  * Standard deviation of the estimated hard iron offset.
  *
- * Also called `magnetometer_offset_uncertainty`. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Also called `magnetometer_offset_uncertainty`. Not listed in any device profile. Known only from
+ * the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Magnetometer Offset Uncertainty (0x82,0x28)
  */
@@ -3002,8 +3007,8 @@ static inline mip_error mip_filter_data_mag_offset_uncertainty_encode_inline(
  *
  * Standard deviation of the estimated soft iron matrix.
  *
- * Also called `magnetometer_matrix_uncertainty`. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Also called `magnetometer_matrix_uncertainty`. Not listed in any device profile. Known only from
+ * the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Magnetometer Matrix Uncertainty (0x82,0x29)
  */
@@ -3076,8 +3081,8 @@ static inline mip_error mip_filter_data_mag_matrix_uncertainty_encode_inline(
  *
  * Covariance of the magnetometer measurement.
  *
- * Also called `magnetometer_covariance_matrix`. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Also called `magnetometer_covariance_matrix`. Not listed in any device profile. Known only from
+ * the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Magnetometer Covariance Matrix (0x82,0x2A)
  */
@@ -3151,8 +3156,8 @@ static inline mip_error mip_filter_data_mag_covariance_matrix_encode_inline(
  *
  * Residual of the magnetometer measurement.
  *
- * Also called `magnetometer_residual_vector`. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Also called `magnetometer_residual_vector`. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Magnetometer Residual Vector (0x82,0x2C)
  */
@@ -3225,7 +3230,7 @@ static inline mip_error mip_filter_data_mag_residual_vector_encode_inline(
  *
  * Estimated error of the offset of the GNSS antenna.
  *
- * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * The filter adds it to the stored offset of mip_filter_antenna_offset.
  *
@@ -3300,9 +3305,9 @@ static inline mip_error mip_filter_data_antenna_offset_correction_encode_inline(
  *
  * Standard deviation of the estimated error of the offset of the GNSS antenna.
  *
- * In full: filter_data.antenna_offset_correction_uncertainty.
+ * Full name: filter_data.antenna_offset_correction_uncertainty.
  *
- * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Antenna Offset Correction Uncertainty (0x82,0x31)
  */
@@ -3376,7 +3381,7 @@ static inline mip_error mip_filter_data_antenna_offset_uncertainty_encode_inline
  *
  * Estimated clock error of one GNSS receiver.
  *
- * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Clock Correction (0x82,0x32)
  */
@@ -3455,7 +3460,7 @@ static inline mip_error mip_filter_data_clock_correction_encode_inline(
  *
  * Standard deviation of the estimated clock error of one GNSS receiver.
  *
- * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Clock Correction Uncertainty (0x82,0x33)
  */
@@ -3617,7 +3622,7 @@ static inline mip_error mip_filter_data_multi_antenna_offset_correction_encode_i
  *
  * Standard deviation of the estimated error of the offset of one GNSS antenna.
  *
- * In full: filter_data.multi_antenna_offset_correction_uncertainty.
+ * Full name: filter_data.multi_antenna_offset_correction_uncertainty.
  *
  * Supported by 3DM-CV7-GNSS/INS.
  *
@@ -4140,8 +4145,8 @@ static inline mip_error mip_filter_data_gnss_position_aiding_status_encode_inlin
  *
  * How the filter uses the attitude that two GNSS antennas give.
  *
- * Also called `gnss_att_aid_status`. No device profile lists it. Known from the MicroStrain MIP SDK
- * only.
+ * Also called `gnss_att_aid_status`. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * Single precision resolves the time of week to 0.0625 s at the end of the week.
  *
@@ -4216,8 +4221,8 @@ static inline mip_error mip_filter_data_gnss_attitude_aiding_status_encode_inlin
  *
  * The heading measurement that the filter used last.
  *
- * Also called `head_aid_status`. No device profile lists it. Known from the MicroStrain MIP SDK
- * only.
+ * Also called `head_aid_status`. Not listed in any device profile. Known only from the MicroStrain
+ * MIP SDK.
  *
  * Single precision resolves the time of week to 0.0625 s at the end of the week.
  *
@@ -4442,7 +4447,7 @@ static inline mip_error mip_filter_data_odometer_scale_factor_error_encode_inlin
  *
  * Uncertainty of the estimated error of the odometer scale factor.
  *
- * In full: filter_data.odometer_scale_factor_error_uncertainty.
+ * Full name: filter_data.odometer_scale_factor_error_uncertainty.
  *
  * Supported by 3DM-CV7-GNSS/INS.
  *
@@ -4686,7 +4691,7 @@ static inline mip_error mip_filter_data_aiding_frame_config_error_encode_inline(
  *
  * Uncertainty of the estimated error of a frame that mip_aiding_frame_config defines.
  *
- * In full: filter_data.aiding_frame_config_error_uncertainty.
+ * Full name: filter_data.aiding_frame_config_error_uncertainty.
  *
  * Supported by 3DM-CV7-GNSS/INS.
  *

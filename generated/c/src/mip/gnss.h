@@ -166,8 +166,8 @@ static inline mip_error mip_gnss_receiver_info_response_encode(
  */
 struct mip_gnss_signal_config {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -331,15 +331,15 @@ static inline mip_error mip_gnss_signal_config_response_encode_inline(
  * Whether the device talks to the RTK dongle that is connected to it.
  *
  * Also called `rtk_dongle_configuration`. Functions: write, read, save, load and default. Answered
- * by mip_gnss_rtk_dongle_config_response. No device profile lists it. Known from the MicroStrain
- * MIP SDK only.
+ * by mip_gnss_rtk_dongle_config_response. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)
  */
 struct mip_gnss_rtk_dongle_config {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -411,8 +411,8 @@ mip_gnss_rtk_dongle_config_default(struct mip_gnss_rtk_dongle_config *command) {
 /**
  * RTK dongle configuration response: response (0x0E,0x90).
  *
- * Also called `rtk_dongle_configuration_response`. Answers mip_gnss_rtk_dongle_config. Known from
- * the MicroStrain MIP SDK only.
+ * Also called `rtk_dongle_configuration_response`. Answers mip_gnss_rtk_dongle_config. Known only
+ * from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)
  */
@@ -496,8 +496,8 @@ static inline mip_error mip_gnss_rtk_dongle_config_response_encode_inline(
  */
 struct mip_gnss_spartn_config {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */

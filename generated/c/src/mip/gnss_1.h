@@ -1204,7 +1204,7 @@ static inline mip_error mip_gnss_1_gps_time_encode_inline(const struct mip_gnss_
  *
  * Bias and drift of the receiver clock.
  *
- * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * Clock info 2 replaces it and gives more detail.
  *
@@ -1368,8 +1368,8 @@ static inline mip_error mip_gnss_1_fix_info_encode_inline(const struct mip_gnss_
  *
  * One satellite that is tracked.
  *
- * No device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: Whether a packet
- * holds one of these fields or several.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: Whether a
+ * packet holds one of these fields or several.
  *
  * Each satellite is sent as one field, in packets separate from other GNSS data.
  *
@@ -1549,8 +1549,8 @@ static inline mip_error mip_gnss_1_hardware_status_encode_inline(
  *
  * State of the differential corrections.
  *
- * No device profile lists it. Uncertain: The layout is from a manual of the 3DM-GX5-35 and from
- * MSCL, another library of the vendor. It agrees with the valid flags. Uncertain: The SDK has
+ * Not listed in any device profile. Uncertain: The layout is from a manual of the 3DM-GX5-35 and
+ * from MSCL, another library of the vendor. It agrees with the valid flags. Uncertain: The SDK has
  * another layout: u8, three floats and u16. It is that of mip_gnss_1_dgps_channel and does not
  * agree with its own valid flags (age, base station id, base station status, number of channels).
  *
@@ -1644,7 +1644,7 @@ static inline mip_error mip_gnss_1_dgps_info_encode_inline(const struct mip_gnss
  *
  * Differential correction for one satellite.
  *
- * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * Each active satellite is sent as one field, all in one packet.
  *
@@ -1994,7 +1994,7 @@ static inline mip_error mip_gnss_1_sbas_info_encode_inline(const struct mip_gnss
  *
  * SBAS correction for one satellite.
  *
- * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * An epoch is sent as one field for each satellite; index and count number the fields.
  *
@@ -2107,7 +2107,7 @@ static inline mip_error mip_gnss_1_sbas_correction_encode_inline(
  *
  * Jamming and spoofing that the receiver detects in one band.
  *
- * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Rf Error Detection (0x81,0x14)
  */
@@ -2491,7 +2491,7 @@ static inline mip_error mip_gnss_1_raw_encode_inline(const struct mip_gnss_1_raw
  *
  * The base station of the corrections, from an RTCM message 1005 or 1006.
  *
- * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Base Station Info (0x81,0x30)
  */
@@ -2599,7 +2599,7 @@ static inline mip_error mip_gnss_1_base_station_info_encode_inline(
  *
  * Which corrections are received, and how old they are.
  *
- * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Rtk Corrections Status (0x81,0x31)
  */
@@ -3777,7 +3777,8 @@ static inline mip_error mip_gnss_1_beidou_ephemeris_encode_inline(
  *
  * Model of the ionosphere that GPS broadcasts.
  *
- * Also called `gps_iono_corr`. No device profile lists it. Known from the MicroStrain MIP SDK only.
+ * Also called `gps_iono_corr`. Not listed in any device profile. Known only from the MicroStrain
+ * MIP SDK.
  *
  * - mip-sdk-4: Gps Iono Corr (0x81,0x71)
  */
@@ -3875,8 +3876,8 @@ static inline mip_error mip_gnss_1_gps_iono_correction_encode_inline(
  *
  * Model of the ionosphere that Galileo broadcasts.
  *
- * Also called `galileo_iono_corr`. No device profile lists it. Known from the MicroStrain MIP SDK
- * only.
+ * Also called `galileo_iono_corr`. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Galileo Iono Corr (0x81,0x73)
  */
@@ -3971,8 +3972,8 @@ static inline mip_error mip_gnss_1_galileo_iono_correction_encode_inline(
  *
  * Model of the ionosphere that BeiDou broadcasts.
  *
- * Also called `beidou_iono_corr`. No device profile lists it. Known from the MicroStrain MIP SDK
- * only.
+ * Also called `beidou_iono_corr`. Not listed in any device profile. Known only from the MicroStrain
+ * MIP SDK.
  *
  * - mip-sdk-4: Beidou Iono Corr (0x81,0x74)
  */

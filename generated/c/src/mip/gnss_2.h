@@ -672,8 +672,8 @@ static inline mip_error mip_gnss_2_gps_time_encode_inline(const struct mip_gnss_
  *
  * Bias and drift of the receiver clock.
  *
- * Has the layout of mip_gnss_1_clock_info. No device profile lists it. Known from the MicroStrain
- * MIP SDK only.
+ * Has the layout of mip_gnss_1_clock_info. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * Clock info 2 replaces it and gives more detail.
  *
@@ -837,8 +837,8 @@ static inline mip_error mip_gnss_2_fix_info_encode_inline(const struct mip_gnss_
  *
  * One satellite that is tracked.
  *
- * Has the layout of mip_gnss_1_sv_info. No device profile lists it. Known from the MicroStrain MIP
- * SDK only. Uncertain: Whether a packet holds one of these fields or several.
+ * Has the layout of mip_gnss_1_sv_info. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK. Uncertain: Whether a packet holds one of these fields or several.
  *
  * Each satellite is sent as one field, in packets separate from other GNSS data.
  *
@@ -1019,11 +1019,11 @@ static inline mip_error mip_gnss_2_hardware_status_encode_inline(
  *
  * State of the differential corrections.
  *
- * Has the layout of mip_gnss_1_dgps_info. No device profile lists it. Known from the MicroStrain
- * MIP SDK only. Uncertain: The layout is from a manual of the 3DM-GX5-35 and from MSCL, another
- * library of the vendor. It agrees with the valid flags. Uncertain: The SDK has another layout: u8,
- * three floats and u16. It is that of mip_gnss_1_dgps_channel and does not agree with its own valid
- * flags (age, base station id, base station status, number of channels).
+ * Has the layout of mip_gnss_1_dgps_info. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK. Uncertain: The layout is from a manual of the 3DM-GX5-35 and from MSCL,
+ * another library of the vendor. It agrees with the valid flags. Uncertain: The SDK has another
+ * layout: u8, three floats and u16. It is that of mip_gnss_1_dgps_channel and does not agree with
+ * its own valid flags (age, base station id, base station status, number of channels).
  *
  * - mip-sdk-4: Gnss2 Data (0x92)
  */
@@ -1114,8 +1114,8 @@ static inline mip_error mip_gnss_2_dgps_info_encode_inline(const struct mip_gnss
  *
  * Differential correction for one satellite.
  *
- * Has the layout of mip_gnss_1_dgps_channel. No device profile lists it. Known from the MicroStrain
- * MIP SDK only.
+ * Has the layout of mip_gnss_1_dgps_channel. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * Each active satellite is sent as one field, all in one packet.
  *
@@ -1465,8 +1465,8 @@ static inline mip_error mip_gnss_2_sbas_info_encode_inline(const struct mip_gnss
  *
  * SBAS correction for one satellite.
  *
- * Has the layout of mip_gnss_1_sbas_correction. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_sbas_correction. Not listed in any device profile. Known only from
+ * the MicroStrain MIP SDK.
  *
  * An epoch is sent as one field for each satellite; index and count number the fields.
  *
@@ -1579,8 +1579,8 @@ static inline mip_error mip_gnss_2_sbas_correction_encode_inline(
  *
  * Jamming and spoofing that the receiver detects in one band.
  *
- * Has the layout of mip_gnss_1_rf_error_detection. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_rf_error_detection. Not listed in any device profile. Known only
+ * from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss2 Data (0x92)
  */
@@ -1964,8 +1964,8 @@ static inline mip_error mip_gnss_2_raw_encode_inline(const struct mip_gnss_2_raw
  *
  * The base station of the corrections, from an RTCM message 1005 or 1006.
  *
- * Has the layout of mip_gnss_1_base_station_info. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_base_station_info. Not listed in any device profile. Known only from
+ * the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss2 Data (0x92)
  */
@@ -2073,8 +2073,8 @@ static inline mip_error mip_gnss_2_base_station_info_encode_inline(
  *
  * Which corrections are received, and how old they are.
  *
- * Has the layout of mip_gnss_1_rtk_corrections_status. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_rtk_corrections_status. Not listed in any device profile. Known only
+ * from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss2 Data (0x92)
  */
@@ -3253,8 +3253,8 @@ static inline mip_error mip_gnss_2_beidou_ephemeris_encode_inline(
  *
  * Model of the ionosphere that GPS broadcasts.
  *
- * Has the layout of mip_gnss_1_gps_iono_correction. Also called `gps_iono_corr`. No device profile
- * lists it. Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_gps_iono_correction. Also called `gps_iono_corr`. Not listed in any
+ * device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss2 Data (0x92)
  */
@@ -3352,8 +3352,8 @@ static inline mip_error mip_gnss_2_gps_iono_correction_encode_inline(
  *
  * Model of the ionosphere that Galileo broadcasts.
  *
- * Has the layout of mip_gnss_1_galileo_iono_correction. Also called `galileo_iono_corr`. No device
- * profile lists it. Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_galileo_iono_correction. Also called `galileo_iono_corr`. Not listed
+ * in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss2 Data (0x92)
  */
@@ -3448,8 +3448,8 @@ static inline mip_error mip_gnss_2_galileo_iono_correction_encode_inline(
  *
  * Model of the ionosphere that BeiDou broadcasts.
  *
- * Has the layout of mip_gnss_1_beidou_iono_correction. Also called `beidou_iono_corr`. No device
- * profile lists it. Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_beidou_iono_correction. Also called `beidou_iono_corr`. Not listed
+ * in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss2 Data (0x92)
  */

@@ -27,8 +27,8 @@ extern "C" {
  *
  * GNSS position as latitude, longitude and height.
  *
- * Has the layout of mip_gnss_1_llh_position. Also called `pos_llh`. No device profile lists it.
- * Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_llh_position. Also called `pos_llh`. Not listed in any device
+ * profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -132,8 +132,8 @@ static inline mip_error mip_gnss_corrections_llh_position_encode_inline(
  *
  * GNSS position in Earth-fixed coordinates.
  *
- * Has the layout of mip_gnss_1_ecef_position. Also called `pos_ecef`. No device profile lists it.
- * Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_ecef_position. Also called `pos_ecef`. Not listed in any device
+ * profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -213,8 +213,8 @@ static inline mip_error mip_gnss_corrections_ecef_position_encode_inline(
  *
  * GNSS velocity in the local level frame.
  *
- * Has the layout of mip_gnss_1_ned_velocity. Also called `vel_ned`. No device profile lists it.
- * Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_ned_velocity. Also called `vel_ned`. Not listed in any device
+ * profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -322,8 +322,8 @@ static inline mip_error mip_gnss_corrections_ned_velocity_encode_inline(
  *
  * GNSS velocity in Earth-fixed coordinates.
  *
- * Has the layout of mip_gnss_1_ecef_velocity. Also called `vel_ecef`. No device profile lists it.
- * Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_ecef_velocity. Also called `vel_ecef`. Not listed in any device
+ * profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -403,8 +403,8 @@ static inline mip_error mip_gnss_corrections_ecef_velocity_encode_inline(
  *
  * Dilution of precision of the satellite geometry.
  *
- * Has the layout of mip_gnss_1_dop. No device profile lists it. Known from the MicroStrain MIP SDK
- * only.
+ * Has the layout of mip_gnss_1_dop. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -494,8 +494,8 @@ static inline mip_error mip_gnss_corrections_dop_encode_inline(
  *
  * Coordinated universal time as the receiver knows it.
  *
- * Has the layout of mip_gnss_1_utc_time. No device profile lists it. Known from the MicroStrain MIP
- * SDK only.
+ * Has the layout of mip_gnss_1_utc_time. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -603,8 +603,8 @@ static inline mip_error mip_gnss_corrections_utc_time_encode_inline(
  *
  * GPS time as the receiver knows it.
  *
- * Has the layout of mip_gnss_1_gps_time. No device profile lists it. Known from the MicroStrain MIP
- * SDK only.
+ * Has the layout of mip_gnss_1_gps_time. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -677,8 +677,8 @@ static inline mip_error mip_gnss_corrections_gps_time_encode_inline(
  *
  * Bias and drift of the receiver clock.
  *
- * Has the layout of mip_gnss_1_clock_info. No device profile lists it. Known from the MicroStrain
- * MIP SDK only.
+ * Has the layout of mip_gnss_1_clock_info. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * Clock info 2 replaces it and gives more detail.
  *
@@ -762,8 +762,8 @@ static inline mip_error mip_gnss_corrections_clock_info_encode_inline(
  *
  * Type of the position fix and what it is based on.
  *
- * Has the layout of mip_gnss_1_fix_info. No device profile lists it. Known from the MicroStrain MIP
- * SDK only.
+ * Has the layout of mip_gnss_1_fix_info. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -843,8 +843,8 @@ static inline mip_error mip_gnss_corrections_fix_info_encode_inline(
  *
  * One satellite that is tracked.
  *
- * Has the layout of mip_gnss_1_sv_info. No device profile lists it. Known from the MicroStrain MIP
- * SDK only. Uncertain: Whether a packet holds one of these fields or several.
+ * Has the layout of mip_gnss_1_sv_info. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK. Uncertain: Whether a packet holds one of these fields or several.
  *
  * Each satellite is sent as one field, in packets separate from other GNSS data.
  *
@@ -941,8 +941,8 @@ static inline mip_error mip_gnss_corrections_sv_info_encode_inline(
  *
  * State of the receiver and of its antenna.
  *
- * Has the layout of mip_gnss_1_hardware_status. Also called `hw_status`. No device profile lists
- * it. Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_hardware_status. Also called `hw_status`. Not listed in any device
+ * profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -1025,11 +1025,11 @@ static inline mip_error mip_gnss_corrections_hardware_status_encode_inline(
  *
  * State of the differential corrections.
  *
- * Has the layout of mip_gnss_1_dgps_info. No device profile lists it. Known from the MicroStrain
- * MIP SDK only. Uncertain: The layout is from a manual of the 3DM-GX5-35 and from MSCL, another
- * library of the vendor. It agrees with the valid flags. Uncertain: The SDK has another layout: u8,
- * three floats and u16. It is that of mip_gnss_1_dgps_channel and does not agree with its own valid
- * flags (age, base station id, base station status, number of channels).
+ * Has the layout of mip_gnss_1_dgps_info. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK. Uncertain: The layout is from a manual of the 3DM-GX5-35 and from MSCL,
+ * another library of the vendor. It agrees with the valid flags. Uncertain: The SDK has another
+ * layout: u8, three floats and u16. It is that of mip_gnss_1_dgps_channel and does not agree with
+ * its own valid flags (age, base station id, base station status, number of channels).
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -1120,8 +1120,8 @@ static inline mip_error mip_gnss_corrections_dgps_info_encode_inline(
  *
  * Differential correction for one satellite.
  *
- * Has the layout of mip_gnss_1_dgps_channel. No device profile lists it. Known from the MicroStrain
- * MIP SDK only.
+ * Has the layout of mip_gnss_1_dgps_channel. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * Each active satellite is sent as one field, all in one packet.
  *
@@ -1213,8 +1213,8 @@ static inline mip_error mip_gnss_corrections_dgps_channel_encode_inline(
  *
  * Bias and drift of the receiver clock.
  *
- * Has the layout of mip_gnss_1_clock_info_2. No device profile lists it. Known from the MicroStrain
- * MIP SDK only.
+ * Has the layout of mip_gnss_1_clock_info_2. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * It supersedes clock info.
  *
@@ -1306,8 +1306,8 @@ static inline mip_error mip_gnss_corrections_clock_info_2_encode_inline(
  *
  * Difference between GPS time and UTC.
  *
- * Has the layout of mip_gnss_1_gps_leap_seconds. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_gps_leap_seconds. Not listed in any device profile. Known only from
+ * the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -1376,8 +1376,8 @@ static inline mip_error mip_gnss_corrections_gps_leap_seconds_encode_inline(
  *
  * Status of the satellite based augmentation.
  *
- * Has the layout of mip_gnss_1_sbas_info. No device profile lists it. Known from the MicroStrain
- * MIP SDK only.
+ * Has the layout of mip_gnss_1_sbas_info. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -1474,8 +1474,8 @@ static inline mip_error mip_gnss_corrections_sbas_info_encode_inline(
  *
  * SBAS correction for one satellite.
  *
- * Has the layout of mip_gnss_1_sbas_correction. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_sbas_correction. Not listed in any device profile. Known only from
+ * the MicroStrain MIP SDK.
  *
  * An epoch is sent as one field for each satellite; index and count number the fields.
  *
@@ -1588,8 +1588,8 @@ static inline mip_error mip_gnss_corrections_sbas_correction_encode_inline(
  *
  * Jamming and spoofing that the receiver detects in one band.
  *
- * Has the layout of mip_gnss_1_rf_error_detection. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_rf_error_detection. Not listed in any device profile. Known only
+ * from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -1676,8 +1676,8 @@ static inline mip_error mip_gnss_corrections_rf_error_detection_encode_inline(
  *
  * Direction to one satellite, and its health.
  *
- * Has the layout of mip_gnss_1_satellite_status. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_satellite_status. Not listed in any device profile. Known only from
+ * the MicroStrain MIP SDK.
  *
  * An epoch is sent as one field for each satellite; index and count number the fields.
  *
@@ -1798,8 +1798,8 @@ static inline mip_error mip_gnss_corrections_satellite_status_encode_inline(
  *
  * Raw observation of one signal of one satellite.
  *
- * Has the layout of mip_gnss_1_raw. No device profile lists it. Known from the MicroStrain MIP SDK
- * only.
+ * Has the layout of mip_gnss_1_raw. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * An epoch is sent as one field for each signal; index and count number the fields.
  *
@@ -2211,8 +2211,8 @@ static inline mip_error mip_gnss_corrections_rtk_corrections_status_encode_inlin
  *
  * Broadcast orbit and clock of one GPS satellite.
  *
- * Has the layout of mip_gnss_1_gps_ephemeris. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_gps_ephemeris. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * `iodc` changes with the clock data; according to the manual, it rolls over at 4.
  *
@@ -2483,8 +2483,8 @@ static inline mip_error mip_gnss_corrections_gps_ephemeris_encode_inline(
  *
  * Broadcast orbit and clock of one GLONASS satellite.
  *
- * Has the layout of mip_gnss_1_glonass_ephemeris. Also called `glo_ephemeris`. No device profile
- * lists it. Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_glonass_ephemeris. Also called `glo_ephemeris`. Not listed in any
+ * device profile. Known only from the MicroStrain MIP SDK.
  *
  * The interface control document of GLONASS explains p and ft.
  *
@@ -2715,8 +2715,8 @@ static inline mip_error mip_gnss_corrections_glonass_ephemeris_encode_inline(
  *
  * Broadcast orbit and clock of one Galileo satellite.
  *
- * Has the layout of mip_gnss_1_galileo_ephemeris. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_galileo_ephemeris. Not listed in any device profile. Known only from
+ * the MicroStrain MIP SDK.
  *
  * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
  * corrections mean here.
@@ -2990,8 +2990,8 @@ static inline mip_error mip_gnss_corrections_galileo_ephemeris_encode_inline(
  *
  * Broadcast orbit and clock of one BeiDou satellite.
  *
- * Has the layout of mip_gnss_1_beidou_ephemeris. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_beidou_ephemeris. Not listed in any device profile. Known only from
+ * the MicroStrain MIP SDK.
  *
  * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
  * corrections mean here.
@@ -3265,8 +3265,8 @@ static inline mip_error mip_gnss_corrections_beidou_ephemeris_encode_inline(
  *
  * Model of the ionosphere that GPS broadcasts.
  *
- * Has the layout of mip_gnss_1_gps_iono_correction. Also called `gps_iono_corr`. No device profile
- * lists it. Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_gps_iono_correction. Also called `gps_iono_corr`. Not listed in any
+ * device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -3364,8 +3364,8 @@ static inline mip_error mip_gnss_corrections_gps_iono_correction_encode_inline(
  *
  * Model of the ionosphere that Galileo broadcasts.
  *
- * Has the layout of mip_gnss_1_galileo_iono_correction. Also called `galileo_iono_corr`. No device
- * profile lists it. Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_galileo_iono_correction. Also called `galileo_iono_corr`. Not listed
+ * in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -3460,8 +3460,8 @@ static inline mip_error mip_gnss_corrections_galileo_iono_correction_encode_inli
  *
  * Model of the ionosphere that BeiDou broadcasts.
  *
- * Has the layout of mip_gnss_1_beidou_iono_correction. Also called `beidou_iono_corr`. No device
- * profile lists it. Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_beidou_iono_correction. Also called `beidou_iono_corr`. Not listed
+ * in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */

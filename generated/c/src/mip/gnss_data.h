@@ -5,7 +5,7 @@
  * Uncertain: Which devices send the fields that no manual lists for this set. The SDK gives all
  * GNSS data sets the same fields.
  *
- * Devices that may support a field, though it is not certain, are in mip/profiles.h only.
+ * Devices that may support a field, but are not certain to, are listed only in mip/profiles.h.
  */
 #ifndef MIP_GNSS_DATA_H
 #define MIP_GNSS_DATA_H
@@ -30,7 +30,7 @@ extern "C" {
  * GNSS position as latitude, longitude and height.
  *
  * No device is certain to support it. Has the layout of mip_gnss_1_llh_position. Also called
- * `pos_llh`. Known from the MicroStrain MIP SDK only.
+ * `pos_llh`. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -135,7 +135,7 @@ static inline mip_error mip_gnss_data_llh_position_encode_inline(
  * GNSS position in Earth-fixed coordinates.
  *
  * No device is certain to support it. Has the layout of mip_gnss_1_ecef_position. Also called
- * `pos_ecef`. Known from the MicroStrain MIP SDK only.
+ * `pos_ecef`. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -216,7 +216,7 @@ static inline mip_error mip_gnss_data_ecef_position_encode_inline(
  * GNSS velocity in the local level frame.
  *
  * No device is certain to support it. Has the layout of mip_gnss_1_ned_velocity. Also called
- * `vel_ned`. Known from the MicroStrain MIP SDK only.
+ * `vel_ned`. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -404,8 +404,8 @@ static inline mip_error mip_gnss_data_ecef_velocity_encode_inline(
  *
  * Dilution of precision of the satellite geometry.
  *
- * No device is certain to support it. Has the layout of mip_gnss_1_dop. Known from the MicroStrain
- * MIP SDK only.
+ * No device is certain to support it. Has the layout of mip_gnss_1_dop. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -495,8 +495,8 @@ static inline mip_error mip_gnss_data_dop_encode_inline(const struct mip_gnss_da
  *
  * Coordinated universal time as the receiver knows it.
  *
- * No device is certain to support it. Has the layout of mip_gnss_1_utc_time. Known from the
- * MicroStrain MIP SDK only.
+ * No device is certain to support it. Has the layout of mip_gnss_1_utc_time. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -604,8 +604,8 @@ static inline mip_error mip_gnss_data_utc_time_encode_inline(
  *
  * GPS time as the receiver knows it.
  *
- * No device is certain to support it. Has the layout of mip_gnss_1_gps_time. Known from the
- * MicroStrain MIP SDK only.
+ * No device is certain to support it. Has the layout of mip_gnss_1_gps_time. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -678,8 +678,8 @@ static inline mip_error mip_gnss_data_gps_time_encode_inline(
  *
  * Bias and drift of the receiver clock.
  *
- * No device is certain to support it. Has the layout of mip_gnss_1_clock_info. Known from the
- * MicroStrain MIP SDK only.
+ * No device is certain to support it. Has the layout of mip_gnss_1_clock_info. Known only from the
+ * MicroStrain MIP SDK.
  *
  * Clock info 2 replaces it and gives more detail.
  *
@@ -763,8 +763,8 @@ static inline mip_error mip_gnss_data_clock_info_encode_inline(
  *
  * Type of the position fix and what it is based on.
  *
- * No device is certain to support it. Has the layout of mip_gnss_1_fix_info. Known from the
- * MicroStrain MIP SDK only.
+ * No device is certain to support it. Has the layout of mip_gnss_1_fix_info. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -844,8 +844,8 @@ static inline mip_error mip_gnss_data_fix_info_encode_inline(
  *
  * One satellite that is tracked.
  *
- * Has the layout of mip_gnss_1_sv_info. Supported by 3DM-GX5-45. Known from the MicroStrain MIP SDK
- * only. Uncertain: Whether a packet holds one of these fields or several.
+ * Has the layout of mip_gnss_1_sv_info. Supported by 3DM-GX5-45. Known only from the MicroStrain
+ * MIP SDK. Uncertain: Whether a packet holds one of these fields or several.
  *
  * Each satellite is sent as one field, in packets separate from other GNSS data.
  *
@@ -943,7 +943,7 @@ static inline mip_error mip_gnss_data_sv_info_encode_inline(
  * State of the receiver and of its antenna.
  *
  * Has the layout of mip_gnss_1_hardware_status. Also called `hw_status`. Supported by 3DM-GX5-45.
- * Known from the MicroStrain MIP SDK only.
+ * Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -1122,8 +1122,8 @@ static inline mip_error mip_gnss_data_dgps_info_encode_inline(
  *
  * Differential correction for one satellite.
  *
- * Has the layout of mip_gnss_1_dgps_channel. Supported by 3DM-GX5-45. Known from the MicroStrain
- * MIP SDK only.
+ * Has the layout of mip_gnss_1_dgps_channel. Supported by 3DM-GX5-45. Known only from the
+ * MicroStrain MIP SDK.
  *
  * Each active satellite is sent as one field, all in one packet.
  *
@@ -1215,8 +1215,8 @@ static inline mip_error mip_gnss_data_dgps_channel_encode_inline(
  *
  * Bias and drift of the receiver clock.
  *
- * Has the layout of mip_gnss_1_clock_info_2. No device profile lists it. Known from the MicroStrain
- * MIP SDK only.
+ * Has the layout of mip_gnss_1_clock_info_2. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * It supersedes clock info.
  *
@@ -1308,8 +1308,8 @@ static inline mip_error mip_gnss_data_clock_info_2_encode_inline(
  *
  * Difference between GPS time and UTC.
  *
- * Has the layout of mip_gnss_1_gps_leap_seconds. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_gps_leap_seconds. Not listed in any device profile. Known only from
+ * the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -1378,8 +1378,8 @@ static inline mip_error mip_gnss_data_gps_leap_seconds_encode_inline(
  *
  * Status of the satellite based augmentation.
  *
- * Has the layout of mip_gnss_1_sbas_info. No device profile lists it. Known from the MicroStrain
- * MIP SDK only.
+ * Has the layout of mip_gnss_1_sbas_info. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -1476,8 +1476,8 @@ static inline mip_error mip_gnss_data_sbas_info_encode_inline(
  *
  * SBAS correction for one satellite.
  *
- * Has the layout of mip_gnss_1_sbas_correction. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_sbas_correction. Not listed in any device profile. Known only from
+ * the MicroStrain MIP SDK.
  *
  * An epoch is sent as one field for each satellite; index and count number the fields.
  *
@@ -1590,8 +1590,8 @@ static inline mip_error mip_gnss_data_sbas_correction_encode_inline(
  *
  * Jamming and spoofing that the receiver detects in one band.
  *
- * Has the layout of mip_gnss_1_rf_error_detection. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_rf_error_detection. Not listed in any device profile. Known only
+ * from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -1678,8 +1678,8 @@ static inline mip_error mip_gnss_data_rf_error_detection_encode_inline(
  *
  * Direction to one satellite, and its health.
  *
- * Has the layout of mip_gnss_1_satellite_status. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_satellite_status. Not listed in any device profile. Known only from
+ * the MicroStrain MIP SDK.
  *
  * An epoch is sent as one field for each satellite; index and count number the fields.
  *
@@ -1800,8 +1800,8 @@ static inline mip_error mip_gnss_data_satellite_status_encode_inline(
  *
  * Raw observation of one signal of one satellite.
  *
- * Has the layout of mip_gnss_1_raw. No device profile lists it. Known from the MicroStrain MIP SDK
- * only.
+ * Has the layout of mip_gnss_1_raw. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * An epoch is sent as one field for each signal; index and count number the fields.
  *
@@ -1977,8 +1977,8 @@ static inline mip_error mip_gnss_data_raw_encode_inline(const struct mip_gnss_da
  *
  * The base station of the corrections, from an RTCM message 1005 or 1006.
  *
- * Has the layout of mip_gnss_1_base_station_info. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_base_station_info. Not listed in any device profile. Known only from
+ * the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -2086,8 +2086,8 @@ static inline mip_error mip_gnss_data_base_station_info_encode_inline(
  *
  * Which corrections are received, and how old they are.
  *
- * Has the layout of mip_gnss_1_rtk_corrections_status. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_rtk_corrections_status. Not listed in any device profile. Known only
+ * from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -2215,8 +2215,8 @@ static inline mip_error mip_gnss_data_rtk_corrections_status_encode_inline(
  *
  * Broadcast orbit and clock of one GPS satellite.
  *
- * Has the layout of mip_gnss_1_gps_ephemeris. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_gps_ephemeris. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * `iodc` changes with the clock data; according to the manual, it rolls over at 4.
  *
@@ -2487,8 +2487,8 @@ static inline mip_error mip_gnss_data_gps_ephemeris_encode_inline(
  *
  * Broadcast orbit and clock of one GLONASS satellite.
  *
- * Has the layout of mip_gnss_1_glonass_ephemeris. Also called `glo_ephemeris`. No device profile
- * lists it. Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_glonass_ephemeris. Also called `glo_ephemeris`. Not listed in any
+ * device profile. Known only from the MicroStrain MIP SDK.
  *
  * The interface control document of GLONASS explains p and ft.
  *
@@ -2719,8 +2719,8 @@ static inline mip_error mip_gnss_data_glonass_ephemeris_encode_inline(
  *
  * Broadcast orbit and clock of one Galileo satellite.
  *
- * Has the layout of mip_gnss_1_galileo_ephemeris. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_galileo_ephemeris. Not listed in any device profile. Known only from
+ * the MicroStrain MIP SDK.
  *
  * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
  * corrections mean here.
@@ -2994,8 +2994,8 @@ static inline mip_error mip_gnss_data_galileo_ephemeris_encode_inline(
  *
  * Broadcast orbit and clock of one BeiDou satellite.
  *
- * Has the layout of mip_gnss_1_beidou_ephemeris. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_beidou_ephemeris. Not listed in any device profile. Known only from
+ * the MicroStrain MIP SDK.
  *
  * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
  * corrections mean here.
@@ -3269,8 +3269,8 @@ static inline mip_error mip_gnss_data_beidou_ephemeris_encode_inline(
  *
  * Model of the ionosphere that GPS broadcasts.
  *
- * Has the layout of mip_gnss_1_gps_iono_correction. Also called `gps_iono_corr`. No device profile
- * lists it. Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_gps_iono_correction. Also called `gps_iono_corr`. Not listed in any
+ * device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -3368,8 +3368,8 @@ static inline mip_error mip_gnss_data_gps_iono_correction_encode_inline(
  *
  * Model of the ionosphere that Galileo broadcasts.
  *
- * Has the layout of mip_gnss_1_galileo_iono_correction. Also called `galileo_iono_corr`. No device
- * profile lists it. Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_galileo_iono_correction. Also called `galileo_iono_corr`. Not listed
+ * in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -3464,8 +3464,8 @@ static inline mip_error mip_gnss_data_galileo_iono_correction_encode_inline(
  *
  * Model of the ionosphere that BeiDou broadcasts.
  *
- * Has the layout of mip_gnss_1_beidou_iono_correction. Also called `beidou_iono_corr`. No device
- * profile lists it. Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_beidou_iono_correction. Also called `beidou_iono_corr`. Not listed
+ * in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */

@@ -6,7 +6,7 @@
  * Times are those of the sentences. Uncertain: Which devices send the fields that no manual lists
  * for this set. The SDK gives all GNSS data sets the same fields.
  *
- * Devices that may support a field, though it is not certain, are in mip/profiles.h only.
+ * Devices that may support a field, but are not certain to, are listed only in mip/profiles.h.
  */
 #ifndef MIP_GNSS_EXTERNAL_H
 #define MIP_GNSS_EXTERNAL_H
@@ -135,7 +135,7 @@ static inline mip_error mip_gnss_external_llh_position_encode_inline(
  * GNSS position in Earth-fixed coordinates.
  *
  * No device is certain to support it. Has the layout of mip_gnss_1_ecef_position. Also called
- * `pos_ecef`. Known from the MicroStrain MIP SDK only.
+ * `pos_ecef`. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss4 Data (0x94)
  */
@@ -324,7 +324,7 @@ static inline mip_error mip_gnss_external_ned_velocity_encode_inline(
  * GNSS velocity in Earth-fixed coordinates.
  *
  * No device is certain to support it. Has the layout of mip_gnss_1_ecef_velocity. Also called
- * `vel_ecef`. Known from the MicroStrain MIP SDK only.
+ * `vel_ecef`. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss4 Data (0x94)
  */
@@ -404,8 +404,8 @@ static inline mip_error mip_gnss_external_ecef_velocity_encode_inline(
  *
  * Dilution of precision of the satellite geometry.
  *
- * No device is certain to support it. Has the layout of mip_gnss_1_dop. Known from the MicroStrain
- * MIP SDK only.
+ * No device is certain to support it. Has the layout of mip_gnss_1_dop. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss4 Data (0x94)
  */
@@ -603,8 +603,8 @@ static inline mip_error mip_gnss_external_utc_time_encode_inline(
  *
  * GPS time as the receiver knows it.
  *
- * Has the layout of mip_gnss_1_gps_time. No device profile lists it. Known from the MicroStrain MIP
- * SDK only.
+ * Has the layout of mip_gnss_1_gps_time. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss4 Data (0x94)
  */
@@ -677,8 +677,8 @@ static inline mip_error mip_gnss_external_gps_time_encode_inline(
  *
  * Bias and drift of the receiver clock.
  *
- * Has the layout of mip_gnss_1_clock_info. No device profile lists it. Known from the MicroStrain
- * MIP SDK only.
+ * Has the layout of mip_gnss_1_clock_info. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * Clock info 2 replaces it and gives more detail.
  *
@@ -842,8 +842,8 @@ static inline mip_error mip_gnss_external_fix_info_encode_inline(
  *
  * One satellite that is tracked.
  *
- * Has the layout of mip_gnss_1_sv_info. No device profile lists it. Known from the MicroStrain MIP
- * SDK only. Uncertain: Whether a packet holds one of these fields or several.
+ * Has the layout of mip_gnss_1_sv_info. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK. Uncertain: Whether a packet holds one of these fields or several.
  *
  * Each satellite is sent as one field, in packets separate from other GNSS data.
  *
@@ -940,8 +940,8 @@ static inline mip_error mip_gnss_external_sv_info_encode_inline(
  *
  * State of the receiver and of its antenna.
  *
- * Has the layout of mip_gnss_1_hardware_status. Also called `hw_status`. No device profile lists
- * it. Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_hardware_status. Also called `hw_status`. Not listed in any device
+ * profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss4 Data (0x94)
  */
@@ -1024,11 +1024,11 @@ static inline mip_error mip_gnss_external_hardware_status_encode_inline(
  *
  * State of the differential corrections.
  *
- * Has the layout of mip_gnss_1_dgps_info. No device profile lists it. Known from the MicroStrain
- * MIP SDK only. Uncertain: The layout is from a manual of the 3DM-GX5-35 and from MSCL, another
- * library of the vendor. It agrees with the valid flags. Uncertain: The SDK has another layout: u8,
- * three floats and u16. It is that of mip_gnss_1_dgps_channel and does not agree with its own valid
- * flags (age, base station id, base station status, number of channels).
+ * Has the layout of mip_gnss_1_dgps_info. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK. Uncertain: The layout is from a manual of the 3DM-GX5-35 and from MSCL,
+ * another library of the vendor. It agrees with the valid flags. Uncertain: The SDK has another
+ * layout: u8, three floats and u16. It is that of mip_gnss_1_dgps_channel and does not agree with
+ * its own valid flags (age, base station id, base station status, number of channels).
  *
  * - mip-sdk-4: Gnss4 Data (0x94)
  */
@@ -1119,8 +1119,8 @@ static inline mip_error mip_gnss_external_dgps_info_encode_inline(
  *
  * Differential correction for one satellite.
  *
- * Has the layout of mip_gnss_1_dgps_channel. No device profile lists it. Known from the MicroStrain
- * MIP SDK only.
+ * Has the layout of mip_gnss_1_dgps_channel. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * Each active satellite is sent as one field, all in one packet.
  *
@@ -1212,8 +1212,8 @@ static inline mip_error mip_gnss_external_dgps_channel_encode_inline(
  *
  * Bias and drift of the receiver clock.
  *
- * No device is certain to support it. Has the layout of mip_gnss_1_clock_info_2. Known from the
- * MicroStrain MIP SDK only.
+ * No device is certain to support it. Has the layout of mip_gnss_1_clock_info_2. Known only from
+ * the MicroStrain MIP SDK.
  *
  * It supersedes clock info.
  *
@@ -1305,8 +1305,8 @@ static inline mip_error mip_gnss_external_clock_info_2_encode_inline(
  *
  * Difference between GPS time and UTC.
  *
- * No device is certain to support it. Has the layout of mip_gnss_1_gps_leap_seconds. Known from the
- * MicroStrain MIP SDK only.
+ * No device is certain to support it. Has the layout of mip_gnss_1_gps_leap_seconds. Known only
+ * from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss4 Data (0x94)
  */
@@ -1375,8 +1375,8 @@ static inline mip_error mip_gnss_external_gps_leap_seconds_encode_inline(
  *
  * Status of the satellite based augmentation.
  *
- * Has the layout of mip_gnss_1_sbas_info. No device profile lists it. Known from the MicroStrain
- * MIP SDK only.
+ * Has the layout of mip_gnss_1_sbas_info. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss4 Data (0x94)
  */
@@ -1473,8 +1473,8 @@ static inline mip_error mip_gnss_external_sbas_info_encode_inline(
  *
  * SBAS correction for one satellite.
  *
- * Has the layout of mip_gnss_1_sbas_correction. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_sbas_correction. Not listed in any device profile. Known only from
+ * the MicroStrain MIP SDK.
  *
  * An epoch is sent as one field for each satellite; index and count number the fields.
  *
@@ -1587,8 +1587,8 @@ static inline mip_error mip_gnss_external_sbas_correction_encode_inline(
  *
  * Jamming and spoofing that the receiver detects in one band.
  *
- * No device is certain to support it. Has the layout of mip_gnss_1_rf_error_detection. Known from
- * the MicroStrain MIP SDK only.
+ * No device is certain to support it. Has the layout of mip_gnss_1_rf_error_detection. Known only
+ * from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss4 Data (0x94)
  */
@@ -1796,8 +1796,8 @@ static inline mip_error mip_gnss_external_satellite_status_encode_inline(
  *
  * Raw observation of one signal of one satellite.
  *
- * Has the layout of mip_gnss_1_raw. No device profile lists it. Known from the MicroStrain MIP SDK
- * only.
+ * Has the layout of mip_gnss_1_raw. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * An epoch is sent as one field for each signal; index and count number the fields.
  *
@@ -1973,8 +1973,8 @@ static inline mip_error mip_gnss_external_raw_encode_inline(
  *
  * The base station of the corrections, from an RTCM message 1005 or 1006.
  *
- * Has the layout of mip_gnss_1_base_station_info. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_base_station_info. Not listed in any device profile. Known only from
+ * the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss4 Data (0x94)
  */
@@ -2082,8 +2082,8 @@ static inline mip_error mip_gnss_external_base_station_info_encode_inline(
  *
  * Which corrections are received, and how old they are.
  *
- * Has the layout of mip_gnss_1_rtk_corrections_status. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_rtk_corrections_status. Not listed in any device profile. Known only
+ * from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss4 Data (0x94)
  */
@@ -2211,8 +2211,8 @@ static inline mip_error mip_gnss_external_rtk_corrections_status_encode_inline(
  *
  * Broadcast orbit and clock of one GPS satellite.
  *
- * Has the layout of mip_gnss_1_gps_ephemeris. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_gps_ephemeris. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * `iodc` changes with the clock data; according to the manual, it rolls over at 4.
  *
@@ -2483,8 +2483,8 @@ static inline mip_error mip_gnss_external_gps_ephemeris_encode_inline(
  *
  * Broadcast orbit and clock of one GLONASS satellite.
  *
- * Has the layout of mip_gnss_1_glonass_ephemeris. Also called `glo_ephemeris`. No device profile
- * lists it. Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_glonass_ephemeris. Also called `glo_ephemeris`. Not listed in any
+ * device profile. Known only from the MicroStrain MIP SDK.
  *
  * The interface control document of GLONASS explains p and ft.
  *
@@ -2715,8 +2715,8 @@ static inline mip_error mip_gnss_external_glonass_ephemeris_encode_inline(
  *
  * Broadcast orbit and clock of one Galileo satellite.
  *
- * Has the layout of mip_gnss_1_galileo_ephemeris. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_galileo_ephemeris. Not listed in any device profile. Known only from
+ * the MicroStrain MIP SDK.
  *
  * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
  * corrections mean here.
@@ -2990,8 +2990,8 @@ static inline mip_error mip_gnss_external_galileo_ephemeris_encode_inline(
  *
  * Broadcast orbit and clock of one BeiDou satellite.
  *
- * Has the layout of mip_gnss_1_beidou_ephemeris. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_beidou_ephemeris. Not listed in any device profile. Known only from
+ * the MicroStrain MIP SDK.
  *
  * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
  * corrections mean here.
@@ -3265,8 +3265,8 @@ static inline mip_error mip_gnss_external_beidou_ephemeris_encode_inline(
  *
  * Model of the ionosphere that GPS broadcasts.
  *
- * Has the layout of mip_gnss_1_gps_iono_correction. Also called `gps_iono_corr`. No device profile
- * lists it. Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_gps_iono_correction. Also called `gps_iono_corr`. Not listed in any
+ * device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss4 Data (0x94)
  */
@@ -3364,8 +3364,8 @@ static inline mip_error mip_gnss_external_gps_iono_correction_encode_inline(
  *
  * Model of the ionosphere that Galileo broadcasts.
  *
- * Has the layout of mip_gnss_1_galileo_iono_correction. Also called `galileo_iono_corr`. No device
- * profile lists it. Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_galileo_iono_correction. Also called `galileo_iono_corr`. Not listed
+ * in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss4 Data (0x94)
  */
@@ -3460,8 +3460,8 @@ static inline mip_error mip_gnss_external_galileo_iono_correction_encode_inline(
  *
  * Model of the ionosphere that BeiDou broadcasts.
  *
- * Has the layout of mip_gnss_1_beidou_iono_correction. Also called `beidou_iono_corr`. No device
- * profile lists it. Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_beidou_iono_correction. Also called `beidou_iono_corr`. Not listed
+ * in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss4 Data (0x94)
  */

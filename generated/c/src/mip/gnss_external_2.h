@@ -28,8 +28,8 @@ extern "C" {
  *
  * GNSS position as latitude, longitude and height.
  *
- * Has the layout of mip_gnss_1_llh_position. Also called `pos_llh`. No device profile lists it.
- * Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_llh_position. Also called `pos_llh`. Not listed in any device
+ * profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss5 Data (0x95)
  */
@@ -133,8 +133,8 @@ static inline mip_error mip_gnss_external_2_llh_position_encode_inline(
  *
  * GNSS position in Earth-fixed coordinates.
  *
- * Has the layout of mip_gnss_1_ecef_position. Also called `pos_ecef`. No device profile lists it.
- * Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_ecef_position. Also called `pos_ecef`. Not listed in any device
+ * profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss5 Data (0x95)
  */
@@ -214,8 +214,8 @@ static inline mip_error mip_gnss_external_2_ecef_position_encode_inline(
  *
  * GNSS velocity in the local level frame.
  *
- * Has the layout of mip_gnss_1_ned_velocity. Also called `vel_ned`. No device profile lists it.
- * Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_ned_velocity. Also called `vel_ned`. Not listed in any device
+ * profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss5 Data (0x95)
  */
@@ -323,8 +323,8 @@ static inline mip_error mip_gnss_external_2_ned_velocity_encode_inline(
  *
  * GNSS velocity in Earth-fixed coordinates.
  *
- * Has the layout of mip_gnss_1_ecef_velocity. Also called `vel_ecef`. No device profile lists it.
- * Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_ecef_velocity. Also called `vel_ecef`. Not listed in any device
+ * profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss5 Data (0x95)
  */
@@ -404,8 +404,8 @@ static inline mip_error mip_gnss_external_2_ecef_velocity_encode_inline(
  *
  * Dilution of precision of the satellite geometry.
  *
- * Has the layout of mip_gnss_1_dop. No device profile lists it. Known from the MicroStrain MIP SDK
- * only.
+ * Has the layout of mip_gnss_1_dop. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss5 Data (0x95)
  */
@@ -495,8 +495,8 @@ static inline mip_error mip_gnss_external_2_dop_encode_inline(
  *
  * Coordinated universal time as the receiver knows it.
  *
- * Has the layout of mip_gnss_1_utc_time. No device profile lists it. Known from the MicroStrain MIP
- * SDK only.
+ * Has the layout of mip_gnss_1_utc_time. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss5 Data (0x95)
  */
@@ -604,8 +604,8 @@ static inline mip_error mip_gnss_external_2_utc_time_encode_inline(
  *
  * GPS time as the receiver knows it.
  *
- * Has the layout of mip_gnss_1_gps_time. No device profile lists it. Known from the MicroStrain MIP
- * SDK only.
+ * Has the layout of mip_gnss_1_gps_time. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss5 Data (0x95)
  */
@@ -678,8 +678,8 @@ static inline mip_error mip_gnss_external_2_gps_time_encode_inline(
  *
  * Bias and drift of the receiver clock.
  *
- * Has the layout of mip_gnss_1_clock_info. No device profile lists it. Known from the MicroStrain
- * MIP SDK only.
+ * Has the layout of mip_gnss_1_clock_info. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * Clock info 2 replaces it and gives more detail.
  *
@@ -763,8 +763,8 @@ static inline mip_error mip_gnss_external_2_clock_info_encode_inline(
  *
  * Type of the position fix and what it is based on.
  *
- * Has the layout of mip_gnss_1_fix_info. No device profile lists it. Known from the MicroStrain MIP
- * SDK only.
+ * Has the layout of mip_gnss_1_fix_info. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss5 Data (0x95)
  */
@@ -844,8 +844,8 @@ static inline mip_error mip_gnss_external_2_fix_info_encode_inline(
  *
  * One satellite that is tracked.
  *
- * Has the layout of mip_gnss_1_sv_info. No device profile lists it. Known from the MicroStrain MIP
- * SDK only. Uncertain: Whether a packet holds one of these fields or several.
+ * Has the layout of mip_gnss_1_sv_info. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK. Uncertain: Whether a packet holds one of these fields or several.
  *
  * Each satellite is sent as one field, in packets separate from other GNSS data.
  *
@@ -942,8 +942,8 @@ static inline mip_error mip_gnss_external_2_sv_info_encode_inline(
  *
  * State of the receiver and of its antenna.
  *
- * Has the layout of mip_gnss_1_hardware_status. Also called `hw_status`. No device profile lists
- * it. Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_hardware_status. Also called `hw_status`. Not listed in any device
+ * profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss5 Data (0x95)
  */
@@ -1026,11 +1026,11 @@ static inline mip_error mip_gnss_external_2_hardware_status_encode_inline(
  *
  * State of the differential corrections.
  *
- * Has the layout of mip_gnss_1_dgps_info. No device profile lists it. Known from the MicroStrain
- * MIP SDK only. Uncertain: The layout is from a manual of the 3DM-GX5-35 and from MSCL, another
- * library of the vendor. It agrees with the valid flags. Uncertain: The SDK has another layout: u8,
- * three floats and u16. It is that of mip_gnss_1_dgps_channel and does not agree with its own valid
- * flags (age, base station id, base station status, number of channels).
+ * Has the layout of mip_gnss_1_dgps_info. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK. Uncertain: The layout is from a manual of the 3DM-GX5-35 and from MSCL,
+ * another library of the vendor. It agrees with the valid flags. Uncertain: The SDK has another
+ * layout: u8, three floats and u16. It is that of mip_gnss_1_dgps_channel and does not agree with
+ * its own valid flags (age, base station id, base station status, number of channels).
  *
  * - mip-sdk-4: Gnss5 Data (0x95)
  */
@@ -1121,8 +1121,8 @@ static inline mip_error mip_gnss_external_2_dgps_info_encode_inline(
  *
  * Differential correction for one satellite.
  *
- * Has the layout of mip_gnss_1_dgps_channel. No device profile lists it. Known from the MicroStrain
- * MIP SDK only.
+ * Has the layout of mip_gnss_1_dgps_channel. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * Each active satellite is sent as one field, all in one packet.
  *
@@ -1214,8 +1214,8 @@ static inline mip_error mip_gnss_external_2_dgps_channel_encode_inline(
  *
  * Bias and drift of the receiver clock.
  *
- * Has the layout of mip_gnss_1_clock_info_2. No device profile lists it. Known from the MicroStrain
- * MIP SDK only.
+ * Has the layout of mip_gnss_1_clock_info_2. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * It supersedes clock info.
  *
@@ -1307,8 +1307,8 @@ static inline mip_error mip_gnss_external_2_clock_info_2_encode_inline(
  *
  * Difference between GPS time and UTC.
  *
- * Has the layout of mip_gnss_1_gps_leap_seconds. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_gps_leap_seconds. Not listed in any device profile. Known only from
+ * the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss5 Data (0x95)
  */
@@ -1377,8 +1377,8 @@ static inline mip_error mip_gnss_external_2_gps_leap_seconds_encode_inline(
  *
  * Status of the satellite based augmentation.
  *
- * Has the layout of mip_gnss_1_sbas_info. No device profile lists it. Known from the MicroStrain
- * MIP SDK only.
+ * Has the layout of mip_gnss_1_sbas_info. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss5 Data (0x95)
  */
@@ -1475,8 +1475,8 @@ static inline mip_error mip_gnss_external_2_sbas_info_encode_inline(
  *
  * SBAS correction for one satellite.
  *
- * Has the layout of mip_gnss_1_sbas_correction. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_sbas_correction. Not listed in any device profile. Known only from
+ * the MicroStrain MIP SDK.
  *
  * An epoch is sent as one field for each satellite; index and count number the fields.
  *
@@ -1589,8 +1589,8 @@ static inline mip_error mip_gnss_external_2_sbas_correction_encode_inline(
  *
  * Jamming and spoofing that the receiver detects in one band.
  *
- * Has the layout of mip_gnss_1_rf_error_detection. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_rf_error_detection. Not listed in any device profile. Known only
+ * from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss5 Data (0x95)
  */
@@ -1677,8 +1677,8 @@ static inline mip_error mip_gnss_external_2_rf_error_detection_encode_inline(
  *
  * Direction to one satellite, and its health.
  *
- * Has the layout of mip_gnss_1_satellite_status. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_satellite_status. Not listed in any device profile. Known only from
+ * the MicroStrain MIP SDK.
  *
  * An epoch is sent as one field for each satellite; index and count number the fields.
  *
@@ -1799,8 +1799,8 @@ static inline mip_error mip_gnss_external_2_satellite_status_encode_inline(
  *
  * Raw observation of one signal of one satellite.
  *
- * Has the layout of mip_gnss_1_raw. No device profile lists it. Known from the MicroStrain MIP SDK
- * only.
+ * Has the layout of mip_gnss_1_raw. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * An epoch is sent as one field for each signal; index and count number the fields.
  *
@@ -1976,8 +1976,8 @@ static inline mip_error mip_gnss_external_2_raw_encode_inline(
  *
  * The base station of the corrections, from an RTCM message 1005 or 1006.
  *
- * Has the layout of mip_gnss_1_base_station_info. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_base_station_info. Not listed in any device profile. Known only from
+ * the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss5 Data (0x95)
  */
@@ -2085,8 +2085,8 @@ static inline mip_error mip_gnss_external_2_base_station_info_encode_inline(
  *
  * Which corrections are received, and how old they are.
  *
- * Has the layout of mip_gnss_1_rtk_corrections_status. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_rtk_corrections_status. Not listed in any device profile. Known only
+ * from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss5 Data (0x95)
  */
@@ -2214,8 +2214,8 @@ static inline mip_error mip_gnss_external_2_rtk_corrections_status_encode_inline
  *
  * Broadcast orbit and clock of one GPS satellite.
  *
- * Has the layout of mip_gnss_1_gps_ephemeris. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_gps_ephemeris. Not listed in any device profile. Known only from the
+ * MicroStrain MIP SDK.
  *
  * `iodc` changes with the clock data; according to the manual, it rolls over at 4.
  *
@@ -2486,8 +2486,8 @@ static inline mip_error mip_gnss_external_2_gps_ephemeris_encode_inline(
  *
  * Broadcast orbit and clock of one GLONASS satellite.
  *
- * Has the layout of mip_gnss_1_glonass_ephemeris. Also called `glo_ephemeris`. No device profile
- * lists it. Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_glonass_ephemeris. Also called `glo_ephemeris`. Not listed in any
+ * device profile. Known only from the MicroStrain MIP SDK.
  *
  * The interface control document of GLONASS explains p and ft.
  *
@@ -2718,8 +2718,8 @@ static inline mip_error mip_gnss_external_2_glonass_ephemeris_encode_inline(
  *
  * Broadcast orbit and clock of one Galileo satellite.
  *
- * Has the layout of mip_gnss_1_galileo_ephemeris. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_galileo_ephemeris. Not listed in any device profile. Known only from
+ * the MicroStrain MIP SDK.
  *
  * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
  * corrections mean here.
@@ -2993,8 +2993,8 @@ static inline mip_error mip_gnss_external_2_galileo_ephemeris_encode_inline(
  *
  * Broadcast orbit and clock of one BeiDou satellite.
  *
- * Has the layout of mip_gnss_1_beidou_ephemeris. No device profile lists it. Known from the
- * MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_beidou_ephemeris. Not listed in any device profile. Known only from
+ * the MicroStrain MIP SDK.
  *
  * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
  * corrections mean here.
@@ -3268,8 +3268,8 @@ static inline mip_error mip_gnss_external_2_beidou_ephemeris_encode_inline(
  *
  * Model of the ionosphere that GPS broadcasts.
  *
- * Has the layout of mip_gnss_1_gps_iono_correction. Also called `gps_iono_corr`. No device profile
- * lists it. Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_gps_iono_correction. Also called `gps_iono_corr`. Not listed in any
+ * device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss5 Data (0x95)
  */
@@ -3367,8 +3367,8 @@ static inline mip_error mip_gnss_external_2_gps_iono_correction_encode_inline(
  *
  * Model of the ionosphere that Galileo broadcasts.
  *
- * Has the layout of mip_gnss_1_galileo_iono_correction. Also called `galileo_iono_corr`. No device
- * profile lists it. Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_galileo_iono_correction. Also called `galileo_iono_corr`. Not listed
+ * in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss5 Data (0x95)
  */
@@ -3463,8 +3463,8 @@ static inline mip_error mip_gnss_external_2_galileo_iono_correction_encode_inlin
  *
  * Model of the ionosphere that BeiDou broadcasts.
  *
- * Has the layout of mip_gnss_1_beidou_iono_correction. Also called `beidou_iono_corr`. No device
- * profile lists it. Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_beidou_iono_correction. Also called `beidou_iono_corr`. Not listed
+ * in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * - mip-sdk-4: Gnss5 Data (0x95)
  */

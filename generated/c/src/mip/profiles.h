@@ -1,6 +1,6 @@
 /**
  * @file
- * The devices. Plain tables: a program that names one device links only that.
+ * The devices. Plain tables: a program that uses one device links only that one.
  */
 #ifndef MIP_PROFILES_H
 #define MIP_PROFILES_H
@@ -19,9 +19,9 @@ extern "C" {
 /**
  * 3DM-CL5-10: Inertial measurement unit.
  *
- * Also called 3DM-CL5-IMU. Generation 5. Model number 6279. No manual of it is known. This profile
- * is incomplete: No manual is known. The SDK gives only its name and number. Uncertain: MSCL does
- * not list it among the devices with streams or a device status.
+ * Also called 3DM-CL5-IMU. Generation 5. Model number 6279. No manual is known. This profile is
+ * incomplete: No manual is known. The SDK gives only its name and number. Uncertain: MSCL does not
+ * list it among the devices with streams or a device status.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -31,8 +31,8 @@ extern MIP_API const struct mip_profile mip_profile_cl5_10;
 /**
  * 3DM-CL5-15: Attitude reference.
  *
- * Also called 3DM-CL5-AR. Generation 5. Model number 6280. No manual of it is known. This profile
- * is incomplete: No manual is known. The SDK gives only its name and number.
+ * Also called 3DM-CL5-AR. Generation 5. Model number 6280. No manual is known. This profile is
+ * incomplete: No manual is known. The SDK gives only its name and number.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -42,8 +42,8 @@ extern MIP_API const struct mip_profile mip_profile_cl5_15;
 /**
  * 3DM-CL5-25: Attitude and heading reference system.
  *
- * Also called 3DM-CL5-AHRS. Generation 5. Model number 6281. No manual of it is known. This profile
- * is incomplete: No manual is known. The SDK gives only its name and number.
+ * Also called 3DM-CL5-AHRS. Generation 5. Model number 6281. No manual is known. This profile is
+ * incomplete: No manual is known. The SDK gives only its name and number.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -53,8 +53,8 @@ extern MIP_API const struct mip_profile mip_profile_cl5_25;
 /**
  * 3DM-CV5-10: Inertial measurement unit.
  *
- * Also called 3DM-CV5-IMU. Generation 5. Model number 6259. No manual of it is known. This profile
- * is incomplete: No manual is known. The SDK gives only its name and number.
+ * Also called 3DM-CV5-IMU. Generation 5. Model number 6259. No manual is known. This profile is
+ * incomplete: No manual is known. The SDK gives only its name and number.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -64,8 +64,8 @@ extern MIP_API const struct mip_profile mip_profile_cv5_10;
 /**
  * 3DM-CV5-15: Attitude reference.
  *
- * Also called 3DM-CV5-AR. Generation 5. Model number 6258. No manual of it is known. This profile
- * is incomplete: No manual is known. The SDK gives only its name and number.
+ * Also called 3DM-CV5-AR. Generation 5. Model number 6258. No manual is known. This profile is
+ * incomplete: No manual is known. The SDK gives only its name and number.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -75,8 +75,8 @@ extern MIP_API const struct mip_profile mip_profile_cv5_15;
 /**
  * 3DM-CV5-25: Attitude and heading reference system.
  *
- * Also called 3DM-CV5-AHRS. Generation 5. Model number 6257. No manual of it is known. This profile
- * is incomplete: No manual is known. The SDK gives only its name and number.
+ * Also called 3DM-CV5-AHRS. Generation 5. Model number 6257. No manual is known. This profile is
+ * incomplete: No manual is known. The SDK gives only its name and number.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -138,8 +138,8 @@ extern MIP_API const struct mip_profile mip_profile_cv7_ins;
 /**
  * 3DM-CX5-10: Inertial measurement unit.
  *
- * Also called 3DM-CX5-IMU. Generation 5. Model number 6275. No manual of it is known. This profile
- * is incomplete: No manual is known. The SDK gives only its name and number.
+ * Also called 3DM-CX5-IMU. Generation 5. Model number 6275. No manual is known. This profile is
+ * incomplete: No manual is known. The SDK gives only its name and number.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -149,9 +149,9 @@ extern MIP_API const struct mip_profile mip_profile_cx5_10;
 /**
  * 3DM-CX5-15: Attitude reference.
  *
- * Also called 3DM-CX5-AR. Generation 5. Model number 6274. No manual of it is known. This profile
- * is incomplete: No manual is known. The SDK gives only its name and number. Uncertain: MSCL does
- * not list it among the devices for which it limits the choices of the filter.
+ * Also called 3DM-CX5-AR. Generation 5. Model number 6274. No manual is known. This profile is
+ * incomplete: No manual is known. The SDK gives only its name and number. Uncertain: MSCL does not
+ * list it among the devices for which it limits the choices of the filter.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -161,9 +161,9 @@ extern MIP_API const struct mip_profile mip_profile_cx5_15;
 /**
  * 3DM-CX5-25: Attitude and heading reference system.
  *
- * Also called 3DM-CX5-AHRS. Generation 5. Model number 6273. No manual of it is known. This profile
- * is incomplete: No manual is known. The SDK gives only its name and number. Uncertain: MSCL does
- * not list it among the devices for which it limits the choices of the filter.
+ * Also called 3DM-CX5-AHRS. Generation 5. Model number 6273. No manual is known. This profile is
+ * incomplete: No manual is known. The SDK gives only its name and number. Uncertain: MSCL does not
+ * list it among the devices for which it limits the choices of the filter.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -173,8 +173,8 @@ extern MIP_API const struct mip_profile mip_profile_cx5_25;
 /**
  * 3DM-CX5-35: Attitude and heading reference with GNSS.
  *
- * Also called 3DM-CX5-GNSS/AHRS. Generation 5. Model number 6272. No manual of it is known. This
- * profile is incomplete: No manual is known. The SDK gives only its name and number.
+ * Also called 3DM-CX5-GNSS/AHRS. Generation 5. Model number 6272. No manual is known. This profile
+ * is incomplete: No manual is known. The SDK gives only its name and number.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -184,8 +184,8 @@ extern MIP_API const struct mip_profile mip_profile_cx5_35;
 /**
  * 3DM-CX5-45: Inertial navigation system with GNSS.
  *
- * Also called 3DM-CX5-GNSS/INS. Generation 5. Model number 6271. No manual of it is known. This
- * profile is incomplete: No manual is known. The SDK gives only its name and number.
+ * Also called 3DM-CX5-GNSS/INS. Generation 5. Model number 6271. No manual is known. This profile
+ * is incomplete: No manual is known. The SDK gives only its name and number.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -195,8 +195,8 @@ extern MIP_API const struct mip_profile mip_profile_cx5_45;
 /**
  * 3DM-DH3: Device of generation 3, known only by its name and its number.
  *
- * Generation 3. Model number 6219. No manual of it is known. This profile is incomplete: No manual
- * is known. The SDK gives only its name and number.
+ * Generation 3. Model number 6219. No manual is known. This profile is incomplete: No manual is
+ * known. The SDK gives only its name and number.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -236,8 +236,8 @@ extern MIP_API const struct mip_profile mip_profile_gq7;
 /**
  * 3DM-GV7-AHRS: Attitude and heading reference system.
  *
- * Generation 7. Model number 6288. No manual of it is known. This profile is incomplete: No manual
- * is known. The SDK gives only its name and number.
+ * Generation 7. Model number 6288. No manual is known. This profile is incomplete: No manual is
+ * known. The SDK gives only its name and number.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -247,8 +247,8 @@ extern MIP_API const struct mip_profile mip_profile_gv7_ahrs;
 /**
  * 3DM-GV7-AR: Attitude reference.
  *
- * Generation 7. Model number 6289. No manual of it is known. This profile is incomplete: No manual
- * is known. The SDK gives only its name and number.
+ * Generation 7. Model number 6289. No manual is known. This profile is incomplete: No manual is
+ * known. The SDK gives only its name and number.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -258,8 +258,8 @@ extern MIP_API const struct mip_profile mip_profile_gv7_ar;
 /**
  * 3DM-GV7-INS: Inertial navigation system.
  *
- * Generation 7. Model number 6290. No manual of it is known. This profile is incomplete: No manual
- * is known. The SDK gives only its name and number.
+ * Generation 7. Model number 6290. No manual is known. This profile is incomplete: No manual is
+ * known. The SDK gives only its name and number.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -269,8 +269,8 @@ extern MIP_API const struct mip_profile mip_profile_gv7_ins;
 /**
  * 3DM-GX3-15: Device of generation 3, known only by its name and its number.
  *
- * Generation 3. Model number 6227. No manual of it is known. This profile is incomplete: No manual
- * is known. The SDK gives only its name and number.
+ * Generation 3. Model number 6227. No manual is known. This profile is incomplete: No manual is
+ * known. The SDK gives only its name and number.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -280,8 +280,8 @@ extern MIP_API const struct mip_profile mip_profile_gx3_15;
 /**
  * 3DM-GX3-25: Device of generation 3, known only by its name and its number.
  *
- * Generation 3. Model number 6223. No manual of it is known. This profile is incomplete: No manual
- * is known. The SDK gives only its name and number.
+ * Generation 3. Model number 6223. No manual is known. This profile is incomplete: No manual is
+ * known. The SDK gives only its name and number.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -291,8 +291,8 @@ extern MIP_API const struct mip_profile mip_profile_gx3_25;
 /**
  * 3DM-GX3-35: Device of generation 3, known only by its name and its number.
  *
- * Generation 3. Model number 6225. No manual of it is known. This profile is incomplete: No manual
- * is known. The SDK gives only its name and number.
+ * Generation 3. Model number 6225. No manual is known. This profile is incomplete: No manual is
+ * known. The SDK gives only its name and number.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -302,8 +302,8 @@ extern MIP_API const struct mip_profile mip_profile_gx3_35;
 /**
  * 3DM-GX3-45: Device of generation 3, known only by its name and its number.
  *
- * Generation 3. Model number 6228. No manual of it is known. This profile is incomplete: No manual
- * is known. The SDK gives only its name and number.
+ * Generation 3. Model number 6228. No manual is known. This profile is incomplete: No manual is
+ * known. The SDK gives only its name and number.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -313,8 +313,8 @@ extern MIP_API const struct mip_profile mip_profile_gx3_45;
 /**
  * 3DM-GX4-15: Device of generation 4, known only by its name and its number.
  *
- * Generation 4. Model number 6233. No manual of it is known. This profile is incomplete: No manual
- * is known. The SDK gives only its name and number.
+ * Generation 4. Model number 6233. No manual is known. This profile is incomplete: No manual is
+ * known. The SDK gives only its name and number.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -324,8 +324,8 @@ extern MIP_API const struct mip_profile mip_profile_gx4_15;
 /**
  * 3DM-GX4-25: Device of generation 4, known only by its name and its number.
  *
- * Generation 4. Model number 6234. No manual of it is known. This profile is incomplete: No manual
- * is known. The SDK gives only its name and number.
+ * Generation 4. Model number 6234. No manual is known. This profile is incomplete: No manual is
+ * known. The SDK gives only its name and number.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -335,8 +335,8 @@ extern MIP_API const struct mip_profile mip_profile_gx4_25;
 /**
  * 3DM-GX4-45: Device of generation 4, known only by its name and its number.
  *
- * Generation 4. Model number 6236. No manual of it is known. This profile is incomplete: No manual
- * is known. The SDK gives only its name and number.
+ * Generation 4. Model number 6236. No manual is known. This profile is incomplete: No manual is
+ * known. The SDK gives only its name and number.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -346,8 +346,8 @@ extern MIP_API const struct mip_profile mip_profile_gx4_45;
 /**
  * 3DM-GX5-10: Inertial measurement unit.
  *
- * Also called 3DM-GX5-IMU. Generation 5. Model number 6255. No manual of it is known. This profile
- * is incomplete: No manual is known. The SDK gives only its name and number.
+ * Also called 3DM-GX5-IMU. Generation 5. Model number 6255. No manual is known. This profile is
+ * incomplete: No manual is known. The SDK gives only its name and number.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -369,8 +369,8 @@ extern MIP_API const struct mip_profile mip_profile_gx5_15;
 /**
  * 3DM-GX5-25: Attitude and heading reference system.
  *
- * Also called 3DM-GX5-AHRS. Generation 5. Model number 6253. No manual of it is known. This profile
- * is incomplete: No manual is known. The SDK gives only its name and number.
+ * Also called 3DM-GX5-AHRS. Generation 5. Model number 6253. No manual is known. This profile is
+ * incomplete: No manual is known. The SDK gives only its name and number.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -410,8 +410,8 @@ extern MIP_API const struct mip_profile mip_profile_gx5_45;
 /**
  * 3DM-MV5-AR: Device of generation 5, known only by its name and its number.
  *
- * Also called 3DM-MV5-15. Generation 5. Model number 6243. No manual of it is known. This profile
- * is incomplete: No manual is known. The SDK gives only its name and number.
+ * Also called 3DM-MV5-15. Generation 5. Model number 6243. No manual is known. This profile is
+ * incomplete: No manual is known. The SDK gives only its name and number.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features
@@ -451,8 +451,8 @@ extern MIP_API const struct mip_profile mip_profile_rq1_45_st;
 /**
  * 3DM-RTK: Modem for GNSS corrections.
  *
- * Generation 7. Model number 6285. No manual of it is known. This profile is incomplete: No manual
- * is known. The SDK gives only its name and number.
+ * Generation 7. Model number 6285. No manual is known. This profile is incomplete: No manual is
+ * known. The SDK gives only its name and number.
  *
  * - mip-sdk-4: Device models
  * - mscl: MIP node features

@@ -106,9 +106,9 @@ static inline mip_error mip_shared_event_source_encode_inline(
  *
  * Base periods since power-up.
  *
- * No device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: According to the
- * SDK, the counter returns to 0 after about 50 days. That fits 2^32 ticks at 1000 Hz; at other
- * rates it would take longer or shorter.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: According
+ * to the SDK, the counter returns to 0 after about 50 days. That fits 2^32 ticks at 1000 Hz; at
+ * other rates it would take longer or shorter.
  *
  * One tick is one period of the base rate.
  *
@@ -172,8 +172,8 @@ static inline mip_error mip_shared_ticks_encode_inline(const struct mip_shared_t
  *
  * Base periods since this field was last sent.
  *
- * No device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: Whether each set
- * and each event instance counts separately, as with mip_shared_delta_time.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: Whether
+ * each set and each event instance counts separately, as with mip_shared_delta_time.
  *
  * One tick is one period of the base rate.
  *

@@ -3,7 +3,7 @@
  *
  * System (0x7F). Advanced commands of devices that consist of several intelligent parts.
  *
- * Devices that may support a field, though it is not certain, are in mip/profiles.h only.
+ * Devices that may support a field, but are not certain to, are listed only in mip/profiles.h.
  */
 #ifndef MIP_SYSTEM_H
 #define MIP_SYSTEM_H
@@ -97,8 +97,8 @@ MIP_API const char *mip_system_protocol_mode_name(uint8_t value);
  */
 struct mip_system_interface_control {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */
@@ -267,8 +267,8 @@ static inline mip_error mip_system_interface_control_response_encode_inline(
  */
 struct mip_system_comm_mode {
     /**
-     * How many parameters are there, the function selector not counted. When decoded: as many have
-     * come. To send: 0 for those that are required.
+     * Number of parameters that are present, not counting the function selector. When decoding:
+     * those received. To send: 0 for only the required ones.
      */
     uint8_t present;
     /** What to do with the setting. A value of enum mip_function_selector. */

@@ -248,7 +248,7 @@ static inline mip_error mip_system_data_gpio_state_encode_inline(
  *
  * Voltage at one GPIO pin.
  *
- * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ * Not listed in any device profile. Known only from the MicroStrain MIP SDK.
  *
  * Only for pins that are configured as analog inputs.
  *

@@ -65,7 +65,7 @@ typedef uint32_t mip_cv7_built_in_test;
 
 /**
  * Flags of the continuous built-in test of the 3DM-CV7-GNSS/INS: bits 0-31 system, 32-63 inertial
- * sensors, 64-95 navigation, 96-127 GNSS. In full: cv7_continuous_built_in_test.
+ * sensors, 64-95 navigation, 96-127 GNSS. Full name: cv7_continuous_built_in_test.
  *
  * - 3dm-cv7-gnss-ins: Continuous Built-in Test
  */

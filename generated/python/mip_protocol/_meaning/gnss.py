@@ -90,7 +90,7 @@ TYPES: dict[str, Info] = {
         "gnss.rtk_dongle_config", type=gnss.RtkDongleConfig,
         title="RTK dongle configuration",
         description="Whether the device talks to the RTK dongle that is connected to it.",
-        facts=("Also called `rtk_dongle_configuration`.", "Functions: `write`, `read`, `save`, `load` and `default`.", "Answered by `gnss.RtkDongleConfigResponse`.", "No device profile lists it.", "Known from the MicroStrain MIP SDK only."),
+        facts=("Also called `rtk_dongle_configuration`.", "Functions: `write`, `read`, `save`, `load` and `default`.", "Answered by `gnss.RtkDongleConfigResponse`.", "Not listed in any device profile.", "Known only from the MicroStrain MIP SDK."),
         sources=("mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)",),
         also=("rtk_dongle_configuration",),
         functions=("write", "read", "save", "load", "default"),
@@ -150,7 +150,7 @@ TYPES: dict[str, Info] = {
     "RtkDongleConfigResponse": FieldInfo(
         "gnss.rtk_dongle_config_response", type=gnss.RtkDongleConfigResponse,
         title="RTK dongle configuration response",
-        facts=("Also called `rtk_dongle_configuration_response`.", "Answers `gnss.RtkDongleConfig`.", "Known from the MicroStrain MIP SDK only."),
+        facts=("Also called `rtk_dongle_configuration_response`.", "Answers `gnss.RtkDongleConfig`.", "Known only from the MicroStrain MIP SDK."),
         sources=("mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)",),
         also=("rtk_dongle_configuration_response",),
         parameters=(

@@ -58,7 +58,7 @@ TYPES: dict[str, Info] = {
         "system_data.gpio_analog_value", type=system_data.GpioAnalogValue,
         title="GPIO analog value",
         description="Voltage at one GPIO pin.",
-        facts=("No device profile lists it.", "Known from the MicroStrain MIP SDK only.", "Only for pins that are configured as analog inputs."),
+        facts=("Not listed in any device profile.", "Known only from the MicroStrain MIP SDK.", "Only for pins that are configured as analog inputs."),
         sources=("mip-sdk-4: Gpio Analog Value (0xA0,0x04)",),
         parameters=(
             Parameter("gpio_id", "gpio_id", "scalar", description="GPIO pin, counted from 1.", facts=("Range: at least 1.",), scalar="u8", minimum=1),

@@ -49,9 +49,9 @@ pub static ALL: &[&Device] = &[
 ///
 /// Inertial measurement unit.
 ///
-/// Also called 3DM-CL5-IMU. Generation 5. Model number 6279. No manual of it is known. This profile
-/// is incomplete: No manual is known. The SDK gives only its name and number. Uncertain: MSCL does
-/// not list it among the devices with streams or a device status.
+/// Also called 3DM-CL5-IMU. Generation 5. Model number 6279. No manual is known. This profile is
+/// incomplete: No manual is known. The SDK gives only its name and number. Uncertain: MSCL does not
+/// list it among the devices with streams or a device status.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 #[rustfmt::skip]
@@ -89,8 +89,8 @@ pub static CL5_10: Device = Device {
 ///
 /// Attitude reference.
 ///
-/// Also called 3DM-CL5-AR. Generation 5. Model number 6280. No manual of it is known. This profile
-/// is incomplete: No manual is known. The SDK gives only its name and number.
+/// Also called 3DM-CL5-AR. Generation 5. Model number 6280. No manual is known. This profile is
+/// incomplete: No manual is known. The SDK gives only its name and number.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
@@ -164,8 +164,8 @@ pub static CL5_15: Device = Device {
 ///
 /// Attitude and heading reference system.
 ///
-/// Also called 3DM-CL5-AHRS. Generation 5. Model number 6281. No manual of it is known. This
-/// profile is incomplete: No manual is known. The SDK gives only its name and number.
+/// Also called 3DM-CL5-AHRS. Generation 5. Model number 6281. No manual is known. This profile is
+/// incomplete: No manual is known. The SDK gives only its name and number.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
@@ -233,8 +233,8 @@ pub static CL5_25: Device = Device {
 ///
 /// Inertial measurement unit.
 ///
-/// Also called 3DM-CV5-IMU. Generation 5. Model number 6259. No manual of it is known. This profile
-/// is incomplete: No manual is known. The SDK gives only its name and number.
+/// Also called 3DM-CV5-IMU. Generation 5. Model number 6259. No manual is known. This profile is
+/// incomplete: No manual is known. The SDK gives only its name and number.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
@@ -297,8 +297,8 @@ pub static CV5_10: Device = Device {
 ///
 /// Attitude reference.
 ///
-/// Also called 3DM-CV5-AR. Generation 5. Model number 6258. No manual of it is known. This profile
-/// is incomplete: No manual is known. The SDK gives only its name and number.
+/// Also called 3DM-CV5-AR. Generation 5. Model number 6258. No manual is known. This profile is
+/// incomplete: No manual is known. The SDK gives only its name and number.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
@@ -372,8 +372,8 @@ pub static CV5_15: Device = Device {
 ///
 /// Attitude and heading reference system.
 ///
-/// Also called 3DM-CV5-AHRS. Generation 5. Model number 6257. No manual of it is known. This
-/// profile is incomplete: No manual is known. The SDK gives only its name and number.
+/// Also called 3DM-CV5-AHRS. Generation 5. Model number 6257. No manual is known. This profile is
+/// incomplete: No manual is known. The SDK gives only its name and number.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
@@ -1349,8 +1349,8 @@ pub static CV7_INS: Device = Device {
 ///
 /// Inertial measurement unit.
 ///
-/// Also called 3DM-CX5-IMU. Generation 5. Model number 6275. No manual of it is known. This profile
-/// is incomplete: No manual is known. The SDK gives only its name and number.
+/// Also called 3DM-CX5-IMU. Generation 5. Model number 6275. No manual is known. This profile is
+/// incomplete: No manual is known. The SDK gives only its name and number.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
@@ -1413,9 +1413,9 @@ pub static CX5_10: Device = Device {
 ///
 /// Attitude reference.
 ///
-/// Also called 3DM-CX5-AR. Generation 5. Model number 6274. No manual of it is known. This profile
-/// is incomplete: No manual is known. The SDK gives only its name and number. Uncertain: MSCL does
-/// not list it among the devices for which it limits the choices of the filter.
+/// Also called 3DM-CX5-AR. Generation 5. Model number 6274. No manual is known. This profile is
+/// incomplete: No manual is known. The SDK gives only its name and number. Uncertain: MSCL does not
+/// list it among the devices for which it limits the choices of the filter.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
@@ -1477,9 +1477,9 @@ pub static CX5_15: Device = Device {
 ///
 /// Attitude and heading reference system.
 ///
-/// Also called 3DM-CX5-AHRS. Generation 5. Model number 6273. No manual of it is known. This
-/// profile is incomplete: No manual is known. The SDK gives only its name and number. Uncertain:
-/// MSCL does not list it among the devices for which it limits the choices of the filter.
+/// Also called 3DM-CX5-AHRS. Generation 5. Model number 6273. No manual is known. This profile is
+/// incomplete: No manual is known. The SDK gives only its name and number. Uncertain: MSCL does not
+/// list it among the devices for which it limits the choices of the filter.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
@@ -1535,8 +1535,8 @@ pub static CX5_25: Device = Device {
 ///
 /// Attitude and heading reference with GNSS.
 ///
-/// Also called 3DM-CX5-GNSS/AHRS. Generation 5. Model number 6272. No manual of it is known. This
-/// profile is incomplete: No manual is known. The SDK gives only its name and number.
+/// Also called 3DM-CX5-GNSS/AHRS. Generation 5. Model number 6272. No manual is known. This profile
+/// is incomplete: No manual is known. The SDK gives only its name and number.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
@@ -1592,8 +1592,8 @@ pub static CX5_35: Device = Device {
 ///
 /// Inertial navigation system with GNSS.
 ///
-/// Also called 3DM-CX5-GNSS/INS. Generation 5. Model number 6271. No manual of it is known. This
-/// profile is incomplete: No manual is known. The SDK gives only its name and number.
+/// Also called 3DM-CX5-GNSS/INS. Generation 5. Model number 6271. No manual is known. This profile
+/// is incomplete: No manual is known. The SDK gives only its name and number.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
@@ -1649,8 +1649,8 @@ pub static CX5_45: Device = Device {
 ///
 /// Device of generation 3, known only by its name and its number.
 ///
-/// Generation 3. Model number 6219. No manual of it is known. This profile is incomplete: No manual
-/// is known. The SDK gives only its name and number.
+/// Generation 3. Model number 6219. No manual is known. This profile is incomplete: No manual is
+/// known. The SDK gives only its name and number.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 #[rustfmt::skip]
@@ -1772,7 +1772,7 @@ pub static GQ4_45: Device = Device {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: None,
-            difference: "values that are not known",
+            difference: "the values are not known",
         },
         Variant {
             parameter: "3dm.data_stream_control.descriptor_set",
@@ -1932,8 +1932,8 @@ pub static GQ7: Device = Device {
 ///
 /// Attitude and heading reference system.
 ///
-/// Generation 7. Model number 6288. No manual of it is known. This profile is incomplete: No manual
-/// is known. The SDK gives only its name and number.
+/// Generation 7. Model number 6288. No manual is known. This profile is incomplete: No manual is
+/// known. The SDK gives only its name and number.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 #[rustfmt::skip]
@@ -1971,8 +1971,8 @@ pub static GV7_AHRS: Device = Device {
 ///
 /// Attitude reference.
 ///
-/// Generation 7. Model number 6289. No manual of it is known. This profile is incomplete: No manual
-/// is known. The SDK gives only its name and number.
+/// Generation 7. Model number 6289. No manual is known. This profile is incomplete: No manual is
+/// known. The SDK gives only its name and number.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 #[rustfmt::skip]
@@ -2010,8 +2010,8 @@ pub static GV7_AR: Device = Device {
 ///
 /// Inertial navigation system.
 ///
-/// Generation 7. Model number 6290. No manual of it is known. This profile is incomplete: No manual
-/// is known. The SDK gives only its name and number.
+/// Generation 7. Model number 6290. No manual is known. This profile is incomplete: No manual is
+/// known. The SDK gives only its name and number.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 #[rustfmt::skip]
@@ -2049,8 +2049,8 @@ pub static GV7_INS: Device = Device {
 ///
 /// Device of generation 3, known only by its name and its number.
 ///
-/// Generation 3. Model number 6227. No manual of it is known. This profile is incomplete: No manual
-/// is known. The SDK gives only its name and number.
+/// Generation 3. Model number 6227. No manual is known. This profile is incomplete: No manual is
+/// known. The SDK gives only its name and number.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 #[rustfmt::skip]
@@ -2099,8 +2099,8 @@ pub static GX3_15: Device = Device {
 ///
 /// Device of generation 3, known only by its name and its number.
 ///
-/// Generation 3. Model number 6223. No manual of it is known. This profile is incomplete: No manual
-/// is known. The SDK gives only its name and number.
+/// Generation 3. Model number 6223. No manual is known. This profile is incomplete: No manual is
+/// known. The SDK gives only its name and number.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 #[rustfmt::skip]
@@ -2149,8 +2149,8 @@ pub static GX3_25: Device = Device {
 ///
 /// Device of generation 3, known only by its name and its number.
 ///
-/// Generation 3. Model number 6225. No manual of it is known. This profile is incomplete: No manual
-/// is known. The SDK gives only its name and number.
+/// Generation 3. Model number 6225. No manual is known. This profile is incomplete: No manual is
+/// known. The SDK gives only its name and number.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 #[rustfmt::skip]
@@ -2199,8 +2199,8 @@ pub static GX3_35: Device = Device {
 ///
 /// Device of generation 3, known only by its name and its number.
 ///
-/// Generation 3. Model number 6228. No manual of it is known. This profile is incomplete: No manual
-/// is known. The SDK gives only its name and number.
+/// Generation 3. Model number 6228. No manual is known. This profile is incomplete: No manual is
+/// known. The SDK gives only its name and number.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 #[rustfmt::skip]
@@ -2279,8 +2279,8 @@ pub static GX3_45: Device = Device {
 ///
 /// Device of generation 4, known only by its name and its number.
 ///
-/// Generation 4. Model number 6233. No manual of it is known. This profile is incomplete: No manual
-/// is known. The SDK gives only its name and number.
+/// Generation 4. Model number 6233. No manual is known. This profile is incomplete: No manual is
+/// known. The SDK gives only its name and number.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
@@ -2355,8 +2355,8 @@ pub static GX4_15: Device = Device {
 ///
 /// Device of generation 4, known only by its name and its number.
 ///
-/// Generation 4. Model number 6234. No manual of it is known. This profile is incomplete: No manual
-/// is known. The SDK gives only its name and number.
+/// Generation 4. Model number 6234. No manual is known. This profile is incomplete: No manual is
+/// known. The SDK gives only its name and number.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
@@ -2437,8 +2437,8 @@ pub static GX4_25: Device = Device {
 ///
 /// Device of generation 4, known only by its name and its number.
 ///
-/// Generation 4. Model number 6236. No manual of it is known. This profile is incomplete: No manual
-/// is known. The SDK gives only its name and number.
+/// Generation 4. Model number 6236. No manual is known. This profile is incomplete: No manual is
+/// known. The SDK gives only its name and number.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
@@ -2518,8 +2518,8 @@ pub static GX4_45: Device = Device {
 ///
 /// Inertial measurement unit.
 ///
-/// Also called 3DM-GX5-IMU. Generation 5. Model number 6255. No manual of it is known. This profile
-/// is incomplete: No manual is known. The SDK gives only its name and number.
+/// Also called 3DM-GX5-IMU. Generation 5. Model number 6255. No manual is known. This profile is
+/// incomplete: No manual is known. The SDK gives only its name and number.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
@@ -2865,8 +2865,8 @@ pub static GX5_15: Device = Device {
 ///
 /// Attitude and heading reference system.
 ///
-/// Also called 3DM-GX5-AHRS. Generation 5. Model number 6253. No manual of it is known. This
-/// profile is incomplete: No manual is known. The SDK gives only its name and number.
+/// Also called 3DM-GX5-AHRS. Generation 5. Model number 6253. No manual is known. This profile is
+/// incomplete: No manual is known. The SDK gives only its name and number.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 ///
@@ -3044,7 +3044,7 @@ pub static GX5_35: Device = Device {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: None,
-            difference: "values that are not known",
+            difference: "the values are not known",
         },
         Variant {
             parameter: "3dm.data_stream_control.descriptor_set",
@@ -3291,7 +3291,7 @@ pub static GX5_45: Device = Device {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: None,
-            difference: "values that are not known",
+            difference: "the values are not known",
         },
         Variant {
             parameter: "3dm.data_stream_control.descriptor_set",
@@ -3332,8 +3332,8 @@ pub static GX5_45: Device = Device {
 ///
 /// Device of generation 5, known only by its name and its number.
 ///
-/// Also called 3DM-MV5-15. Generation 5. Model number 6243. No manual of it is known. This profile
-/// is incomplete: No manual is known. The SDK gives only its name and number.
+/// Also called 3DM-MV5-15. Generation 5. Model number 6243. No manual is known. This profile is
+/// incomplete: No manual is known. The SDK gives only its name and number.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 #[rustfmt::skip]
@@ -3461,7 +3461,7 @@ pub static RQ1_45_LT: Device = Device {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: None,
-            difference: "values that are not known",
+            difference: "the values are not known",
         },
         Variant {
             parameter: "3dm.data_stream_control.descriptor_set",
@@ -3581,7 +3581,7 @@ pub static RQ1_45_ST: Device = Device {
         Variant {
             parameter: "base.built_in_test_response.result",
             read_as: None,
-            difference: "values that are not known",
+            difference: "the values are not known",
         },
         Variant {
             parameter: "3dm.data_stream_control.descriptor_set",
@@ -3622,8 +3622,8 @@ pub static RQ1_45_ST: Device = Device {
 ///
 /// Modem for GNSS corrections.
 ///
-/// Generation 7. Model number 6285. No manual of it is known. This profile is incomplete: No manual
-/// is known. The SDK gives only its name and number.
+/// Generation 7. Model number 6285. No manual is known. This profile is incomplete: No manual is
+/// known. The SDK gives only its name and number.
 ///
 /// Source: mip-sdk-4: Device models; mscl: MIP node features.
 #[rustfmt::skip]

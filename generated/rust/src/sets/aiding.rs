@@ -77,7 +77,7 @@ impl core::default::Default for MeasurementTime {
 constructors! {
     MeasurementTime
 
-    /// Puts the values together.
+    /// Creates it from its values.
     fn new(timebase: Timebase, nanoseconds: u64), reserved: 1;
 }
 
@@ -302,15 +302,15 @@ record! {
         pub frame_id: u8,
         /// Position.
         ///
-        /// Elements: x, y, z. Unit: m. Frame: ecef. Each element is valid by its bit: x by
-        /// [`valid_flags.x`](AxisFlags::x), y by [`valid_flags.y`](AxisFlags::y), z by
+        /// Elements: x, y, z. Unit: m. Frame: ecef. Each element has its own valid flag. x:
+        /// [`valid_flags.x`](AxisFlags::x), y: [`valid_flags.y`](AxisFlags::y), z:
         /// [`valid_flags.z`](AxisFlags::z).
         pub position: types::Vector3d,
         /// Uncertainty of the position.
         ///
-        /// Elements: x, y, z. Unit: m. Frame: ecef. Range: greater than 0. Each element is valid by
-        /// its bit: x by [`valid_flags.x`](AxisFlags::x), y by [`valid_flags.y`](AxisFlags::y), z
-        /// by [`valid_flags.z`](AxisFlags::z).
+        /// Elements: x, y, z. Unit: m. Frame: ecef. Range: greater than 0. Each element has its own
+        /// valid flag. x: [`valid_flags.x`](AxisFlags::x), y: [`valid_flags.y`](AxisFlags::y), z:
+        /// [`valid_flags.z`](AxisFlags::z).
         pub uncertainty: types::Vector3f,
         /// Which axes are valid.
         pub valid_flags: AxisFlags,
@@ -320,7 +320,7 @@ record! {
 constructors! {
     EcefPosition
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(
         time: MeasurementTime,
         frame_id: u8,
@@ -376,9 +376,9 @@ record! {
         pub height: f64,
         /// Uncertainty along north, east and down.
         ///
-        /// Elements: x, y, z. Unit: m. Frame: ned. Range: greater than 0. Each element is valid by
-        /// its bit: x by [`valid_flags.latitude`](LlhAxisFlags::latitude), y by
-        /// [`valid_flags.longitude`](LlhAxisFlags::longitude), z by
+        /// Elements: x, y, z. Unit: m. Frame: ned. Range: greater than 0. Each element has its own
+        /// valid flag. x: [`valid_flags.latitude`](LlhAxisFlags::latitude), y:
+        /// [`valid_flags.longitude`](LlhAxisFlags::longitude), z:
         /// [`valid_flags.height`](LlhAxisFlags::height).
         pub uncertainty: types::Vector3f,
         /// Which coordinates are valid.
@@ -389,7 +389,7 @@ record! {
 constructors! {
     LlhPosition
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(
         time: MeasurementTime,
         frame_id: u8,
@@ -446,7 +446,7 @@ record! {
 constructors! {
     HeightAboveEllipsoid
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(
         time: MeasurementTime,
         frame_id: u8,
@@ -491,15 +491,15 @@ record! {
         pub frame_id: u8,
         /// Velocity.
         ///
-        /// Elements: x, y, z. Unit: m/s. Frame: ecef. Each element is valid by its bit: x by
-        /// [`valid_flags.x`](AxisFlags::x), y by [`valid_flags.y`](AxisFlags::y), z by
+        /// Elements: x, y, z. Unit: m/s. Frame: ecef. Each element has its own valid flag. x:
+        /// [`valid_flags.x`](AxisFlags::x), y: [`valid_flags.y`](AxisFlags::y), z:
         /// [`valid_flags.z`](AxisFlags::z).
         pub velocity: types::Vector3f,
         /// Uncertainty of the velocity.
         ///
-        /// Elements: x, y, z. Unit: m/s. Frame: ecef. Range: greater than 0. Each element is valid
-        /// by its bit: x by [`valid_flags.x`](AxisFlags::x), y by [`valid_flags.y`](AxisFlags::y),
-        /// z by [`valid_flags.z`](AxisFlags::z).
+        /// Elements: x, y, z. Unit: m/s. Frame: ecef. Range: greater than 0. Each element has its
+        /// own valid flag. x: [`valid_flags.x`](AxisFlags::x), y: [`valid_flags.y`](AxisFlags::y),
+        /// z: [`valid_flags.z`](AxisFlags::z).
         pub uncertainty: types::Vector3f,
         /// Which axes are valid.
         pub valid_flags: AxisFlags,
@@ -509,7 +509,7 @@ record! {
 constructors! {
     EcefVelocity
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(
         time: MeasurementTime,
         frame_id: u8,
@@ -554,15 +554,15 @@ record! {
         pub frame_id: u8,
         /// Velocity.
         ///
-        /// Elements: x, y, z. Unit: m/s. Frame: ned. Each element is valid by its bit: x by
-        /// [`valid_flags.x`](AxisFlags::x), y by [`valid_flags.y`](AxisFlags::y), z by
+        /// Elements: x, y, z. Unit: m/s. Frame: ned. Each element has its own valid flag. x:
+        /// [`valid_flags.x`](AxisFlags::x), y: [`valid_flags.y`](AxisFlags::y), z:
         /// [`valid_flags.z`](AxisFlags::z).
         pub velocity: types::Vector3f,
         /// Uncertainty of the velocity.
         ///
-        /// Elements: x, y, z. Unit: m/s. Frame: ned. Range: greater than 0. Each element is valid
-        /// by its bit: x by [`valid_flags.x`](AxisFlags::x), y by [`valid_flags.y`](AxisFlags::y),
-        /// z by [`valid_flags.z`](AxisFlags::z).
+        /// Elements: x, y, z. Unit: m/s. Frame: ned. Range: greater than 0. Each element has its
+        /// own valid flag. x: [`valid_flags.x`](AxisFlags::x), y: [`valid_flags.y`](AxisFlags::y),
+        /// z: [`valid_flags.z`](AxisFlags::z).
         pub uncertainty: types::Vector3f,
         /// Which axes are valid.
         pub valid_flags: AxisFlags,
@@ -572,7 +572,7 @@ record! {
 constructors! {
     NedVelocity
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(
         time: MeasurementTime,
         frame_id: u8,
@@ -620,15 +620,15 @@ record! {
         pub frame_id: u8,
         /// Velocity.
         ///
-        /// Elements: x, y, z. Unit: m/s. Frame: aiding. Each element is valid by its bit: x by
-        /// [`valid_flags.x`](AxisFlags::x), y by [`valid_flags.y`](AxisFlags::y), z by
+        /// Elements: x, y, z. Unit: m/s. Frame: aiding. Each element has its own valid flag. x:
+        /// [`valid_flags.x`](AxisFlags::x), y: [`valid_flags.y`](AxisFlags::y), z:
         /// [`valid_flags.z`](AxisFlags::z).
         pub velocity: types::Vector3f,
         /// Standard deviation of the velocity.
         ///
-        /// Elements: x, y, z. Unit: m/s. Frame: aiding. Range: greater than 0. Each element is
-        /// valid by its bit: x by [`valid_flags.x`](AxisFlags::x), y by
-        /// [`valid_flags.y`](AxisFlags::y), z by [`valid_flags.z`](AxisFlags::z).
+        /// Elements: x, y, z. Unit: m/s. Frame: aiding. Range: greater than 0. Each element has its
+        /// own valid flag. x: [`valid_flags.x`](AxisFlags::x), y: [`valid_flags.y`](AxisFlags::y),
+        /// z: [`valid_flags.z`](AxisFlags::z).
         pub uncertainty: types::Vector3f,
         /// Which axes are valid.
         pub valid_flags: AxisFlags,
@@ -638,7 +638,7 @@ record! {
 constructors! {
     BodyFrameVelocity
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(
         time: MeasurementTime,
         frame_id: u8,
@@ -695,7 +695,7 @@ record! {
 constructors! {
     TrueHeading
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(
         time: MeasurementTime,
         frame_id: u8,
@@ -738,15 +738,15 @@ record! {
         pub frame_id: u8,
         /// Magnetic field.
         ///
-        /// Elements: x, y, z. Unit: gauss. Frame: aiding. Each element is valid by its bit: x by
-        /// [`valid_flags.x`](AxisFlags::x), y by [`valid_flags.y`](AxisFlags::y), z by
+        /// Elements: x, y, z. Unit: gauss. Frame: aiding. Each element has its own valid flag. x:
+        /// [`valid_flags.x`](AxisFlags::x), y: [`valid_flags.y`](AxisFlags::y), z:
         /// [`valid_flags.z`](AxisFlags::z).
         pub magnetic_field: types::Vector3f,
         /// Standard deviation of the magnetic field.
         ///
-        /// Elements: x, y, z. Unit: gauss. Frame: aiding. Range: greater than 0. Each element is
-        /// valid by its bit: x by [`valid_flags.x`](AxisFlags::x), y by
-        /// [`valid_flags.y`](AxisFlags::y), z by [`valid_flags.z`](AxisFlags::z).
+        /// Elements: x, y, z. Unit: gauss. Frame: aiding. Range: greater than 0. Each element has
+        /// its own valid flag. x: [`valid_flags.x`](AxisFlags::x), y:
+        /// [`valid_flags.y`](AxisFlags::y), z: [`valid_flags.z`](AxisFlags::z).
         pub uncertainty: types::Vector3f,
         /// Which axes are valid.
         pub valid_flags: AxisFlags,
@@ -756,7 +756,7 @@ record! {
 constructors! {
     MagneticField
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(
         time: MeasurementTime,
         frame_id: u8,
@@ -812,7 +812,7 @@ record! {
 constructors! {
     Pressure
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(
         time: MeasurementTime,
         frame_id: u8,

@@ -35,7 +35,7 @@ item! { BaseDeviceInfo { firmware_version model_name model_number serial_number 
 constructors! {
     BaseDeviceInfo
 
-    /// Puts the values together.
+    /// Creates it from its values.
     fn new(
         firmware_version: u16,
         model_name: crate::Text<16>,
@@ -92,7 +92,7 @@ record! {
 constructors! {
     Ping
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new();
 }
 
@@ -142,7 +142,7 @@ record! {
 constructors! {
     SetIdle
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new();
 }
 
@@ -189,7 +189,7 @@ record! {
 constructors! {
     GetDeviceInfo
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new();
 }
 
@@ -240,7 +240,7 @@ record! {
 constructors! {
     GetDeviceDescriptors
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new();
 }
 
@@ -280,7 +280,7 @@ record! {
 constructors! {
     BuiltInTest
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new();
 }
 
@@ -330,7 +330,7 @@ record! {
 constructors! {
     Resume
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new();
 }
 
@@ -363,7 +363,7 @@ record! {
 constructors! {
     GetExtendedDescriptors
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new();
 }
 
@@ -397,7 +397,7 @@ record! {
 constructors! {
     ContinuousBuiltInTest
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new();
 }
 
@@ -542,7 +542,7 @@ command! {
 }
 
 responses! {
-    /// What [`GpsTimeUpdate`] is answered with.
+    /// The answer to [`GpsTimeUpdate`].
     #[derive(Copy, Eq, Hash)]
     pub enum GpsTimeUpdateResponses {
         /// The response [`GpsTimeUpdateWeekNumberResponse`].
@@ -574,7 +574,7 @@ record! {
 constructors! {
     SoftReset
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new();
 }
 
@@ -682,7 +682,7 @@ record! {
         /// [`types::Cv7BuiltInTest`]. On the [3DM-GQ4-45](crate::devices::GQ4_45),
         /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
         /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-        /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): values that are not known. On the
+        /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST): the values are not known. On the
         /// [3DM-GX5-15](crate::devices::GX5_15): values of [`types::Gx5BuiltInTest`].
         pub result: u32,
     }

@@ -342,7 +342,7 @@ record! {
 constructors! {
     Reset
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new();
 }
 
@@ -386,7 +386,7 @@ record! {
 constructors! {
     SetInitialAttitude
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(
         roll: f32,
         pitch: f32,
@@ -430,7 +430,7 @@ record! {
 constructors! {
     SetInitialHeading
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(heading: f32);
 }
 
@@ -461,7 +461,7 @@ record! {
 constructors! {
     Run
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new();
 }
 
@@ -482,7 +482,7 @@ record! {
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`VehicleDynamicsModeResponse`].
     /// Supported by [3DM-GX5-45](crate::devices::GX5_45). May be supported by
-    /// [3DM-GX3-45](crate::devices::GX3_45). Known from the MicroStrain MIP SDK only.
+    /// [3DM-GX3-45](crate::devices::GX3_45). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10).
     #[derive(Copy, Eq, Hash)]
@@ -613,7 +613,7 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`SensorToVehicleOffsetResponse`].
-    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only.
+    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     /// Uncertain: The direction, from the sensor to the origin of the vehicle frame, is inferred
     /// from the name.
     ///
@@ -864,7 +864,7 @@ record! {
     ///
     /// Gives the filter one position and velocity of a GNSS receiver that the user provides.
     ///
-    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only.
+    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// - Refused unless [`GnssSource`] selects the external source.
     /// - The highest rate depends on the device.
@@ -910,7 +910,7 @@ record! {
 constructors! {
     ExternalGnssUpdate
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(
         tow: f64,
         week_number: u16,
@@ -971,7 +971,7 @@ record! {
 constructors! {
     ExternalHeadingUpdate
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(
         heading: f32,
         heading_uncertainty: f32,
@@ -1365,8 +1365,8 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`AutoZuptResponse`]. Supported by
-    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GX5-45](crate::devices::GX5_45). Known from
-    /// the MicroStrain MIP SDK only.
+    /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and [3DM-GX5-45](crate::devices::GX5_45). Known only
+    /// from the MicroStrain MIP SDK.
     ///
     /// - The update applies while the magnitude of the GNSS velocity vector is at or below the
     ///   threshold.
@@ -1472,7 +1472,7 @@ record! {
 constructors! {
     ExternalHeadingUpdateWithTime
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(
         tow: f64,
         week_number: u16,
@@ -1623,7 +1623,7 @@ record! {
     ///
     /// Tells the filter once that the device is at rest.
     ///
-    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only.
+    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// - The highest rate depends on the device.
     ///
@@ -1635,7 +1635,7 @@ record! {
 constructors! {
     CommandedZupt
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new();
 }
 
@@ -1664,7 +1664,7 @@ record! {
 constructors! {
     CommandedAngularZupt
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new();
 }
 
@@ -1757,7 +1757,7 @@ record! {
     ///
     /// Also called `mag_capture_auto_cal`. Functions: [write](types::FunctionSelector::WRITE) and
     /// [save](types::FunctionSelector::SAVE). Supported by [3DM-GX5-45](crate::devices::GX5_45).
-    /// Known from the MicroStrain MIP SDK only.
+    /// Known only from the MicroStrain MIP SDK.
     ///
     /// - A write combines the automatic calibration with
     ///   [`mip_3dm::MagHardIronOffset`](crate::mip_3dm::MagHardIronOffset) and
@@ -1860,7 +1860,7 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`PressureAltitudeNoiseResponse`].
-    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only.
+    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// - With a small value, the altitude follows the pressure faster, but weather and draughts
     ///   appear as changes of height.
@@ -1917,7 +1917,7 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`HardIronOffsetNoiseResponse`].
-    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only.
+    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B).
     #[derive(Copy)]
@@ -1972,7 +1972,7 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`SoftIronMatrixNoiseResponse`].
-    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only.
+    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C).
     #[derive(Copy)]
@@ -2081,7 +2081,7 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`MagNoiseResponse`]. Supported by
-    /// [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only. Uncertain:
+    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK. Uncertain:
     /// The SDK calls it process noise, although the noise is that of a measurement.
     ///
     /// Source: mip-sdk-4: Mag Noise (0x0D,0x42).
@@ -2319,7 +2319,7 @@ record! {
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45),
     /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
     /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Known from the MicroStrain MIP SDK only.
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Known only from the MicroStrain MIP SDK.
     /// Uncertain: Whether the parameters after the selector may be left out on write, as those of
     /// [`AccelMagnitudeErrorAdaptiveMeasurement`] may.
     ///
@@ -2434,7 +2434,7 @@ record! {
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by
     /// [`MagDipAngleErrorAdaptiveMeasurementResponse`]. Supported by
-    /// [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only.
+    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// - It has no effect while [`AccelMagnitudeErrorAdaptiveMeasurement`] or
     ///   [`MagMagnitudeErrorAdaptiveMeasurement`] is set to `auto`.
@@ -2522,7 +2522,7 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`AltitudeAidingResponse`].
-    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only.
+    /// Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// - GNSS remains the main source of altitude; the aid improves it and bridges outages.
     /// - Weather and location shift the pressure altitude, sometimes by more than 40 m.
@@ -2633,8 +2633,8 @@ record! {
     /// Also called `inclination_source`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Answered by [`MagneticInclinationSourceResponse`]. No device profile lists it. Known from
-    /// the MicroStrain MIP SDK only.
+    /// Answered by [`MagneticInclinationSourceResponse`]. Not listed in any device profile. Known
+    /// only from the MicroStrain MIP SDK.
     ///
     /// - Without a good inclination source, keep automatic magnetometer calibration off.
     ///
@@ -2697,8 +2697,8 @@ record! {
     /// [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by
-    /// [`MagneticMagnitudeSourceResponse`]. No device profile lists it. Known from the MicroStrain
-    /// MIP SDK only.
+    /// [`MagneticMagnitudeSourceResponse`]. Not listed in any device profile. Known only from the
+    /// MicroStrain MIP SDK.
     ///
     /// - Without a good magnitude source, keep automatic magnetometer calibration off.
     /// - [`MagMagnitudeErrorAdaptiveMeasurement`] relies on it too.
@@ -2761,8 +2761,8 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by
-    /// [`SensorToVehicleRotationDcmResponse`]. No device profile lists it. Known from the
-    /// MicroStrain MIP SDK only.
+    /// [`SensorToVehicleRotationDcmResponse`]. Not listed in any device profile. Known only from
+    /// the MicroStrain MIP SDK.
     ///
     /// - It is the inverse of the matrix that
     ///   [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm)
@@ -2827,8 +2827,8 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by
-    /// [`SensorToVehicleRotationQuaternionResponse`]. No device profile lists it. Known from the
-    /// MicroStrain MIP SDK only.
+    /// [`SensorToVehicleRotationQuaternionResponse`]. Not listed in any device profile. Known only
+    /// from the MicroStrain MIP SDK.
     ///
     /// - It is the inverse of the quaternion that
     ///   [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion)
@@ -2955,9 +2955,9 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`KinematicConstraintResponse`]. No
-    /// device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: Whether there
-    /// are further values. The SDK has plain numbers and gives the values in remarks.
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`KinematicConstraintResponse`].
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain:
+    /// Whether there are further values. The SDK has plain numbers and gives the values in remarks.
     ///
     /// Source: mip-sdk-4: Kinematic Constraint (0x0D,0x51).
     #[derive(Copy, Eq, Hash)]
@@ -3407,8 +3407,8 @@ record! {
     ///
     /// Gives the filter one measurement of the forward speed of the vehicle (along its x axis).
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: The SDK
-    /// names a response, `filter.speed_measurement_response`, but has no layout of it.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: The
+    /// SDK names a response, `filter.speed_measurement_response`, but has no layout of it.
     ///
     /// - It must not be used together with the odometer of the device.
     /// - Single precision resolves the time of week to 0.0625 s at the end of the week.
@@ -3450,7 +3450,7 @@ impl core::default::Default for SpeedMeasurement {
 constructors! {
     SpeedMeasurement
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(
         tow: f32,
         speed: f32,
@@ -3535,8 +3535,8 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by
-    /// [`VerticalGyroConstraintControlResponse`]. No device profile lists it. Known from the
-    /// MicroStrain MIP SDK only.
+    /// [`VerticalGyroConstraintControlResponse`]. Not listed in any device profile. Known only from
+    /// the MicroStrain MIP SDK.
     ///
     /// - It assumes that the linear acceleration is zero.
     ///
@@ -3709,7 +3709,7 @@ record! {
     /// Vehicle dynamics mode response (0x0D,0x80).
     ///
     /// Answers [`VehicleDynamicsMode`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). May be
-    /// supported by [3DM-GX3-45](crate::devices::GX3_45). Known from the MicroStrain MIP SDK only.
+    /// supported by [3DM-GX3-45](crate::devices::GX3_45). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10).
     #[derive(Copy, Default, Eq, Hash)]
@@ -3757,7 +3757,7 @@ record! {
     /// Sensor to vehicle offset response (0x0D,0x82).
     ///
     /// Answers [`SensorToVehicleOffset`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Known
-    /// from the MicroStrain MIP SDK only.
+    /// only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12).
     #[derive(Copy, Default)]
@@ -3984,7 +3984,7 @@ record! {
     /// Automatic zero velocity update response (0x0D,0x8D).
     ///
     /// Answers [`AutoZupt`]. Supported by [3DM-GQ7-GNSS/INS](crate::devices::GQ7) and
-    /// [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only.
+    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Auto Zupt (0x0D,0x1E).
     #[derive(Copy, Default)]
@@ -4090,7 +4090,7 @@ record! {
     /// Pressure altitude noise response (0x0D,0x94).
     ///
     /// Answers [`PressureAltitudeNoise`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Known
-    /// from the MicroStrain MIP SDK only.
+    /// only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Pressure Altitude Noise (0x0D,0x29).
     #[derive(Copy, Default)]
@@ -4111,7 +4111,7 @@ record! {
     /// Hard iron offset noise response (0x0D,0x96).
     ///
     /// Answers [`HardIronOffsetNoise`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Known
-    /// from the MicroStrain MIP SDK only.
+    /// only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B).
     #[derive(Copy, Default)]
@@ -4132,7 +4132,7 @@ record! {
     /// Soft iron matrix noise response (0x0D,0x97).
     ///
     /// Answers [`SoftIronMatrixNoise`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Known
-    /// from the MicroStrain MIP SDK only.
+    /// only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C).
     #[derive(Copy, Default)]
@@ -4191,8 +4191,8 @@ field! {
 record! {
     /// Magnetometer noise response (0x0D,0xB1).
     ///
-    /// Answers [`MagNoise`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Known from the
-    /// MicroStrain MIP SDK only.
+    /// Answers [`MagNoise`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the
+    /// MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Mag Noise (0x0D,0x42).
     #[derive(Copy, Default)]
@@ -4289,7 +4289,7 @@ record! {
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX3-45](crate::devices::GX3_45),
     /// [3DM-GX4-15](crate::devices::GX4_15), [3DM-GX4-25](crate::devices::GX4_25),
     /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Known from the MicroStrain MIP SDK only.
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45).
     #[derive(Copy, Default)]
@@ -4337,7 +4337,7 @@ record! {
     /// Magnetometer dip angle error adaptive measurement response (0x0D,0xB5).
     ///
     /// Answers [`MagDipAngleErrorAdaptiveMeasurement`]. Supported by
-    /// [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only.
+    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46).
     #[derive(Copy, Default)]
@@ -4371,8 +4371,8 @@ field! {
 record! {
     /// Altitude aiding response (0x0D,0xB7).
     ///
-    /// Answers [`AltitudeAiding`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Known from
-    /// the MicroStrain MIP SDK only.
+    /// Answers [`AltitudeAiding`]. Supported by [3DM-GX5-45](crate::devices::GX5_45). Known only
+    /// from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Altitude Aiding (0x0D,0x47).
     #[derive(Copy, Default, Eq, Hash)]
@@ -4409,8 +4409,8 @@ field! {
 record! {
     /// Magnetic inclination source response (0x0D,0xBC).
     ///
-    /// Also called `inclination_source_response`. Answers [`MagneticInclinationSource`]. Known from
-    /// the MicroStrain MIP SDK only.
+    /// Also called `inclination_source_response`. Answers [`MagneticInclinationSource`]. Known only
+    /// from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Inclination Source (0x0D,0x4C).
     #[derive(Copy, Default)]
@@ -4434,7 +4434,7 @@ record! {
     /// Magnetic field magnitude source response (0x0D,0xBD).
     ///
     /// Also called `mag_field_magnitude_source_response`. Answers [`MagneticMagnitudeSource`].
-    /// Known from the MicroStrain MIP SDK only.
+    /// Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D).
     #[derive(Copy, Default)]
@@ -4457,7 +4457,7 @@ field! {
 record! {
     /// Sensor to vehicle rotation, matrix response (0x0D,0xBE).
     ///
-    /// Answers [`SensorToVehicleRotationDcm`]. Known from the MicroStrain MIP SDK only.
+    /// Answers [`SensorToVehicleRotationDcm`]. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E).
     #[derive(Copy, Default)]
@@ -4477,7 +4477,7 @@ field! {
 record! {
     /// Sensor to vehicle rotation, quaternion response (0x0D,0xBF).
     ///
-    /// Answers [`SensorToVehicleRotationQuaternion`]. Known from the MicroStrain MIP SDK only.
+    /// Answers [`SensorToVehicleRotationQuaternion`]. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F).
     #[derive(Copy, Default)]
@@ -4519,7 +4519,7 @@ field! {
 record! {
     /// Kinematic constraint response (0x0D,0xD1).
     ///
-    /// Answers [`KinematicConstraint`]. Known from the MicroStrain MIP SDK only.
+    /// Answers [`KinematicConstraint`]. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Kinematic Constraint (0x0D,0x51).
     #[derive(Copy, Default, Eq, Hash)]
@@ -4738,7 +4738,7 @@ field! {
 record! {
     /// Vertical gyro constraint response (0x0D,0xE2).
     ///
-    /// Answers [`VerticalGyroConstraintControl`]. Known from the MicroStrain MIP SDK only.
+    /// Answers [`VerticalGyroConstraintControl`]. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62).
     #[derive(Copy, Default, Eq, Hash)]

@@ -1049,7 +1049,7 @@ record! {
     ///
     /// Estimated scale factor of the gyroscope.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gyro Scale Factor (0x82,0x16).
     #[derive(Copy, Default)]
@@ -1073,7 +1073,7 @@ record! {
     ///
     /// Estimated scale factor of the accelerometer.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Accel Scale Factor (0x82,0x17).
     #[derive(Copy, Default)]
@@ -1097,7 +1097,7 @@ record! {
     ///
     /// Standard deviation of the estimated scale factor of the gyroscope.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gyro Scale Factor Uncertainty (0x82,0x18).
     #[derive(Copy, Default)]
@@ -1121,7 +1121,7 @@ record! {
     ///
     /// Standard deviation of the estimated scale factor of the accelerometer.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Accel Scale Factor Uncertainty (0x82,0x19).
     #[derive(Copy, Default)]
@@ -1145,7 +1145,7 @@ record! {
     ///
     /// Estimated bias of the magnetometer.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Mag Bias (0x82,0x1A).
     #[derive(Copy, Default)]
@@ -1169,7 +1169,7 @@ record! {
     ///
     /// Standard deviation of the estimated bias of the magnetometer.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Mag Bias Uncertainty (0x82,0x1B).
     #[derive(Copy, Default)]
@@ -1219,7 +1219,7 @@ record! {
     ///
     /// US Standard Atmosphere of 1976 at the altitude of the device.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - It is valid only with a valid GNSS position.
     ///
@@ -1288,8 +1288,8 @@ record! {
     ///
     /// Altitude at which the standard atmosphere has the density of the air around the device.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: The SDK
-    /// gives the name only; the description is the usual meaning of the term.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain: The
+    /// SDK gives the name only; the description is the usual meaning of the term.
     ///
     /// Source: mip-sdk-4: Density Altitude (0x82,0x22).
     #[derive(Copy, Default)]
@@ -1312,8 +1312,8 @@ record! {
     ///
     /// Estimated hard iron offset of the magnetometer.
     ///
-    /// Also called `magnetometer_offset`. No device profile lists it. Known from the MicroStrain
-    /// MIP SDK only.
+    /// Also called `magnetometer_offset`. Not listed in any device profile. Known only from the
+    /// MicroStrain MIP SDK.
     ///
     /// - The filter adds it to the stored offset of
     ///   [`mip_3dm::MagHardIronOffset`](crate::mip_3dm::MagHardIronOffset).
@@ -1340,8 +1340,8 @@ record! {
     ///
     /// Estimated soft iron matrix of the magnetometer.
     ///
-    /// Also called `magnetometer_matrix`. No device profile lists it. Known from the MicroStrain
-    /// MIP SDK only.
+    /// Also called `magnetometer_matrix`. Not listed in any device profile. Known only from the
+    /// MicroStrain MIP SDK.
     ///
     /// - The filter multiplies the stored matrix of
     ///   [`mip_3dm::MagSoftIronMatrix`](crate::mip_3dm::MagSoftIronMatrix) by it, from the right.
@@ -1368,8 +1368,8 @@ record! {
     ///
     /// Standard deviation of the estimated hard iron offset.
     ///
-    /// Also called `magnetometer_offset_uncertainty`. No device profile lists it. Known from the
-    /// MicroStrain MIP SDK only.
+    /// Also called `magnetometer_offset_uncertainty`. Not listed in any device profile. Known only
+    /// from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Magnetometer Offset Uncertainty (0x82,0x28).
     #[derive(Copy, Default)]
@@ -1393,8 +1393,8 @@ record! {
     ///
     /// Standard deviation of the estimated soft iron matrix.
     ///
-    /// Also called `magnetometer_matrix_uncertainty`. No device profile lists it. Known from the
-    /// MicroStrain MIP SDK only.
+    /// Also called `magnetometer_matrix_uncertainty`. Not listed in any device profile. Known only
+    /// from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Magnetometer Matrix Uncertainty (0x82,0x29).
     #[derive(Copy, Default)]
@@ -1418,8 +1418,8 @@ record! {
     ///
     /// Covariance of the magnetometer measurement.
     ///
-    /// Also called `magnetometer_covariance_matrix`. No device profile lists it. Known from the
-    /// MicroStrain MIP SDK only.
+    /// Also called `magnetometer_covariance_matrix`. Not listed in any device profile. Known only
+    /// from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Magnetometer Covariance Matrix (0x82,0x2A).
     #[derive(Copy, Default)]
@@ -1444,8 +1444,8 @@ record! {
     ///
     /// Residual of the magnetometer measurement.
     ///
-    /// Also called `magnetometer_residual_vector`. No device profile lists it. Known from the
-    /// MicroStrain MIP SDK only.
+    /// Also called `magnetometer_residual_vector`. Not listed in any device profile. Known only
+    /// from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Magnetometer Residual Vector (0x82,0x2C).
     #[derive(Copy, Default)]
@@ -1469,7 +1469,7 @@ record! {
     ///
     /// Estimated error of the offset of the GNSS antenna.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - The filter adds it to the stored offset of
     ///   [`filter::AntennaOffset`](crate::filter::AntennaOffset).
@@ -1496,7 +1496,7 @@ record! {
     ///
     /// Standard deviation of the estimated error of the offset of the GNSS antenna.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Antenna Offset Correction Uncertainty (0x82,0x31).
     #[derive(Copy, Default)]
@@ -1520,7 +1520,7 @@ record! {
     ///
     /// Estimated clock error of one GNSS receiver.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Clock Correction (0x82,0x32).
     #[derive(Copy, Default)]
@@ -1551,7 +1551,7 @@ record! {
     ///
     /// Standard deviation of the estimated clock error of one GNSS receiver.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Clock Correction Uncertainty (0x82,0x33).
     #[derive(Copy, Default)]
@@ -1789,8 +1789,8 @@ record! {
     ///
     /// How the filter uses the attitude that two GNSS antennas give.
     ///
-    /// Also called `gnss_att_aid_status`. No device profile lists it. Known from the MicroStrain
-    /// MIP SDK only.
+    /// Also called `gnss_att_aid_status`. Not listed in any device profile. Known only from the
+    /// MicroStrain MIP SDK.
     ///
     /// - Single precision resolves the time of week to 0.0625 s at the end of the week.
     ///
@@ -1819,8 +1819,8 @@ record! {
     ///
     /// The heading measurement that the filter used last.
     ///
-    /// Also called `head_aid_status`. No device profile lists it. Known from the MicroStrain MIP
-    /// SDK only.
+    /// Also called `head_aid_status`. Not listed in any device profile. Known only from the
+    /// MicroStrain MIP SDK.
     ///
     /// - Single precision resolves the time of week to 0.0625 s at the end of the week.
     ///

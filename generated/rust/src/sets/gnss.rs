@@ -31,7 +31,7 @@ item! { ReceiverInfoEntry { receiver_id mip_data_descriptor_set description } }
 constructors! {
     ReceiverInfoEntry
 
-    /// Puts the values together.
+    /// Creates it from its values.
     fn new(
         receiver_id: u8,
         mip_data_descriptor_set: u8,
@@ -124,7 +124,7 @@ record! {
 constructors! {
     ReceiverInfo
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new();
 }
 
@@ -228,8 +228,8 @@ record! {
     /// Also called `rtk_dongle_configuration`. Functions: [write](types::FunctionSelector::WRITE),
     /// [read](types::FunctionSelector::READ), [save](types::FunctionSelector::SAVE),
     /// [load](types::FunctionSelector::LOAD) and [default](types::FunctionSelector::DEFAULT).
-    /// Answered by [`RtkDongleConfigResponse`]. No device profile lists it. Known from the
-    /// MicroStrain MIP SDK only.
+    /// Answered by [`RtkDongleConfigResponse`]. Not listed in any device profile. Known only from
+    /// the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10).
     #[derive(Copy, Eq, Hash)]
@@ -393,7 +393,7 @@ record! {
     ///
     /// Answers [`ReceiverInfo`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// On the wire there is also `num_receivers`: Number of physical receivers. The number of
+    /// The wire format also contains `num_receivers`: Number of physical receivers. The number of
     /// elements of [`receiver_info`](ReceiverInfoResponse::receiver_info).
     ///
     /// Source: 3dm-cv7-gnss-ins: Receiver Info (0x0E,0x01).
@@ -443,8 +443,8 @@ field! {
 record! {
     /// RTK dongle configuration response (0x0E,0x90).
     ///
-    /// Also called `rtk_dongle_configuration_response`. Answers [`RtkDongleConfig`]. Known from the
-    /// MicroStrain MIP SDK only.
+    /// Also called `rtk_dongle_configuration_response`. Answers [`RtkDongleConfig`]. Known only
+    /// from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10).
     #[derive(Copy, Default, Eq, Hash)]

@@ -1132,7 +1132,7 @@ record! {
     ///
     /// Bias and drift of the receiver clock.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - Clock info 2 replaces it and gives more detail.
     ///
@@ -1198,8 +1198,8 @@ record! {
     ///
     /// One satellite that is tracked.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: Whether a
-    /// packet holds one of these fields or several.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain:
+    /// Whether a packet holds one of these fields or several.
     ///
     /// - Each satellite is sent as one field, in packets separate from other GNSS data.
     ///
@@ -1276,9 +1276,9 @@ record! {
     ///
     /// State of the differential corrections.
     ///
-    /// No device profile lists it. Uncertain: The layout is from a manual of the 3DM-GX5-35 and
-    /// from MSCL, another library of the vendor. It agrees with the valid flags. Uncertain: The SDK
-    /// has another layout: u8, three floats and u16. It is that of [`DgpsChannel`] and does not
+    /// Not listed in any device profile. Uncertain: The layout is from a manual of the 3DM-GX5-35
+    /// and from MSCL, another library of the vendor. It agrees with the valid flags. Uncertain: The
+    /// SDK has another layout: u8, three floats and u16. It is that of [`DgpsChannel`] and does not
     /// agree with its own valid flags (age, base station id, base station status, number of
     /// channels).
     ///
@@ -1317,7 +1317,7 @@ record! {
     ///
     /// Differential correction for one satellite.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - Each active satellite is sent as one field, all in one packet.
     ///
@@ -1461,7 +1461,7 @@ record! {
     ///
     /// SBAS correction for one satellite.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - An epoch is sent as one field for each satellite; index and count number the fields.
     /// - Udrei 0 to 13 are these variances in m^2: 0.0520, 0.0924, 0.1444, 0.2830, 0.4678, 0.8315,
@@ -1516,7 +1516,7 @@ record! {
     ///
     /// Jamming and spoofing that the receiver detects in one band.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Rf Error Detection (0x81,0x14).
     #[derive(Copy, Default, Eq, Hash)]
@@ -1695,7 +1695,7 @@ record! {
     ///
     /// The base station of the corrections, from an RTCM message 1005 or 1006.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Base Station Info (0x81,0x30).
     #[derive(Copy, Default)]
@@ -1741,7 +1741,7 @@ record! {
     ///
     /// Which corrections are received, and how old they are.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Rtk Corrections Status (0x81,0x31).
     #[derive(Copy, Default)]
@@ -2364,8 +2364,8 @@ record! {
     ///
     /// Model of the ionosphere that GPS broadcasts.
     ///
-    /// Also called `gps_iono_corr`. No device profile lists it. Known from the MicroStrain MIP SDK
-    /// only.
+    /// Also called `gps_iono_corr`. Not listed in any device profile. Known only from the
+    /// MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gps Iono Corr (0x81,0x71).
     #[derive(Default)]
@@ -2403,8 +2403,8 @@ record! {
     ///
     /// Model of the ionosphere that Galileo broadcasts.
     ///
-    /// Also called `galileo_iono_corr`. No device profile lists it. Known from the MicroStrain MIP
-    /// SDK only.
+    /// Also called `galileo_iono_corr`. Not listed in any device profile. Known only from the
+    /// MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Galileo Iono Corr (0x81,0x73).
     #[derive(Copy, Default)]
@@ -2443,8 +2443,8 @@ record! {
     ///
     /// Model of the ionosphere that BeiDou broadcasts.
     ///
-    /// Also called `beidou_iono_corr`. No device profile lists it. Known from the MicroStrain MIP
-    /// SDK only.
+    /// Also called `beidou_iono_corr`. Not listed in any device profile. Known only from the
+    /// MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Beidou Iono Corr (0x81,0x74).
     #[derive(Default)]

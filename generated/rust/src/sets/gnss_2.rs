@@ -314,8 +314,8 @@ record! {
     ///
     /// Bias and drift of the receiver clock.
     ///
-    /// Has the layout of [`gnss_1::ClockInfo`](crate::gnss_1::ClockInfo). No device profile lists
-    /// it. Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::ClockInfo`](crate::gnss_1::ClockInfo). Not listed in any device
+    /// profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - Clock info 2 replaces it and gives more detail.
     ///
@@ -382,9 +382,9 @@ record! {
     ///
     /// One satellite that is tracked.
     ///
-    /// Has the layout of [`gnss_1::SvInfo`](crate::gnss_1::SvInfo). No device profile lists it.
-    /// Known from the MicroStrain MIP SDK only. Uncertain: Whether a packet holds one of these
-    /// fields or several.
+    /// Has the layout of [`gnss_1::SvInfo`](crate::gnss_1::SvInfo). Not listed in any device
+    /// profile. Known only from the MicroStrain MIP SDK. Uncertain: Whether a packet holds one of
+    /// these fields or several.
     ///
     /// - Each satellite is sent as one field, in packets separate from other GNSS data.
     ///
@@ -468,9 +468,9 @@ record! {
     ///
     /// State of the differential corrections.
     ///
-    /// Has the layout of [`gnss_1::DgpsInfo`](crate::gnss_1::DgpsInfo). No device profile lists it.
-    /// Known from the MicroStrain MIP SDK only. Uncertain: The layout is from a manual of the
-    /// 3DM-GX5-35 and from MSCL, another library of the vendor. It agrees with the valid flags.
+    /// Has the layout of [`gnss_1::DgpsInfo`](crate::gnss_1::DgpsInfo). Not listed in any device
+    /// profile. Known only from the MicroStrain MIP SDK. Uncertain: The layout is from a manual of
+    /// the 3DM-GX5-35 and from MSCL, another library of the vendor. It agrees with the valid flags.
     /// Uncertain: The SDK has another layout: u8, three floats and u16. It is that of
     /// [`gnss_1::DgpsChannel`](crate::gnss_1::DgpsChannel) and does not agree with its own valid
     /// flags (age, base station id, base station status, number of channels).
@@ -515,8 +515,8 @@ record! {
     ///
     /// Differential correction for one satellite.
     ///
-    /// Has the layout of [`gnss_1::DgpsChannel`](crate::gnss_1::DgpsChannel). No device profile
-    /// lists it. Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::DgpsChannel`](crate::gnss_1::DgpsChannel). Not listed in any
+    /// device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - Each active satellite is sent as one field, all in one packet.
     ///
@@ -668,8 +668,8 @@ record! {
     ///
     /// SBAS correction for one satellite.
     ///
-    /// Has the layout of [`gnss_1::SbasCorrection`](crate::gnss_1::SbasCorrection). No device
-    /// profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::SbasCorrection`](crate::gnss_1::SbasCorrection). Not listed in
+    /// any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - An epoch is sent as one field for each satellite; index and count number the fields.
     /// - Udrei 0 to 13 are these variances in m^2: 0.0520, 0.0924, 0.1444, 0.2830, 0.4678, 0.8315,
@@ -726,8 +726,8 @@ record! {
     ///
     /// Jamming and spoofing that the receiver detects in one band.
     ///
-    /// Has the layout of [`gnss_1::RfErrorDetection`](crate::gnss_1::RfErrorDetection). No device
-    /// profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::RfErrorDetection`](crate::gnss_1::RfErrorDetection). Not listed
+    /// in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss2 Data (0x92).
     #[derive(Copy, Default, Eq, Hash)]
@@ -923,8 +923,8 @@ record! {
     ///
     /// The base station of the corrections, from an RTCM message 1005 or 1006.
     ///
-    /// Has the layout of [`gnss_1::BaseStationInfo`](crate::gnss_1::BaseStationInfo). No device
-    /// profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::BaseStationInfo`](crate::gnss_1::BaseStationInfo). Not listed in
+    /// any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss2 Data (0x92).
     #[derive(Copy, Default)]
@@ -973,8 +973,8 @@ record! {
     ///
     /// Which corrections are received, and how old they are.
     ///
-    /// Has the layout of [`gnss_1::RtkCorrectionsStatus`](crate::gnss_1::RtkCorrectionsStatus). No
-    /// device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::RtkCorrectionsStatus`](crate::gnss_1::RtkCorrectionsStatus). Not
+    /// listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss2 Data (0x92).
     #[derive(Copy, Default)]
@@ -1701,7 +1701,8 @@ record! {
     /// Model of the ionosphere that GPS broadcasts.
     ///
     /// Has the layout of [`gnss_1::GpsIonoCorrection`](crate::gnss_1::GpsIonoCorrection). Also
-    /// called `gps_iono_corr`. No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// called `gps_iono_corr`. Not listed in any device profile. Known only from the MicroStrain
+    /// MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss2 Data (0x92).
     #[derive(Default)]
@@ -1741,8 +1742,8 @@ record! {
     /// Model of the ionosphere that Galileo broadcasts.
     ///
     /// Has the layout of [`gnss_1::GalileoIonoCorrection`](crate::gnss_1::GalileoIonoCorrection).
-    /// Also called `galileo_iono_corr`. No device profile lists it. Known from the MicroStrain MIP
-    /// SDK only.
+    /// Also called `galileo_iono_corr`. Not listed in any device profile. Known only from the
+    /// MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss2 Data (0x92).
     #[derive(Copy, Default)]
@@ -1785,8 +1786,8 @@ record! {
     /// Model of the ionosphere that BeiDou broadcasts.
     ///
     /// Has the layout of [`gnss_1::BeidouIonoCorrection`](crate::gnss_1::BeidouIonoCorrection).
-    /// Also called `beidou_iono_corr`. No device profile lists it. Known from the MicroStrain MIP
-    /// SDK only.
+    /// Also called `beidou_iono_corr`. Not listed in any device profile. Known only from the
+    /// MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss2 Data (0x92).
     #[derive(Default)]

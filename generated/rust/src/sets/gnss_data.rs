@@ -18,7 +18,7 @@ record! {
     ///
     /// Has the layout of [`gnss_1::LlhPosition`](crate::gnss_1::LlhPosition). Also called
     /// `pos_llh`. May be supported by [3DM-GX5-35](crate::devices::GX5_35) and
-    /// [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only.
+    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss Data (0x81).
     #[derive(Copy, Default)]
@@ -72,7 +72,7 @@ record! {
     ///
     /// Has the layout of [`gnss_1::EcefPosition`](crate::gnss_1::EcefPosition). Also called
     /// `pos_ecef`. May be supported by [3DM-GX5-35](crate::devices::GX5_35) and
-    /// [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only.
+    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss Data (0x81).
     #[derive(Copy, Default)]
@@ -104,7 +104,7 @@ record! {
     ///
     /// Has the layout of [`gnss_1::NedVelocity`](crate::gnss_1::NedVelocity). Also called
     /// `vel_ned`. May be supported by [3DM-GX5-35](crate::devices::GX5_35) and
-    /// [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only.
+    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss Data (0x81).
     #[derive(Copy, Default)]
@@ -187,8 +187,8 @@ record! {
     /// Dilution of precision of the satellite geometry.
     ///
     /// Has the layout of [`gnss_1::Dop`](crate::gnss_1::Dop). May be supported by
-    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). Known from
-    /// the MicroStrain MIP SDK only.
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). Known only
+    /// from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss Data (0x81).
     #[derive(Copy, Default)]
@@ -236,8 +236,8 @@ record! {
     /// Coordinated universal time as the receiver knows it.
     ///
     /// Has the layout of [`gnss_1::UtcTime`](crate::gnss_1::UtcTime). May be supported by
-    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). Known from
-    /// the MicroStrain MIP SDK only.
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). Known only
+    /// from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss Data (0x81).
     #[derive(Copy, Default, Eq, Hash)]
@@ -292,8 +292,8 @@ record! {
     /// GPS time as the receiver knows it.
     ///
     /// Has the layout of [`gnss_1::GpsTime`](crate::gnss_1::GpsTime). May be supported by
-    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). Known from
-    /// the MicroStrain MIP SDK only.
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). Known only
+    /// from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss Data (0x81).
     #[derive(Copy, Default)]
@@ -322,8 +322,8 @@ record! {
     /// Bias and drift of the receiver clock.
     ///
     /// Has the layout of [`gnss_1::ClockInfo`](crate::gnss_1::ClockInfo). May be supported by
-    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). Known from
-    /// the MicroStrain MIP SDK only.
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). Known only
+    /// from the MicroStrain MIP SDK.
     ///
     /// - Clock info 2 replaces it and gives more detail.
     ///
@@ -359,8 +359,8 @@ record! {
     /// Type of the position fix and what it is based on.
     ///
     /// Has the layout of [`gnss_1::FixInfo`](crate::gnss_1::FixInfo). May be supported by
-    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). Known from
-    /// the MicroStrain MIP SDK only.
+    /// [3DM-GX5-35](crate::devices::GX5_35) and [3DM-GX5-45](crate::devices::GX5_45). Known only
+    /// from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss Data (0x81).
     #[derive(Copy, Default, Eq, Hash)]
@@ -393,7 +393,7 @@ record! {
     ///
     /// Has the layout of [`gnss_1::SvInfo`](crate::gnss_1::SvInfo). Supported by
     /// [3DM-GX5-45](crate::devices::GX5_45). May be supported by
-    /// [3DM-GX5-35](crate::devices::GX5_35). Known from the MicroStrain MIP SDK only. Uncertain:
+    /// [3DM-GX5-35](crate::devices::GX5_35). Known only from the MicroStrain MIP SDK. Uncertain:
     /// Whether a packet holds one of these fields or several.
     ///
     /// - Each satellite is sent as one field, in packets separate from other GNSS data.
@@ -444,7 +444,7 @@ record! {
     ///
     /// Has the layout of [`gnss_1::HardwareStatus`](crate::gnss_1::HardwareStatus). Also called
     /// `hw_status`. Supported by [3DM-GX5-45](crate::devices::GX5_45). May be supported by
-    /// [3DM-GX5-35](crate::devices::GX5_35). Known from the MicroStrain MIP SDK only.
+    /// [3DM-GX5-35](crate::devices::GX5_35). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss Data (0x81).
     #[derive(Copy, Default, Eq, Hash)]
@@ -527,7 +527,7 @@ record! {
     ///
     /// Has the layout of [`gnss_1::DgpsChannel`](crate::gnss_1::DgpsChannel). Supported by
     /// [3DM-GX5-45](crate::devices::GX5_45). May be supported by
-    /// [3DM-GX5-35](crate::devices::GX5_35). Known from the MicroStrain MIP SDK only.
+    /// [3DM-GX5-35](crate::devices::GX5_35). Known only from the MicroStrain MIP SDK.
     ///
     /// - Each active satellite is sent as one field, all in one packet.
     ///
@@ -569,8 +569,8 @@ record! {
     ///
     /// Bias and drift of the receiver clock.
     ///
-    /// Has the layout of [`gnss_1::ClockInfo2`](crate::gnss_1::ClockInfo2). No device profile lists
-    /// it. Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::ClockInfo2`](crate::gnss_1::ClockInfo2). Not listed in any
+    /// device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - It supersedes clock info.
     ///
@@ -609,8 +609,8 @@ record! {
     ///
     /// Difference between GPS time and UTC.
     ///
-    /// Has the layout of [`gnss_1::GpsLeapSeconds`](crate::gnss_1::GpsLeapSeconds). No device
-    /// profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::GpsLeapSeconds`](crate::gnss_1::GpsLeapSeconds). Not listed in
+    /// any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss Data (0x81).
     #[derive(Copy, Default, Eq, Hash)]
@@ -634,8 +634,8 @@ record! {
     ///
     /// Status of the satellite based augmentation.
     ///
-    /// Has the layout of [`gnss_1::SbasInfo`](crate::gnss_1::SbasInfo). No device profile lists it.
-    /// Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::SbasInfo`](crate::gnss_1::SbasInfo). Not listed in any device
+    /// profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss Data (0x81).
     #[derive(Copy, Default)]
@@ -679,8 +679,8 @@ record! {
     ///
     /// SBAS correction for one satellite.
     ///
-    /// Has the layout of [`gnss_1::SbasCorrection`](crate::gnss_1::SbasCorrection). No device
-    /// profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::SbasCorrection`](crate::gnss_1::SbasCorrection). Not listed in
+    /// any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - An epoch is sent as one field for each satellite; index and count number the fields.
     /// - Udrei 0 to 13 are these variances in m^2: 0.0520, 0.0924, 0.1444, 0.2830, 0.4678, 0.8315,
@@ -737,8 +737,8 @@ record! {
     ///
     /// Jamming and spoofing that the receiver detects in one band.
     ///
-    /// Has the layout of [`gnss_1::RfErrorDetection`](crate::gnss_1::RfErrorDetection). No device
-    /// profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::RfErrorDetection`](crate::gnss_1::RfErrorDetection). Not listed
+    /// in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss Data (0x81).
     #[derive(Copy, Default, Eq, Hash)]
@@ -775,8 +775,8 @@ record! {
     ///
     /// Direction to one satellite, and its health.
     ///
-    /// Has the layout of [`gnss_1::SatelliteStatus`](crate::gnss_1::SatelliteStatus). No device
-    /// profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::SatelliteStatus`](crate::gnss_1::SatelliteStatus). Not listed in
+    /// any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - An epoch is sent as one field for each satellite; index and count number the fields.
     ///
@@ -833,8 +833,8 @@ record! {
     ///
     /// Raw observation of one signal of one satellite.
     ///
-    /// Has the layout of [`gnss_1::Raw`](crate::gnss_1::Raw). No device profile lists it. Known
-    /// from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::Raw`](crate::gnss_1::Raw). Not listed in any device profile.
+    /// Known only from the MicroStrain MIP SDK.
     ///
     /// - An epoch is sent as one field for each signal; index and count number the fields.
     /// - The greatest lock time depends on the receiver.
@@ -934,8 +934,8 @@ record! {
     ///
     /// The base station of the corrections, from an RTCM message 1005 or 1006.
     ///
-    /// Has the layout of [`gnss_1::BaseStationInfo`](crate::gnss_1::BaseStationInfo). No device
-    /// profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::BaseStationInfo`](crate::gnss_1::BaseStationInfo). Not listed in
+    /// any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss Data (0x81).
     #[derive(Copy, Default)]
@@ -984,8 +984,8 @@ record! {
     ///
     /// Which corrections are received, and how old they are.
     ///
-    /// Has the layout of [`gnss_1::RtkCorrectionsStatus`](crate::gnss_1::RtkCorrectionsStatus). No
-    /// device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::RtkCorrectionsStatus`](crate::gnss_1::RtkCorrectionsStatus). Not
+    /// listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss Data (0x81).
     #[derive(Copy, Default)]
@@ -1056,8 +1056,8 @@ record! {
     ///
     /// Broadcast orbit and clock of one GPS satellite.
     ///
-    /// Has the layout of [`gnss_1::GpsEphemeris`](crate::gnss_1::GpsEphemeris). No device profile
-    /// lists it. Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::GpsEphemeris`](crate::gnss_1::GpsEphemeris). Not listed in any
+    /// device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - `iodc` changes with the clock data; according to the manual, it rolls over at 4.
     ///
@@ -1230,7 +1230,7 @@ record! {
     /// Broadcast orbit and clock of one GLONASS satellite.
     ///
     /// Has the layout of [`gnss_1::GlonassEphemeris`](crate::gnss_1::GlonassEphemeris). Also called
-    /// `glo_ephemeris`. No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// `glo_ephemeris`. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - The interface control document of GLONASS explains p and ft.
     /// - A period of four years has 1461 days; the manual does not say how nt, a u8, counts them.
@@ -1361,8 +1361,8 @@ record! {
     ///
     /// Broadcast orbit and clock of one Galileo satellite.
     ///
-    /// Has the layout of [`gnss_1::GalileoEphemeris`](crate::gnss_1::GalileoEphemeris). No device
-    /// profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::GalileoEphemeris`](crate::gnss_1::GalileoEphemeris). Not listed
+    /// in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
     ///   corrections mean here.
@@ -1536,8 +1536,8 @@ record! {
     ///
     /// Broadcast orbit and clock of one BeiDou satellite.
     ///
-    /// Has the layout of [`gnss_1::BeidouEphemeris`](crate::gnss_1::BeidouEphemeris). No device
-    /// profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::BeidouEphemeris`](crate::gnss_1::BeidouEphemeris). Not listed in
+    /// any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
     ///   corrections mean here.
@@ -1712,7 +1712,8 @@ record! {
     /// Model of the ionosphere that GPS broadcasts.
     ///
     /// Has the layout of [`gnss_1::GpsIonoCorrection`](crate::gnss_1::GpsIonoCorrection). Also
-    /// called `gps_iono_corr`. No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// called `gps_iono_corr`. Not listed in any device profile. Known only from the MicroStrain
+    /// MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss Data (0x81).
     #[derive(Default)]
@@ -1752,8 +1753,8 @@ record! {
     /// Model of the ionosphere that Galileo broadcasts.
     ///
     /// Has the layout of [`gnss_1::GalileoIonoCorrection`](crate::gnss_1::GalileoIonoCorrection).
-    /// Also called `galileo_iono_corr`. No device profile lists it. Known from the MicroStrain MIP
-    /// SDK only.
+    /// Also called `galileo_iono_corr`. Not listed in any device profile. Known only from the
+    /// MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss Data (0x81).
     #[derive(Copy, Default)]
@@ -1796,8 +1797,8 @@ record! {
     /// Model of the ionosphere that BeiDou broadcasts.
     ///
     /// Has the layout of [`gnss_1::BeidouIonoCorrection`](crate::gnss_1::BeidouIonoCorrection).
-    /// Also called `beidou_iono_corr`. No device profile lists it. Known from the MicroStrain MIP
-    /// SDK only.
+    /// Also called `beidou_iono_corr`. Not listed in any device profile. Known only from the
+    /// MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss Data (0x81).
     #[derive(Default)]

@@ -73,8 +73,8 @@ record! {
     /// GNSS position in Earth-fixed coordinates.
     ///
     /// Has the layout of [`gnss_1::EcefPosition`](crate::gnss_1::EcefPosition). Also called
-    /// `pos_ecef`. May be supported by [3DM-CV7-INS](crate::devices::CV7_INS). Known from the
-    /// MicroStrain MIP SDK only.
+    /// `pos_ecef`. May be supported by [3DM-CV7-INS](crate::devices::CV7_INS). Known only from the
+    /// MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss4 Data (0x94).
     #[derive(Copy, Default)]
@@ -157,8 +157,8 @@ record! {
     /// GNSS velocity in Earth-fixed coordinates.
     ///
     /// Has the layout of [`gnss_1::EcefVelocity`](crate::gnss_1::EcefVelocity). Also called
-    /// `vel_ecef`. May be supported by [3DM-CV7-INS](crate::devices::CV7_INS). Known from the
-    /// MicroStrain MIP SDK only.
+    /// `vel_ecef`. May be supported by [3DM-CV7-INS](crate::devices::CV7_INS). Known only from the
+    /// MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss4 Data (0x94).
     #[derive(Copy, Default)]
@@ -189,7 +189,7 @@ record! {
     /// Dilution of precision of the satellite geometry.
     ///
     /// Has the layout of [`gnss_1::Dop`](crate::gnss_1::Dop). May be supported by
-    /// [3DM-CV7-INS](crate::devices::CV7_INS). Known from the MicroStrain MIP SDK only.
+    /// [3DM-CV7-INS](crate::devices::CV7_INS). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss4 Data (0x94).
     #[derive(Copy, Default)]
@@ -292,8 +292,8 @@ record! {
     ///
     /// GPS time as the receiver knows it.
     ///
-    /// Has the layout of [`gnss_1::GpsTime`](crate::gnss_1::GpsTime). No device profile lists it.
-    /// Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::GpsTime`](crate::gnss_1::GpsTime). Not listed in any device
+    /// profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss4 Data (0x94).
     #[derive(Copy, Default)]
@@ -321,8 +321,8 @@ record! {
     ///
     /// Bias and drift of the receiver clock.
     ///
-    /// Has the layout of [`gnss_1::ClockInfo`](crate::gnss_1::ClockInfo). No device profile lists
-    /// it. Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::ClockInfo`](crate::gnss_1::ClockInfo). Not listed in any device
+    /// profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - Clock info 2 replaces it and gives more detail.
     ///
@@ -390,9 +390,9 @@ record! {
     ///
     /// One satellite that is tracked.
     ///
-    /// Has the layout of [`gnss_1::SvInfo`](crate::gnss_1::SvInfo). No device profile lists it.
-    /// Known from the MicroStrain MIP SDK only. Uncertain: Whether a packet holds one of these
-    /// fields or several.
+    /// Has the layout of [`gnss_1::SvInfo`](crate::gnss_1::SvInfo). Not listed in any device
+    /// profile. Known only from the MicroStrain MIP SDK. Uncertain: Whether a packet holds one of
+    /// these fields or several.
     ///
     /// - Each satellite is sent as one field, in packets separate from other GNSS data.
     ///
@@ -441,7 +441,7 @@ record! {
     /// State of the receiver and of its antenna.
     ///
     /// Has the layout of [`gnss_1::HardwareStatus`](crate::gnss_1::HardwareStatus). Also called
-    /// `hw_status`. No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// `hw_status`. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss4 Data (0x94).
     #[derive(Copy, Default, Eq, Hash)]
@@ -475,9 +475,9 @@ record! {
     ///
     /// State of the differential corrections.
     ///
-    /// Has the layout of [`gnss_1::DgpsInfo`](crate::gnss_1::DgpsInfo). No device profile lists it.
-    /// Known from the MicroStrain MIP SDK only. Uncertain: The layout is from a manual of the
-    /// 3DM-GX5-35 and from MSCL, another library of the vendor. It agrees with the valid flags.
+    /// Has the layout of [`gnss_1::DgpsInfo`](crate::gnss_1::DgpsInfo). Not listed in any device
+    /// profile. Known only from the MicroStrain MIP SDK. Uncertain: The layout is from a manual of
+    /// the 3DM-GX5-35 and from MSCL, another library of the vendor. It agrees with the valid flags.
     /// Uncertain: The SDK has another layout: u8, three floats and u16. It is that of
     /// [`gnss_1::DgpsChannel`](crate::gnss_1::DgpsChannel) and does not agree with its own valid
     /// flags (age, base station id, base station status, number of channels).
@@ -522,8 +522,8 @@ record! {
     ///
     /// Differential correction for one satellite.
     ///
-    /// Has the layout of [`gnss_1::DgpsChannel`](crate::gnss_1::DgpsChannel). No device profile
-    /// lists it. Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::DgpsChannel`](crate::gnss_1::DgpsChannel). Not listed in any
+    /// device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - Each active satellite is sent as one field, all in one packet.
     ///
@@ -566,7 +566,7 @@ record! {
     /// Bias and drift of the receiver clock.
     ///
     /// Has the layout of [`gnss_1::ClockInfo2`](crate::gnss_1::ClockInfo2). May be supported by
-    /// [3DM-CV7-INS](crate::devices::CV7_INS). Known from the MicroStrain MIP SDK only.
+    /// [3DM-CV7-INS](crate::devices::CV7_INS). Known only from the MicroStrain MIP SDK.
     ///
     /// - It supersedes clock info.
     ///
@@ -606,8 +606,8 @@ record! {
     /// Difference between GPS time and UTC.
     ///
     /// Has the layout of [`gnss_1::GpsLeapSeconds`](crate::gnss_1::GpsLeapSeconds). May be
-    /// supported by [3DM-CV7-INS](crate::devices::CV7_INS). Known from the MicroStrain MIP SDK
-    /// only.
+    /// supported by [3DM-CV7-INS](crate::devices::CV7_INS). Known only from the MicroStrain MIP
+    /// SDK.
     ///
     /// Source: mip-sdk-4: Gnss4 Data (0x94).
     #[derive(Copy, Default, Eq, Hash)]
@@ -631,8 +631,8 @@ record! {
     ///
     /// Status of the satellite based augmentation.
     ///
-    /// Has the layout of [`gnss_1::SbasInfo`](crate::gnss_1::SbasInfo). No device profile lists it.
-    /// Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::SbasInfo`](crate::gnss_1::SbasInfo). Not listed in any device
+    /// profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss4 Data (0x94).
     #[derive(Copy, Default)]
@@ -676,8 +676,8 @@ record! {
     ///
     /// SBAS correction for one satellite.
     ///
-    /// Has the layout of [`gnss_1::SbasCorrection`](crate::gnss_1::SbasCorrection). No device
-    /// profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::SbasCorrection`](crate::gnss_1::SbasCorrection). Not listed in
+    /// any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - An epoch is sent as one field for each satellite; index and count number the fields.
     /// - Udrei 0 to 13 are these variances in m^2: 0.0520, 0.0924, 0.1444, 0.2830, 0.4678, 0.8315,
@@ -735,8 +735,8 @@ record! {
     /// Jamming and spoofing that the receiver detects in one band.
     ///
     /// Has the layout of [`gnss_1::RfErrorDetection`](crate::gnss_1::RfErrorDetection). May be
-    /// supported by [3DM-CV7-INS](crate::devices::CV7_INS). Known from the MicroStrain MIP SDK
-    /// only.
+    /// supported by [3DM-CV7-INS](crate::devices::CV7_INS). Known only from the MicroStrain MIP
+    /// SDK.
     ///
     /// Source: mip-sdk-4: Gnss4 Data (0x94).
     #[derive(Copy, Default, Eq, Hash)]
@@ -832,8 +832,8 @@ record! {
     ///
     /// Raw observation of one signal of one satellite.
     ///
-    /// Has the layout of [`gnss_1::Raw`](crate::gnss_1::Raw). No device profile lists it. Known
-    /// from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::Raw`](crate::gnss_1::Raw). Not listed in any device profile.
+    /// Known only from the MicroStrain MIP SDK.
     ///
     /// - An epoch is sent as one field for each signal; index and count number the fields.
     /// - The greatest lock time depends on the receiver.
@@ -933,8 +933,8 @@ record! {
     ///
     /// The base station of the corrections, from an RTCM message 1005 or 1006.
     ///
-    /// Has the layout of [`gnss_1::BaseStationInfo`](crate::gnss_1::BaseStationInfo). No device
-    /// profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::BaseStationInfo`](crate::gnss_1::BaseStationInfo). Not listed in
+    /// any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss4 Data (0x94).
     #[derive(Copy, Default)]
@@ -983,8 +983,8 @@ record! {
     ///
     /// Which corrections are received, and how old they are.
     ///
-    /// Has the layout of [`gnss_1::RtkCorrectionsStatus`](crate::gnss_1::RtkCorrectionsStatus). No
-    /// device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::RtkCorrectionsStatus`](crate::gnss_1::RtkCorrectionsStatus). Not
+    /// listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss4 Data (0x94).
     #[derive(Copy, Default)]
@@ -1055,8 +1055,8 @@ record! {
     ///
     /// Broadcast orbit and clock of one GPS satellite.
     ///
-    /// Has the layout of [`gnss_1::GpsEphemeris`](crate::gnss_1::GpsEphemeris). No device profile
-    /// lists it. Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::GpsEphemeris`](crate::gnss_1::GpsEphemeris). Not listed in any
+    /// device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - `iodc` changes with the clock data; according to the manual, it rolls over at 4.
     ///
@@ -1229,7 +1229,7 @@ record! {
     /// Broadcast orbit and clock of one GLONASS satellite.
     ///
     /// Has the layout of [`gnss_1::GlonassEphemeris`](crate::gnss_1::GlonassEphemeris). Also called
-    /// `glo_ephemeris`. No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// `glo_ephemeris`. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - The interface control document of GLONASS explains p and ft.
     /// - A period of four years has 1461 days; the manual does not say how nt, a u8, counts them.
@@ -1360,8 +1360,8 @@ record! {
     ///
     /// Broadcast orbit and clock of one Galileo satellite.
     ///
-    /// Has the layout of [`gnss_1::GalileoEphemeris`](crate::gnss_1::GalileoEphemeris). No device
-    /// profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::GalileoEphemeris`](crate::gnss_1::GalileoEphemeris). Not listed
+    /// in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
     ///   corrections mean here.
@@ -1535,8 +1535,8 @@ record! {
     ///
     /// Broadcast orbit and clock of one BeiDou satellite.
     ///
-    /// Has the layout of [`gnss_1::BeidouEphemeris`](crate::gnss_1::BeidouEphemeris). No device
-    /// profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Has the layout of [`gnss_1::BeidouEphemeris`](crate::gnss_1::BeidouEphemeris). Not listed in
+    /// any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
     ///   corrections mean here.
@@ -1711,7 +1711,8 @@ record! {
     /// Model of the ionosphere that GPS broadcasts.
     ///
     /// Has the layout of [`gnss_1::GpsIonoCorrection`](crate::gnss_1::GpsIonoCorrection). Also
-    /// called `gps_iono_corr`. No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// called `gps_iono_corr`. Not listed in any device profile. Known only from the MicroStrain
+    /// MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss4 Data (0x94).
     #[derive(Default)]
@@ -1751,8 +1752,8 @@ record! {
     /// Model of the ionosphere that Galileo broadcasts.
     ///
     /// Has the layout of [`gnss_1::GalileoIonoCorrection`](crate::gnss_1::GalileoIonoCorrection).
-    /// Also called `galileo_iono_corr`. No device profile lists it. Known from the MicroStrain MIP
-    /// SDK only.
+    /// Also called `galileo_iono_corr`. Not listed in any device profile. Known only from the
+    /// MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss4 Data (0x94).
     #[derive(Copy, Default)]
@@ -1795,8 +1796,8 @@ record! {
     /// Model of the ionosphere that BeiDou broadcasts.
     ///
     /// Has the layout of [`gnss_1::BeidouIonoCorrection`](crate::gnss_1::BeidouIonoCorrection).
-    /// Also called `beidou_iono_corr`. No device profile lists it. Known from the MicroStrain MIP
-    /// SDK only.
+    /// Also called `beidou_iono_corr`. Not listed in any device profile. Known only from the
+    /// MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss4 Data (0x94).
     #[derive(Default)]

@@ -27,7 +27,7 @@ item! { PollEntry { descriptor reserved } }
 constructors! {
     PollEntry
 
-    /// Puts the values together.
+    /// Creates it from its values.
     fn new(descriptor: u8), reserved: 0;
 }
 
@@ -106,7 +106,7 @@ item! { ConstellationSettingsEntry { constellation_id enable reserved_channels m
 constructors! {
     ConstellationSettingsEntry
 
-    /// Puts the values together.
+    /// Creates it from its values.
     fn new(
         constellation_id: ConstellationId,
         enable: u8,
@@ -199,7 +199,7 @@ item! { EventSupportInfo { type_ count } }
 constructors! {
     EventSupportInfo
 
-    /// Puts the values together.
+    /// Creates it from its values.
     fn new(type_: u8, count: u8);
 }
 
@@ -225,7 +225,7 @@ item! { EventTriggerStatusEntry { type_ status } }
 constructors! {
     EventTriggerStatusEntry
 
-    /// Puts the values together.
+    /// Creates it from its values.
     fn new(type_: types::EventTriggerType, status: types::EventTriggerStatus);
 }
 
@@ -246,7 +246,7 @@ item! { EventActionStatusEntry { action_type trigger_id } }
 constructors! {
     EventActionStatusEntry
 
-    /// Puts the values together.
+    /// Creates it from its values.
     fn new(action_type: types::EventActionType, trigger_id: u8);
 }
 
@@ -297,7 +297,7 @@ item! { SensorRangeEntry { setting range } }
 constructors! {
     SensorRangeEntry
 
-    /// Puts the values together.
+    /// Creates it from its values.
     fn new(setting: u8, range: f32);
 }
 
@@ -341,7 +341,7 @@ record! {
     /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). May be supported by
     /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
-    /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
+    /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](PollImuData::descriptors).
     ///
     /// - An empty list polls the stored message format; if none is stored, the device refuses the
@@ -367,7 +367,7 @@ record! {
 constructors! {
     PollImuData
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(suppress_ack: bool, descriptors: impl Into<crate::List<PollEntry, 83>>);
 }
 
@@ -389,10 +389,10 @@ record! {
     /// [`suppress_ack`](PollGnssData::suppress_ack) is true. Supported by
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-45](crate::devices::GX5_45),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
-    /// May be supported by [3DM-GX5-35](crate::devices::GX5_35). Known from the MicroStrain MIP SDK
-    /// only.
+    /// May be supported by [3DM-GX5-35](crate::devices::GX5_35). Known only from the MicroStrain
+    /// MIP SDK.
     ///
-    /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
+    /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](PollGnssData::descriptors). Range: 0 to 83.
     ///
     /// - An empty list polls the format stored by [`GnssMessageFormat`]; if none is stored, the
@@ -421,7 +421,7 @@ record! {
 constructors! {
     PollGnssData
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(suppress_ack: bool, descriptors: impl Into<crate::List<PollEntry, 83>>);
 }
 
@@ -445,7 +445,7 @@ record! {
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
     /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
-    /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
+    /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](PollFilterData::descriptors).
     ///
     /// - An empty list polls the stored message format; if none is stored, the device refuses the
@@ -471,7 +471,7 @@ record! {
 constructors! {
     PollFilterData
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(suppress_ack: bool, descriptors: impl Into<crate::List<PollEntry, 83>>);
 }
 
@@ -494,7 +494,7 @@ record! {
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS) and
     /// [3DM-GQ7-GNSS/INS](crate::devices::GQ7).
     ///
-    /// On the wire there is also `count`: Number of sentences. The number of elements of
+    /// The wire format also contains `count`: Number of sentences. The number of elements of
     /// [`format_entries`](PollNmeaData::format_entries).
     ///
     /// - An empty list polls the stored NMEA format; if none is stored, the device refuses the
@@ -521,7 +521,7 @@ record! {
 constructors! {
     PollNmeaData
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(suppress_ack: bool, format_entries: impl Into<crate::List<types::NmeaMessage, 50>>);
 }
 
@@ -553,7 +553,7 @@ record! {
 constructors! {
     GetImuBaseRate
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new();
 }
 
@@ -574,7 +574,7 @@ record! {
     /// Also called `gnss_get_base_rate`. Answered by [`GetGnssBaseRateResponse`]. Supported by
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-35](crate::devices::GX5_35),
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Known from the MicroStrain MIP SDK only.
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss Get Base Rate (0x0C,0x07).
     #[derive(Copy, Default, Eq, Hash)]
@@ -584,7 +584,7 @@ record! {
 constructors! {
     GetGnssBaseRate
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new();
 }
 
@@ -609,7 +609,7 @@ record! {
     /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
-    /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
+    /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](ImuMessageFormat::descriptors). Required for
     /// [write](types::FunctionSelector::WRITE).
     ///
@@ -677,7 +677,7 @@ record! {
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
     /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
-    /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
+    /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](GnssMessageFormat::descriptors). Range: 0 to 82. Required for
     /// [write](types::FunctionSelector::WRITE).
     ///
@@ -744,7 +744,7 @@ record! {
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
     /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
-    /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
+    /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](FilterMessageFormat::descriptors). Required for
     /// [write](types::FunctionSelector::WRITE).
     ///
@@ -818,7 +818,7 @@ record! {
 constructors! {
     GetFilterBaseRate
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new();
 }
 
@@ -841,7 +841,7 @@ record! {
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`NmeaMessageFormatResponse`].
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// On the wire there is also `count`: Number of sentences. The number of elements of
+    /// The wire format also contains `count`: Number of sentences. The number of elements of
     /// [`format_entries`](NmeaMessageFormat::format_entries). Required for
     /// [write](types::FunctionSelector::WRITE).
     ///
@@ -903,7 +903,7 @@ record! {
     /// Not acknowledged if [`suppress_ack`](PollData::suppress_ack) is true. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
+    /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](PollData::descriptors).
     ///
     /// - An empty list polls the stored message format; if none is stored, the device refuses the
@@ -935,7 +935,7 @@ record! {
 constructors! {
     PollData
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(
         descriptor_set: u8,
         suppress_ack: bool,
@@ -973,7 +973,7 @@ record! {
 constructors! {
     GetBaseRate
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(descriptor_set: u8);
 }
 
@@ -996,7 +996,7 @@ record! {
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`MessageFormatResponse`].
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
+    /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](MessageFormat::descriptors). Required for
     /// [write](types::FunctionSelector::WRITE).
     ///
@@ -1075,7 +1075,7 @@ record! {
 constructors! {
     FactoryStreaming
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(action: FactoryStreamingAction), reserved: 0;
 }
 
@@ -1216,7 +1216,7 @@ record! {
     /// May be supported by [3DM-GX5-45](crate::devices::GX5_45). Uncertain: The factory default.
     /// The SDK names only GPS and GLONASS as enabled, but gives channels for SBAS and QZSS too.
     ///
-    /// On the wire there is also `config_count`: Number of entries. The number of elements of
+    /// The wire format also contains `config_count`: Number of entries. The number of elements of
     /// [`settings`](ConstellationSettings::settings). Range: 0 to 41. Required for
     /// [write](types::FunctionSelector::WRITE).
     ///
@@ -1295,9 +1295,9 @@ record! {
     /// [3DM-GQ4-45](crate::devices::GQ4_45) and [3DM-GX5-35](crate::devices::GX5_35). May be
     /// supported by [3DM-GX5-45](crate::devices::GX5_45).
     ///
-    /// On the wire there is also `num_included_prns`: Number of satellites listed; 0 searches for
-    /// all. The number of elements of [`included_prns`](GnssSbasSettings::included_prns). Required
-    /// for [write](types::FunctionSelector::WRITE).
+    /// The wire format also contains `num_included_prns`: Number of satellites listed; 0 searches
+    /// for all. The number of elements of [`included_prns`](GnssSbasSettings::included_prns).
+    /// Required for [write](types::FunctionSelector::WRITE).
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22).
     #[derive(Eq, Hash)]
@@ -1374,7 +1374,7 @@ record! {
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
     /// [default](types::FunctionSelector::DEFAULT). Answered by [`GnssAssistedFixResponse`].
     /// Supported by [3DM-GX5-35](crate::devices::GX5_35). May be supported by
-    /// [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only.
+    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// - The last fix is kept in the flash memory and the FRAM of the receiver.
     /// - With the time of [`GnssTimeAssistance`] right after power-up, the first fix takes 1 s at
@@ -1441,7 +1441,7 @@ record! {
     /// Functions: [write](types::FunctionSelector::WRITE) and
     /// [read](types::FunctionSelector::READ). Answered by [`GnssTimeAssistanceResponse`]. Supported
     /// by [3DM-GX5-35](crate::devices::GX5_35). May be supported by
-    /// [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only.
+    /// [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// - It is needed right after power-up if [`GnssAssistedFix`] was on at power-off.
     ///
@@ -1575,7 +1575,7 @@ record! {
 constructors! {
     GetEventSupport
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(query: EventSupportQuery);
 }
 
@@ -1657,8 +1657,8 @@ record! {
     /// Answered by [`GetEventTriggerStatusResponse`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// On the wire there is also `requested_count`: Number of requested triggers; 0 requests all
-    /// slots. The number of elements of
+    /// The wire format also contains `requested_count`: Number of requested triggers; 0 requests
+    /// all slots. The number of elements of
     /// [`requested_instances`](GetEventTriggerStatus::requested_instances).
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C).
@@ -1676,7 +1676,7 @@ record! {
 constructors! {
     GetEventTriggerStatus
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(requested_instances: impl Into<crate::List<u8, 252>>);
 }
 
@@ -1697,7 +1697,7 @@ record! {
     /// Answered by [`GetEventActionStatusResponse`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// On the wire there is also `requested_count`: Number of requested actions; 0 requests all
+    /// The wire format also contains `requested_count`: Number of requested actions; 0 requests all
     /// slots. The number of elements of
     /// [`requested_instances`](GetEventActionStatus::requested_instances).
     ///
@@ -1716,7 +1716,7 @@ record! {
 constructors! {
     GetEventActionStatus
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(requested_instances: impl Into<crate::List<u8, 252>>);
 }
 
@@ -2359,7 +2359,7 @@ record! {
 constructors! {
     CaptureGyroBias
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(averaging_time_ms: u16);
 }
 
@@ -3210,7 +3210,7 @@ record! {
 constructors! {
     GetCalibratedSensorRanges
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(sensor: SensorRangeType);
 }
 
@@ -3351,7 +3351,7 @@ record! {
 constructors! {
     DeviceStatus
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(model_number: u16, status_selector: DeviceStatusSelector);
 }
 
@@ -3366,7 +3366,7 @@ command! {
 }
 
 responses! {
-    /// What [`DeviceStatus`] is answered with.
+    /// The answer to [`DeviceStatus`].
     pub enum DeviceStatusResponses {
         /// The response [`DeviceStatusBasicResponse`].
         #[cfg_attr(feature = "serde", serde(rename = "device_status_basic_response"))]
@@ -3403,7 +3403,7 @@ record! {
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
     /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
-    /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
+    /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](ImuMessageFormatResponse::descriptors).
     ///
     /// Source: 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08).
@@ -3430,7 +3430,7 @@ record! {
     /// [3DM-GX5-35](crate::devices::GX5_35), [3DM-GX5-45](crate::devices::GX5_45),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
-    /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
+    /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](GnssMessageFormatResponse::descriptors). Range: 0 to 82.
     ///
     /// Source: mip-sdk-4: Gnss Message Format (0x0C,0x09); 3dm-gx5-35: 4.2.6 GNSS Message Format
@@ -3458,7 +3458,7 @@ record! {
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-45](crate::devices::GX5_45),
     /// [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST).
     ///
-    /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
+    /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](FilterMessageFormatResponse::descriptors).
     ///
     /// Source: 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A).
@@ -3508,7 +3508,7 @@ record! {
     /// Also called `gnss_get_base_rate_response`. Answers [`GetGnssBaseRate`]. Supported by
     /// [3DM-GQ4-45](crate::devices::GQ4_45), [3DM-GX5-35](crate::devices::GX5_35),
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
-    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Known from the MicroStrain MIP SDK only.
+    /// [3DM-RQ1-45-ST](crate::devices::RQ1_45_ST). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss Get Base Rate (0x0C,0x07).
     #[derive(Copy, Default, Eq, Hash)]
@@ -3696,7 +3696,7 @@ record! {
     /// Answers [`NmeaMessageFormat`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// On the wire there is also `count`: Number of sentences. The number of elements of
+    /// The wire format also contains `count`: Number of sentences. The number of elements of
     /// [`format_entries`](NmeaMessageFormatResponse::format_entries).
     ///
     /// Source: 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C).
@@ -3743,7 +3743,7 @@ record! {
     ///
     /// Answers [`MessageFormat`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
+    /// The wire format also contains `num_descriptors`: Number of fields. The number of elements of
     /// [`descriptors`](MessageFormatResponse::descriptors).
     ///
     /// Source: 3dm-cv7-gnss-ins: Message Format (0x0C,0x0F).
@@ -3771,8 +3771,8 @@ record! {
     ///
     /// State and timer.
     ///
-    /// Answers [`DeviceStatus`]. Told from [`DeviceStatusBasicWithoutStateResponse`] by the size of
-    /// its data. Sent if [`status_selector`](DeviceStatus::status_selector) is
+    /// Answers [`DeviceStatus`]. Distinguished from [`DeviceStatusBasicWithoutStateResponse`] by
+    /// the size of its data. Sent if [`status_selector`](DeviceStatus::status_selector) is
     /// [`DeviceStatusSelector::BASIC`]. Supported by [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
@@ -3786,7 +3786,7 @@ record! {
     /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10) and
     /// [3DM-GX5-25](crate::devices::GX5_25).
     ///
-    /// On the wire there is also `status_selector`: Basic status. Always 1.
+    /// The wire format also contains `status_selector`: Basic status. Always 1.
     ///
     /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
     /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
@@ -3825,8 +3825,8 @@ record! {
     ///
     /// Timer only.
     ///
-    /// Answers [`DeviceStatus`]. Told from [`DeviceStatusBasicResponse`] by the size of its data.
-    /// Sent if [`status_selector`](DeviceStatus::status_selector) is
+    /// Answers [`DeviceStatus`]. Distinguished from [`DeviceStatusBasicResponse`] by the size of
+    /// its data. Sent if [`status_selector`](DeviceStatus::status_selector) is
     /// [`DeviceStatusSelector::BASIC`]. Supported by [3DM-GQ4-45](crate::devices::GQ4_45),
     /// [3DM-GX5-15](crate::devices::GX5_15), [3DM-GX5-35](crate::devices::GX5_35),
     /// [3DM-GX5-45](crate::devices::GX5_45), [3DM-RQ1-45-LT](crate::devices::RQ1_45_LT) and
@@ -3843,7 +3843,7 @@ record! {
     /// but for the model number of another device; MSCL has the layout with a state for that
     /// device.
     ///
-    /// On the wire there is also `status_selector`: Basic status. Always 1.
+    /// The wire format also contains `status_selector`: Basic status. Always 1.
     ///
     /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
     /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
@@ -3879,7 +3879,7 @@ record! {
     ///
     /// State and timer with the counters of streams and port.
     ///
-    /// Answers [`DeviceStatus`]. Told from [`DeviceStatusDiagnosticGnssResponse`],
+    /// Answers [`DeviceStatus`]. Distinguished from [`DeviceStatusDiagnosticGnssResponse`],
     /// [`DeviceStatusDiagnosticGq4_45Response`], [`DeviceStatusDiagnosticRq1_45Response`],
     /// [`DeviceStatusDiagnosticGx4Response`] and [`DeviceStatusDiagnosticImuResponse`] by the size
     /// of its data. Sent if [`status_selector`](DeviceStatus::status_selector) is
@@ -3896,7 +3896,7 @@ record! {
     /// [3DM-GX4-45](crate::devices::GX4_45), [3DM-GX5-10](crate::devices::GX5_10) and
     /// [3DM-GX5-25](crate::devices::GX5_25).
     ///
-    /// On the wire there is also `status_selector`: Diagnostic status. Always 2.
+    /// The wire format also contains `status_selector`: Diagnostic status. Always 2.
     ///
     /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
     /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
@@ -3986,7 +3986,7 @@ record! {
     ///
     /// State and timer with the counters of pulses, streams, port and receiver.
     ///
-    /// Answers [`DeviceStatus`]. Told from [`DeviceStatusDiagnosticResponse`],
+    /// Answers [`DeviceStatus`]. Distinguished from [`DeviceStatusDiagnosticResponse`],
     /// [`DeviceStatusDiagnosticGq4_45Response`], [`DeviceStatusDiagnosticRq1_45Response`],
     /// [`DeviceStatusDiagnosticGx4Response`] and [`DeviceStatusDiagnosticImuResponse`] by the size
     /// of its data. Sent if [`status_selector`](DeviceStatus::status_selector) is
@@ -4006,7 +4006,7 @@ record! {
     /// the descriptions follow from the names, and the times are assumed to be in ms like the
     /// system timer.
     ///
-    /// On the wire there is also `status_selector`: Diagnostic status. Always 2.
+    /// The wire format also contains `status_selector`: Diagnostic status. Always 2.
     ///
     /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
     /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
@@ -4132,7 +4132,7 @@ record! {
     ///
     /// The layout with GNSS, plus what could not be started.
     ///
-    /// Answers [`DeviceStatus`]. Told from [`DeviceStatusDiagnosticResponse`],
+    /// Answers [`DeviceStatus`]. Distinguished from [`DeviceStatusDiagnosticResponse`],
     /// [`DeviceStatusDiagnosticGnssResponse`], [`DeviceStatusDiagnosticRq1_45Response`],
     /// [`DeviceStatusDiagnosticGx4Response`] and [`DeviceStatusDiagnosticImuResponse`] by the size
     /// of its data. Sent if [`status_selector`](DeviceStatus::status_selector) is
@@ -4151,7 +4151,7 @@ record! {
     /// only names the values; the descriptions follow from the names, and the times are assumed to
     /// be in ms like the system timer.
     ///
-    /// On the wire there is also `status_selector`: Diagnostic status. Always 2.
+    /// The wire format also contains `status_selector`: Diagnostic status. Always 2.
     ///
     /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
     /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
@@ -4286,7 +4286,7 @@ record! {
     ///
     /// The layout with GNSS, plus the temperature.
     ///
-    /// Answers [`DeviceStatus`]. Told from [`DeviceStatusDiagnosticResponse`],
+    /// Answers [`DeviceStatus`]. Distinguished from [`DeviceStatusDiagnosticResponse`],
     /// [`DeviceStatusDiagnosticGnssResponse`], [`DeviceStatusDiagnosticGq4_45Response`],
     /// [`DeviceStatusDiagnosticGx4Response`] and [`DeviceStatusDiagnosticImuResponse`] by the size
     /// of its data. Sent if [`status_selector`](DeviceStatus::status_selector) is
@@ -4305,7 +4305,7 @@ record! {
     /// only names the values; the descriptions follow from the names, and the times are assumed to
     /// be in ms like the system timer.
     ///
-    /// On the wire there is also `status_selector`: Diagnostic status. Always 2.
+    /// The wire format also contains `status_selector`: Diagnostic status. Always 2.
     ///
     /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
     /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
@@ -4444,7 +4444,7 @@ record! {
     ///
     /// Timer with the counters of pulses, streams, port and USB.
     ///
-    /// Answers [`DeviceStatus`]. Told from [`DeviceStatusDiagnosticResponse`],
+    /// Answers [`DeviceStatus`]. Distinguished from [`DeviceStatusDiagnosticResponse`],
     /// [`DeviceStatusDiagnosticGnssResponse`], [`DeviceStatusDiagnosticGq4_45Response`],
     /// [`DeviceStatusDiagnosticRq1_45Response`] and [`DeviceStatusDiagnosticImuResponse`] by the
     /// size of its data. Sent if [`status_selector`](DeviceStatus::status_selector) is
@@ -4464,7 +4464,7 @@ record! {
     /// values; the descriptions follow from the names, and the times are assumed to be in ms like
     /// the system timer.
     ///
-    /// On the wire there is also `status_selector`: Diagnostic status. Always 2.
+    /// The wire format also contains `status_selector`: Diagnostic status. Always 2.
     ///
     /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
     /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
@@ -4581,7 +4581,7 @@ record! {
     ///
     /// Timer, available sensors, temperature, and the counters of pulses, stream and port.
     ///
-    /// Answers [`DeviceStatus`]. Told from [`DeviceStatusDiagnosticResponse`],
+    /// Answers [`DeviceStatus`]. Distinguished from [`DeviceStatusDiagnosticResponse`],
     /// [`DeviceStatusDiagnosticGnssResponse`], [`DeviceStatusDiagnosticGq4_45Response`],
     /// [`DeviceStatusDiagnosticRq1_45Response`] and [`DeviceStatusDiagnosticGx4Response`] by the
     /// size of its data. Sent if [`status_selector`](DeviceStatus::status_selector) is
@@ -4601,7 +4601,7 @@ record! {
     /// descriptions follow from the names, and the times are assumed to be in ms like the system
     /// timer. Uncertain: The units of the ranges are not known.
     ///
-    /// On the wire there is also `status_selector`: Diagnostic status. Always 2.
+    /// The wire format also contains `status_selector`: Diagnostic status. Always 2.
     ///
     /// Source: 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64); 3dm-gx5-35: 4.2.22 Device Status
     /// (0x0C, 0x64); 3dm-gx5-45: 4.2.25 Device Status (0x0C, 0x64); mscl: Device Status
@@ -4872,7 +4872,7 @@ record! {
     /// [3DM-GX5-35](crate::devices::GX5_35). May be supported by
     /// [3DM-GX5-45](crate::devices::GX5_45).
     ///
-    /// On the wire there is also `config_count`: Number of entries. The number of elements of
+    /// The wire format also contains `config_count`: Number of entries. The number of elements of
     /// [`settings`](ConstellationSettingsResponse::settings). Range: 0 to 41.
     ///
     /// Source: mip-sdk-4: Constellation Settings (0x0C,0x21); 3dm-gx5-35: 4.2.8 GNSS Constellation
@@ -4910,8 +4910,9 @@ record! {
     /// [3DM-GQ4-45](crate::devices::GQ4_45) and [3DM-GX5-35](crate::devices::GX5_35). May be
     /// supported by [3DM-GX5-45](crate::devices::GX5_45).
     ///
-    /// On the wire there is also `num_included_prns`: Number of satellites listed; 0 searches for
-    /// all. The number of elements of [`included_prns`](GnssSbasSettingsResponse::included_prns).
+    /// The wire format also contains `num_included_prns`: Number of satellites listed; 0 searches
+    /// for all. The number of elements of
+    /// [`included_prns`](GnssSbasSettingsResponse::included_prns).
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22).
     #[derive(Default, Eq, Hash)]
@@ -4942,7 +4943,7 @@ record! {
     /// GNSS Assisted Fix response (0x0C,0xA2).
     ///
     /// Answers [`GnssAssistedFix`]. Supported by [3DM-GX5-35](crate::devices::GX5_35). May be
-    /// supported by [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only.
+    /// supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss Assisted Fix (0x0C,0x23).
     #[derive(Copy, Eq, Hash)]
@@ -4975,7 +4976,7 @@ record! {
     /// GNSS Time Assistance response (0x0C,0xA3).
     ///
     /// Answers [`GnssTimeAssistance`]. Supported by [3DM-GX5-35](crate::devices::GX5_35). May be
-    /// supported by [3DM-GX5-45](crate::devices::GX5_45). Known from the MicroStrain MIP SDK only.
+    /// supported by [3DM-GX5-45](crate::devices::GX5_45). Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Gnss Time Assistance (0x0C,0x24).
     #[derive(Copy, Default)]
@@ -5103,7 +5104,7 @@ record! {
     ///
     /// Answers [`GetEventSupport`]. Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// On the wire there is also `num_entries`: Number of types. The number of elements of
+    /// The wire format also contains `num_entries`: Number of types. The number of elements of
     /// [`entries`](GetEventSupportResponse::entries).
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A).
@@ -5164,7 +5165,7 @@ record! {
     /// Answers [`GetEventTriggerStatus`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// On the wire there is also `count`: Number of entries. The number of elements of
+    /// The wire format also contains `count`: Number of entries. The number of elements of
     /// [`triggers`](GetEventTriggerStatusResponse::triggers).
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C).
@@ -5190,7 +5191,7 @@ record! {
     /// Answers [`GetEventActionStatus`]. Supported by
     /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// On the wire there is also `count`: Number of entries. The number of elements of
+    /// The wire format also contains `count`: Number of entries. The number of elements of
     /// [`actions`](GetEventActionStatusResponse::actions).
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D).
@@ -5463,7 +5464,7 @@ record! {
     /// Also called `calibrated_sensor_ranges_response`. Answers [`GetCalibratedSensorRanges`].
     /// Supported by [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS).
     ///
-    /// On the wire there is also `num_ranges`: Number of ranges. The number of elements of
+    /// The wire format also contains `num_ranges`: Number of ranges. The number of elements of
     /// [`ranges`](GetCalibratedSensorRangesResponse::ranges).
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53).

@@ -68,8 +68,8 @@ record! {
     ///
     /// Gets the state of the modem and of the corrections.
     ///
-    /// Answered by [`GetStatusFlagsResponse`]. No device profile lists it. Known from the
-    /// MicroStrain MIP SDK only.
+    /// Answered by [`GetStatusFlagsResponse`]. Not listed in any device profile. Known only from
+    /// the MicroStrain MIP SDK.
     ///
     /// - The word of the response has two forms, [`types::RtkStatusFlags`] and
     ///   [`types::RtkStatusFlagsLegacy`].
@@ -82,7 +82,7 @@ record! {
 constructors! {
     GetStatusFlags
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new();
 }
 
@@ -100,8 +100,8 @@ record! {
     ///
     /// Gets the identity of the modem.
     ///
-    /// Answered by [`GetImeiResponse`]. No device profile lists it. Known from the MicroStrain MIP
-    /// SDK only.
+    /// Answered by [`GetImeiResponse`]. Not listed in any device profile. Known only from the
+    /// MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Get Imei (0x0F,0x02).
     #[derive(Copy, Default, Eq, Hash)]
@@ -111,7 +111,7 @@ record! {
 constructors! {
     GetImei
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new();
 }
 
@@ -129,8 +129,8 @@ record! {
     ///
     /// Gets the identity of the subscriber.
     ///
-    /// Answered by [`GetImsiResponse`]. No device profile lists it. Known from the MicroStrain MIP
-    /// SDK only.
+    /// Answered by [`GetImsiResponse`]. Not listed in any device profile. Known only from the
+    /// MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Get Imsi (0x0F,0x03).
     #[derive(Copy, Default, Eq, Hash)]
@@ -140,7 +140,7 @@ record! {
 constructors! {
     GetImsi
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new();
 }
 
@@ -158,8 +158,8 @@ record! {
     ///
     /// Gets the number of the SIM card.
     ///
-    /// Answered by [`GetIccidResponse`]. No device profile lists it. Known from the MicroStrain MIP
-    /// SDK only.
+    /// Answered by [`GetIccidResponse`]. Not listed in any device profile. Known only from the
+    /// MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Get Iccid (0x0F,0x04).
     #[derive(Copy, Default, Eq, Hash)]
@@ -169,7 +169,7 @@ record! {
 constructors! {
     GetIccid
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new();
 }
 
@@ -187,8 +187,8 @@ record! {
     ///
     /// Gets the strength of the cellular signal.
     ///
-    /// Answered by [`GetRssiResponse`]. No device profile lists it. Known from the MicroStrain MIP
-    /// SDK only.
+    /// Answered by [`GetRssiResponse`]. Not listed in any device profile. Known only from the
+    /// MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Get Rssi (0x0F,0x05).
     #[derive(Copy, Default, Eq, Hash)]
@@ -198,7 +198,7 @@ record! {
 constructors! {
     GetRssi
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new();
 }
 
@@ -218,8 +218,8 @@ record! {
     ///
     /// Functions: [write](types::FunctionSelector::WRITE), [read](types::FunctionSelector::READ),
     /// [save](types::FunctionSelector::SAVE), [load](types::FunctionSelector::LOAD) and
-    /// [default](types::FunctionSelector::DEFAULT). Answered by [`ConnectedDeviceTypeResponse`]. No
-    /// device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// [default](types::FunctionSelector::DEFAULT). Answered by [`ConnectedDeviceTypeResponse`].
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Connected Device Type (0x0F,0x06).
     #[derive(Copy, Eq, Hash)]
@@ -270,8 +270,8 @@ record! {
     ///
     /// Gets the activation code.
     ///
-    /// Also called `get_act_code`. Answered by [`GetActivationCodeResponse`]. No device profile
-    /// lists it. Known from the MicroStrain MIP SDK only.
+    /// Also called `get_act_code`. Answered by [`GetActivationCodeResponse`]. Not listed in any
+    /// device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Get Act Code (0x0F,0x07).
     #[derive(Copy, Default, Eq, Hash)]
@@ -281,7 +281,7 @@ record! {
 constructors! {
     GetActivationCode
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new();
 }
 
@@ -299,8 +299,8 @@ record! {
     ///
     /// Gets the firmware version of the cellular modem.
     ///
-    /// Answered by [`GetModemFirmwareVersionResponse`]. No device profile lists it. Known from the
-    /// MicroStrain MIP SDK only.
+    /// Answered by [`GetModemFirmwareVersionResponse`]. Not listed in any device profile. Known
+    /// only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Get Modem Firmware Version (0x0F,0x08).
     #[derive(Copy, Default, Eq, Hash)]
@@ -310,7 +310,7 @@ record! {
 constructors! {
     GetModemFirmwareVersion
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new();
 }
 
@@ -328,8 +328,8 @@ record! {
     ///
     /// Queries a correction server about the connection, which also keeps it open.
     ///
-    /// Answered by [`ServiceStatusResponse`]. The device sends it, and the host answers. No device
-    /// profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Answered by [`ServiceStatusResponse`]. Sent by the device; the host answers. Not listed in
+    /// any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - The modem sends it as a host would, and the server answers as a device would.
     ///
@@ -346,7 +346,7 @@ record! {
 constructors! {
     ServiceStatus
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(), reserved1: 0, reserved2: 0;
 }
 
@@ -364,8 +364,8 @@ record! {
     ///
     /// Erases a storage medium down to its raw state.
     ///
-    /// For advanced use. Also called `prod_erase_storage`. No device profile lists it. Known from
-    /// the MicroStrain MIP SDK only.
+    /// For advanced use. Also called `prod_erase_storage`. Not listed in any device profile. Known
+    /// only from the MicroStrain MIP SDK.
     ///
     /// - All stored data is lost. The command is for production.
     /// - Accepted in calibration mode only.
@@ -381,7 +381,7 @@ record! {
 constructors! {
     EraseStorage
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(media: StorageMedium);
 }
 
@@ -398,7 +398,7 @@ record! {
     ///
     /// Colours and pattern of the LED.
     ///
-    /// For advanced use. No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// For advanced use. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - Accepted in calibration mode and production test mode only.
     ///
@@ -425,7 +425,7 @@ record! {
 constructors! {
     LedControl
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new(
         primary_color: [u8; 3],
         alternate_color: [u8; 3],
@@ -447,7 +447,7 @@ record! {
     ///
     /// Clears the flash memory of the modem.
     ///
-    /// For advanced use. No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// For advanced use. Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - It wears out the flash memory; use it rarely.
     /// - Accepted in calibration mode only.
@@ -460,7 +460,7 @@ record! {
 constructors! {
     ModemHardReset
 
-    /// The command with its parameters.
+    /// Creates the command from its parameters.
     fn new();
 }
 
@@ -475,7 +475,7 @@ command! {
 record! {
     /// Get status flags response (0x0F,0x81).
     ///
-    /// Answers [`GetStatusFlags`]. Known from the MicroStrain MIP SDK only.
+    /// Answers [`GetStatusFlags`]. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Get Status Flags (0x0F,0x01).
     #[derive(Copy, Default, Eq, Hash)]
@@ -493,7 +493,7 @@ field! {
 record! {
     /// Get IMEI response (0x0F,0x82).
     ///
-    /// Answers [`GetImei`]. Known from the MicroStrain MIP SDK only.
+    /// Answers [`GetImei`]. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Get Imei (0x0F,0x02).
     #[derive(Copy, Default, Eq, Hash)]
@@ -511,7 +511,7 @@ field! {
 record! {
     /// Get IMSI response (0x0F,0x83).
     ///
-    /// Answers [`GetImsi`]. Known from the MicroStrain MIP SDK only.
+    /// Answers [`GetImsi`]. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Get Imsi (0x0F,0x03).
     #[derive(Copy, Default, Eq, Hash)]
@@ -529,7 +529,7 @@ field! {
 record! {
     /// Get ICCID response (0x0F,0x84).
     ///
-    /// Answers [`GetIccid`]. Known from the MicroStrain MIP SDK only.
+    /// Answers [`GetIccid`]. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Get Iccid (0x0F,0x04).
     #[derive(Copy, Default, Eq, Hash)]
@@ -547,7 +547,7 @@ field! {
 record! {
     /// Get RSSI response (0x0F,0x85).
     ///
-    /// Answers [`GetRssi`]. Known from the MicroStrain MIP SDK only. Uncertain: That `valid`
+    /// Answers [`GetRssi`]. Known only from the MicroStrain MIP SDK. Uncertain: That `valid`
     /// applies to the other values is inferred.
     ///
     /// Source: mip-sdk-4: Get Rssi (0x0F,0x05).
@@ -574,7 +574,7 @@ field! {
 record! {
     /// Connected device type response (0x0F,0x86).
     ///
-    /// Answers [`ConnectedDeviceType`]. Known from the MicroStrain MIP SDK only.
+    /// Answers [`ConnectedDeviceType`]. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Connected Device Type (0x0F,0x06).
     #[derive(Copy, Default, Eq, Hash)]
@@ -592,8 +592,8 @@ field! {
 record! {
     /// Get activation code response (0x0F,0x87).
     ///
-    /// Also called `get_act_code_response`. Answers [`GetActivationCode`]. Known from the
-    /// MicroStrain MIP SDK only.
+    /// Also called `get_act_code_response`. Answers [`GetActivationCode`]. Known only from the
+    /// MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Get Act Code (0x0F,0x07).
     #[derive(Copy, Default, Eq, Hash)]
@@ -611,7 +611,7 @@ field! {
 record! {
     /// Get modem firmware version response (0x0F,0x88).
     ///
-    /// Answers [`GetModemFirmwareVersion`]. Known from the MicroStrain MIP SDK only.
+    /// Answers [`GetModemFirmwareVersion`]. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Get Modem Firmware Version (0x0F,0x08).
     #[derive(Copy, Default, Eq, Hash)]
@@ -631,7 +631,7 @@ record! {
     ///
     /// What the server knows of the connection.
     ///
-    /// Answers [`ServiceStatus`]. Known from the MicroStrain MIP SDK only. Uncertain: What the
+    /// Answers [`ServiceStatus`]. Known only from the MicroStrain MIP SDK. Uncertain: What the
     /// counters count.
     ///
     /// Source: mip-sdk-4: Service Status (0x0F,0x0A).

@@ -59,7 +59,7 @@ record! {
     ///
     /// Raw acceleration in counts of the sensor, temperature compensated.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Raw Accel (0x80,0x01).
     #[derive(Copy, Default)]
@@ -80,7 +80,7 @@ record! {
     ///
     /// Raw angular rate in counts of the sensor, temperature compensated.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Raw Gyro (0x80,0x02).
     #[derive(Copy, Default)]
@@ -101,7 +101,7 @@ record! {
     ///
     /// Raw magnetic field in counts of the sensor, temperature compensated.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Raw Mag (0x80,0x03).
     #[derive(Copy, Default)]
@@ -300,9 +300,9 @@ record! {
     ///
     /// Change of the attitude from the complementary filter as a matrix.
     ///
-    /// Deprecated: the SDK marks it as deprecated and names no replacement. No device profile lists
-    /// it. Known from the MicroStrain MIP SDK only. Uncertain: The interval of the change and the
-    /// frames. The SDK gives the name only.
+    /// Deprecated: the SDK marks it as deprecated and names no replacement. Not listed in any
+    /// device profile. Known only from the MicroStrain MIP SDK. Uncertain: The interval of the
+    /// change and the frames. The SDK gives the name only.
     ///
     /// Source: mip-sdk-4: Comp Orientation Update Matrix (0x80,0x0B).
     #[derive(Copy, Default)]
@@ -359,7 +359,8 @@ record! {
     /// Raw readings of four temperature sensors.
     ///
     /// Deprecated: the SDK marks it as deprecated and names no replacement. Also called
-    /// `orientation_raw_temp`. No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// `orientation_raw_temp`. Not listed in any device profile. Known only from the MicroStrain
+    /// MIP SDK.
     ///
     /// Source: mip-sdk-4: Orientation Raw Temp (0x80,0x0D).
     #[derive(Copy, Default, Eq, Hash)]
@@ -381,8 +382,8 @@ record! {
     ///
     /// Free-running counter of the device.
     ///
-    /// Deprecated: the SDK marks it as deprecated and names no replacement. No device profile lists
-    /// it. Known from the MicroStrain MIP SDK only.
+    /// Deprecated: the SDK marks it as deprecated and names no replacement. Not listed in any
+    /// device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Internal Timestamp (0x80,0x0E).
     #[derive(Copy, Default, Eq, Hash)]
@@ -404,8 +405,8 @@ record! {
     ///
     /// Time counted by the pulse per second.
     ///
-    /// Deprecated: the SDK marks it as deprecated and names no replacement. No device profile lists
-    /// it. Known from the MicroStrain MIP SDK only. Uncertain: The epoch.
+    /// Deprecated: the SDK marks it as deprecated and names no replacement. Not listed in any
+    /// device profile. Known only from the MicroStrain MIP SDK. Uncertain: The epoch.
     ///
     /// Source: mip-sdk-4: Pps Timestamp (0x80,0x0F).
     #[derive(Copy, Default, Eq, Hash)]
@@ -573,7 +574,7 @@ record! {
     ///
     /// Raw ambient pressure in counts of the sensor, temperature compensated.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// Source: mip-sdk-4: Raw Pressure (0x80,0x16).
     #[derive(Copy, Default)]

@@ -71,9 +71,9 @@ record! {
     ///
     /// Base periods since power-up.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: According to
-    /// the SDK, the counter returns to 0 after about 50 days. That fits 2^32 ticks at 1000 Hz; at
-    /// other rates it would take longer or shorter.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain:
+    /// According to the SDK, the counter returns to 0 after about 50 days. That fits 2^32 ticks at
+    /// 1000 Hz; at other rates it would take longer or shorter.
     ///
     /// - One tick is one period of the base rate.
     ///
@@ -97,8 +97,8 @@ record! {
     ///
     /// Base periods since this field was last sent.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: Whether each
-    /// set and each event instance counts separately, as with [`DeltaTime`].
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK. Uncertain:
+    /// Whether each set and each event instance counts separately, as with [`DeltaTime`].
     ///
     /// - One tick is one period of the base rate.
     ///

@@ -122,7 +122,7 @@ record! {
     ///
     /// Voltage at one GPIO pin.
     ///
-    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    /// Not listed in any device profile. Known only from the MicroStrain MIP SDK.
     ///
     /// - Only for pins that are configured as analog inputs.
     ///
