@@ -340,7 +340,7 @@ def _validity(v: m.Variant, p: m.Parameter, record: Record) -> Text:
     fact = _valid(v.valid, p, record, v.key if v.by_device else None)
     many = len(set(v.valid)) > 1
     state = "" if many else " is set" if "." in v.valid[0] else " is true"
-    return ("valid flags: " if many else "valid if ", *fact.value, *([state] if state else []))
+    return ("valid flags " if many else "valid if ", *fact.value, *([state] if state else []))
 
 
 def _condition(group: Sequence[m.Variant], record: Record, model: m.Model) -> Text:

@@ -339,7 +339,7 @@ field(0x80, { descriptor = 0x01, name = "measurements.accel", role = "data", tit
     doc = "A vector whose elements are valid together.", least = 14,
     always = 2,
     rows = rows("measurements.accel", {
-      { kind = "array", name = "scaled_accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g", }, doc = "Specific force. Unit: g. Frame: sensor. Each element has its own valid flag. x: valid_flags.ready, y: valid_flags.hot, z: valid_flags.ready. On the Model B: unit m, m, s; frame ned; valid flags: x: valid_flags.hot, y: valid_flags.ready, z: valid_flags.hot. Turned by the device. On the Model C: no flag says whether it is valid.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
+      { kind = "array", name = "scaled_accel", count = 3, capacity = 3, size = 4, elements = {"x", "y", "z", }, units = {"g", }, doc = "Specific force. Unit: g. Frame: sensor. Each element has its own valid flag. x: valid_flags.ready, y: valid_flags.hot, z: valid_flags.ready. On the Model B: unit m, m, s; frame ned; valid flags x: valid_flags.hot, y: valid_flags.ready, z: valid_flags.hot. Turned by the device. On the Model C: no flag says whether it is valid.", item = { kind = "scalar", name = "item", type = "float", size = 4 } },
       { kind = "scalar", name = "valid_flags", type = "u16", size = 2, flags = F["state_flags"], doc = "What is valid. On the Model C: only ready and level." },
     }) })
 field(0x80, { descriptor = 0x02, name = "measurements.numbers", role = "data", title = "Numbers",

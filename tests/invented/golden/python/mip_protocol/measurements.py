@@ -40,7 +40,7 @@ class Accel(Data):
     flag. x: `types.StateFlags.READY` of `valid_flags`, y: `types.StateFlags.HOT` of `valid_flags`,
     z: `types.StateFlags.READY` of `valid_flags`.
 
-    - On the Model B: unit m, m, s; frame ned; valid flags: x: `types.StateFlags.HOT` of
+    - On the Model B: unit m, m, s; frame ned; valid flags x: `types.StateFlags.HOT` of
       `valid_flags`, y: `types.StateFlags.READY` of `valid_flags`, z: `types.StateFlags.HOT` of
       `valid_flags`. Turned by the device.
     - On the Model C: no flag says whether it is valid.

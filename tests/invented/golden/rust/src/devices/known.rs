@@ -164,7 +164,7 @@ pub static MODEL_B: Device = Device {
         Variant {
             parameter: "measurements.accel.scaled_accel",
             read_as: None,
-            difference: "unit m, m, s; frame ned; valid flags: x: valid_flags.hot, y: valid_flags.ready, z: valid_flags.hot. Turned by the device",
+            difference: "unit m, m, s; frame ned; valid flags x: valid_flags.hot, y: valid_flags.ready, z: valid_flags.hot. Turned by the device",
         },
     ],
     ack_codes: &[

@@ -23,7 +23,7 @@ record! {
         /// [`valid_flags.ready`](types::StateFlags::ready), y:
         /// [`valid_flags.hot`](types::StateFlags::hot), z:
         /// [`valid_flags.ready`](types::StateFlags::ready). On the [Model
-        /// B](crate::devices::MODEL_B): unit m, m, s; frame ned; valid flags: x:
+        /// B](crate::devices::MODEL_B): unit m, m, s; frame ned; valid flags x:
         /// [`valid_flags.hot`](types::StateFlags::hot), y:
         /// [`valid_flags.ready`](types::StateFlags::ready), z:
         /// [`valid_flags.hot`](types::StateFlags::hot). Turned by the device. On the [Model
