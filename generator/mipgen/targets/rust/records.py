@@ -190,13 +190,13 @@ class Records:
     def constructors(self, record: Record) -> list[Constructor]:
         if isinstance(record, m.Struct):
             call = m.Call(None, record.parameters, ())
-            return [self._constructor(record, call, "new", "Puts the values together.")]
+            return [self._constructor(record, call, "new", "Creates it from its values.")]
         if record.role != m.COMMAND:
             return []
         return [
             self._constructor(record, call, constructor(call.function), call.function.description)
             if call.function
-            else self._constructor(record, call, "new", "The command with its parameters.")
+            else self._constructor(record, call, "new", "Creates the command from its parameters.")
             for call in record.calls
         ]
 
