@@ -685,7 +685,7 @@ S["3dm.event_action_status_entry"] = {
   { kind = "scalar", name = "trigger_id", type = "u8", size = 1, doc = "Trigger instance that the action follows." },
 }
 S["3dm.sensor_range_entry"] = {
-  { kind = "scalar", name = "setting", type = "u8", size = 1, doc = "Value for the sensor range command." },
+  { kind = "scalar", name = "setting", type = "u8", size = 1, doc = "Value for 3dm.sensor_range." },
   { kind = "scalar", name = "range", type = "float", size = 4, doc = "Largest measurable value." },
 }
 S["gnss.receiver_info_entry"] = {
@@ -772,7 +772,7 @@ field(0x01, { descriptor = 0x06, name = "base.resume", role = "command", title =
     rows = rows("base.resume", {
     }) })
 field(0x01, { descriptor = 0x07, name = "base.get_extended_descriptors", role = "command", title = "Get device descriptors (extended)",
-    doc = "Gets the supported descriptors that did not fit into the reply of get device descriptors.", least = 0,
+    doc = "Gets the supported descriptors that did not fit into the reply of base.get_device_descriptors.", least = 0,
     always = 0,
     rows = rows("base.get_extended_descriptors", {
     }) })
@@ -888,12 +888,12 @@ field(0x0C, { descriptor = 0x04, name = "3dm.poll_nmea_data", role = "command", 
       { kind = "array", name = "format_entries", counter = "count", capacity = 50, size = 5, doc = "Sentences to send.", item = { kind = "struct", name = "item", record = S["nmea_message"] } },
     }) })
 field(0x0C, { descriptor = 0x06, name = "3dm.get_imu_base_rate", role = "command", title = "Get IMU Data Base Rate",
-    doc = "Gets the rate that is divided by the decimations of the IMU message format.", least = 0,
+    doc = "Gets the rate that is divided by the decimations of 3dm.imu_message_format.", least = 0,
     always = 0,
     rows = rows("3dm.get_imu_base_rate", {
     }) })
 field(0x0C, { descriptor = 0x07, name = "3dm.get_gnss_base_rate", role = "command", title = "Get GNSS Data Base Rate",
-    doc = "Gets the rate that is divided by the decimations of the GNSS message format.", least = 0,
+    doc = "Gets the rate that is divided by the decimations of 3dm.gnss_message_format.", least = 0,
     always = 0,
     rows = rows("3dm.get_gnss_base_rate", {
     }) })
@@ -919,7 +919,7 @@ field(0x0C, { descriptor = 0x0A, name = "3dm.filter_message_format", role = "com
       { kind = "group", first = 1, last = 2, body = { { kind = "counter", name = "num_descriptors", type = "u8", size = 1, doc = "Number of fields." }, { kind = "array", name = "descriptors", counter = "num_descriptors", capacity = 83, size = 3, doc = "Fields and decimations.", item = { kind = "struct", name = "item", record = S["descriptor_rate"] } }, } },
     }) })
 field(0x0C, { descriptor = 0x0B, name = "3dm.get_filter_base_rate", role = "command", title = "Get Estimation Filter Data Base Rate",
-    doc = "Gets the rate that is divided by the decimations of the estimation filter message format.", least = 0,
+    doc = "Gets the rate that is divided by the decimations of 3dm.filter_message_format.", least = 0,
     always = 0,
     rows = rows("3dm.get_filter_base_rate", {
     }) })
