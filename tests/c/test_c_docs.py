@@ -249,7 +249,7 @@ def test_words_of_c() -> None:
     )
     assert "x by MIP_STATE_FLAGS_READY in valid_flags, y by" in found["mip_measurements_accel.scaled_accel"]
     assert found["mip_tools_status"].endswith(
-        "On the wire only, without a member: - model: The model that the layouts belong to. Always 4711. "
+        "Parameters without a member, on the wire only: - model: The model that the layouts belong to. Always 4711. "
         "- guide: Status"
     )
     assert found["MIP_STATE_FLAGS_MODE"] == "Bits 8 to 9. An enumeration inside the bitfield. A value of enum mip_mode."

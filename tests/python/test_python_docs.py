@@ -33,7 +33,7 @@ def documentation(path: Path) -> dict[str, str]:
             found |= _attributes(f"{node.name}.", node.body)
             lines = "\n".join(source.splitlines()[node.lineno : node.end_lineno])
             comments = plain(" ".join(re.findall(r"^    # ?(.*)", lines, re.M)))
-            for name, text in re.findall(r"On the wire: (\w+)\. (.*?)(?=On the wire: |$)", comments):
+            for name, text in re.findall(r"On the wire only: (\w+)\. (.*?)(?=On the wire only: |$)", comments):
                 found[f"{node.name}#{name}"] = text.strip()
     return found
 
