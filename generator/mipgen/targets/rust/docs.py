@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import cache
 
 from ... import describe
 from ... import model as m
@@ -135,6 +136,7 @@ def words(name: str) -> str:
     return f"{name.replace('_', ' ').capitalize()}."
 
 
+@cache
 def prose(text: str) -> str:
     """Words as Markdown: what looks like markup is none, except for code.
 

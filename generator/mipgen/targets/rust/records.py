@@ -108,6 +108,7 @@ class Records:
     def __init__(self, model: m.Model) -> None:
         self.model = model
         self.unions: list[Union] = []
+        self._members: dict[int, list[Member]] = {}  # those of a record, by its identity
         for record in self.all():
             for p in record.parameters:
                 if isinstance(p.operation, m.SwitchOp) and self._union(p.operation, home(record)) is None:
@@ -158,6 +159,12 @@ class Records:
     # ------------------------------------------------------------------ members
 
     def members(self, record: Record) -> list[Member]:
+        found = self._members.get(id(record))
+        if found is None:
+            found = self._members[id(record)] = self._made(record)
+        return found
+
+    def _made(self, record: Record) -> list[Member]:
         groups = [p for op in record.operations if isinstance(op, m.GroupOp) for p in op.body]
         return [
             Member(member(p.name), self.rust(p.operation, home(record)), p.operation in groups, p)
