@@ -142,7 +142,7 @@ def test_references_are_names_of_python() -> None:
         "How it is filled. Selected by `fill`. - If `fill` is `Fill.EMPTY`: `None`. "
         "- If `fill` is `Fill.SOLID`: `int`. A colour. - If `fill` is `Fill.STRIPED`: `Stripes`."
     )
-    assert more["Accel.scaled_accel"].endswith("z by `types.StateFlags.READY` of `valid_flags`.")
+    assert more["Accel.scaled_accel"].endswith("z: `types.StateFlags.READY` of `valid_flags`.")
     assert "Has the layout of `measurements.Accel`." in more["Accel"]
 
 

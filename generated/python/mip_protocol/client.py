@@ -119,7 +119,7 @@ class Client:
         if not commands:
             raise EncodeError("missing", "send needs at least one command")
         if timeout is not None and timeout != timeout:
-            raise ValueError("timeout: NaN is no time")
+            raise ValueError("timeout: NaN is not a time")
         builder = PacketBuilder(commands[0].SET)
         for command in commands:
             if not isinstance(command, Command):

@@ -47,7 +47,7 @@ def _info(kind: type) -> Info:
             found = _table(module).get(base.__name__)
             if found is not None:
                 return found
-    raise LookupError(f"{kind.__module__}.{kind.__qualname__} is no type of the specification")
+    raise LookupError(f"{kind.__module__}.{kind.__qualname__} is not a type of the specification")
 
 
 @cache

@@ -30,7 +30,7 @@ def test_one_packet_explained() -> None:
 
 def test_what_is_wrong_with_a_packet() -> None:
     code, out, error = mip("dump", ACCEL.replace("84 EE", "84 EF"))
-    assert code == 1 and "20 bytes of no packet, checksum 84ef should be 84ee: 75 65 80" in out
+    assert code == 1 and "20 bytes outside packets, checksum 84ef should be 84ee: 75 65 80" in out
     assert error == "mip dump: no packet in 20 bytes; packets begin with 75 65\n"
     assert "2 bytes are missing at the end of a packet" in mip("dump", ACCEL[:-6])[1]
     broken = PacketBuilder(0x80).build()
@@ -71,8 +71,8 @@ def test_selection_and_bytes_in_between(tmp_path: Path) -> None:
     code, out, _ = mip("dump", path, "--only", "filter_data,0x80:0x06", "--without", "shared", "--skipped")
     assert code == 0
     lines = out.splitlines()
-    assert lines[0] == "00000000 17 bytes of no packet: '$GPGGA,noise*00\\r\\n'"
-    assert lines[-1].endswith("3 bytes of no packet: 75 65 80")
+    assert lines[0] == "00000000 17 bytes outside packets: '$GPGGA,noise*00\\r\\n'"
+    assert lines[-1].endswith("3 bytes outside packets: 75 65 80")
     assert {line.split()[1] for line in lines[1:-1]} == {"sensor:", "filter_data:"}
     assert not any("scaled_accel" in line or "timestamp" in line for line in lines)
     code, out, error = mip("dump", path, "--only", "gnss_2")

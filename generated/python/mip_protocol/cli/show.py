@@ -130,7 +130,7 @@ def leaves(value: Described, device: str | None) -> Iterator[str]:
 
 def skipped(data: bytes) -> str:
     """Bytes that belong to no packet, and why, if they look like one."""
-    count = f"{len(data)} byte{'s' * (len(data) != 1)} of no packet"
+    count = f"{len(data)} byte{'s' * (len(data) != 1)} outside packets"
     at = data.find(SYNC)
     if at < 0 or len(data) - at < 6:
         return f"{count}: {_as_text(data)}"

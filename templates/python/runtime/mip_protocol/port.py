@@ -111,7 +111,7 @@ def address(url: str) -> tuple[str, int] | None:
     except ValueError:
         number = None
     if not parts.hostname or not number:
-        raise ValueError(f"{url!r} is no TCP port; write HOST:PORT")
+        raise ValueError(f"{url!r} is not a TCP port; write HOST:PORT")
     return parts.hostname, number
 
 
@@ -121,7 +121,7 @@ def as_port(port: Any) -> Any:
     if isinstance(port, socket.socket):
         return SocketPort(port)
     if not (callable(getattr(port, "read", None)) and callable(getattr(port, "write", None))):
-        raise TypeError(f"{port!r} is no port: it needs `read` and `write`")
+        raise TypeError(f"{port!r} is not a port: it needs `read` and `write`")
     return port
 
 

@@ -39,7 +39,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="FILE",
         help="where to write; - for standard output",
     )
-    add("--begin", type=_when, metavar="T", help="leave out what is before this time")
+    add("--begin", type=_when, metavar="T", help="start at this time")
     add("--end", type=_when, metavar="T", help="end at this time")
     add(
         "--bytes",
@@ -53,7 +53,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="A:B",
         help="packets of these numbers, from 0, B not included",
     )
-    add("--keep-skipped", action="store_true", help="keep bytes that belong to no packet, too")
+    add("--keep-skipped", action="store_true", help="also keep bytes outside packets")
     add_selection(parser)
 
 

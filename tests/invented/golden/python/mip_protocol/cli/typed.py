@@ -101,7 +101,7 @@ def _assigned(
                 free.pop(0)
             if not free:
                 names = ", ".join(p.name for p in wanted) or "no values"
-                raise Failure(f"'{word}' is too much; {kind.NAME} takes {names}")
+                raise Failure(f"'{word}' is one value too many; {kind.NAME} takes {names}")
             p, text = free.pop(0), word
         found[p.attribute] = (p, text)
     return [found[p.attribute] for p in wanted if p.attribute in found]
@@ -122,7 +122,7 @@ def value(p: Parameter, text: str, before: Mapping[str, Any]) -> Any:
         try:
             return _from_json(p, json.loads(text))
         except json.JSONDecodeError as error:
-            raise Failure(f"{p.name}: '{text}' is no JSON: {error.msg}") from None
+            raise Failure(f"{p.name}: '{text}' is not JSON: {error.msg}") from None
     if p.kind == "struct":
         return _structure(p, text)
     if p.kind == "array":
@@ -172,7 +172,7 @@ def _from_json(p: Parameter, given: Any) -> Any:
             found[m.attribute] = _from_json(case or m, v)
         return _made(p, found)
     if isinstance(given, (dict, type(None))):
-        raise Failure(f"{p.name}: {json.dumps(given)} is no value for it")
+        raise Failure(f"{p.name}: {json.dumps(given)} is not a value for it")
     return _scalar(p, str(given).lower() if isinstance(given, bool) else str(given))
 
 
@@ -188,7 +188,7 @@ def _scalar(p: Parameter, text: str) -> Any:
             return names[text.lower()]
         if (number := _integer(text)) is not None:
             return kind(number)
-        raise Failure(f"{p.name}: '{text}' is none of {', '.join(names)}")
+        raise Failure(f"{p.name}: '{text}' is not one of {', '.join(names)}")
     if p.scalar == "bool":
         said = {"true": True, "false": False, "on": True, "off": False, "yes": True, "no": False}
         if text.lower() in said:
@@ -201,12 +201,12 @@ def _scalar(p: Parameter, text: str) -> Any:
         if number is None and p.scalar == "u8":
             number = _named_number(text)
         if number is None:
-            raise Failure(f"{p.name}: '{text}' is no whole number")
+            raise Failure(f"{p.name}: '{text}' is not a whole number")
         return number
     try:
         return float(text)
     except ValueError:
-        raise Failure(f"{p.name}: '{text}' is no number") from None
+        raise Failure(f"{p.name}: '{text}' is not a number") from None
 
 
 def _integer(text: str) -> int | None:
@@ -252,7 +252,7 @@ def _flags(p: Parameter, kind: type[IntFlag], text: str) -> Any:
         elif (whole := _integer(name)) is not None:
             bits |= whole
         else:
-            raise Failure(f"{p.name}: '{part}' is none of {', '.join(names)}")
+            raise Failure(f"{p.name}: '{part}' is not one of {', '.join(names)}")
     return kind(bits)
 
 
