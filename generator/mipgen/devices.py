@@ -299,7 +299,7 @@ class _Device:
             if name in known and name not in given:
                 self.problems.add(
                     self.place("base_rates"),
-                    f"the rate of '{name}' is missing (0 if its data are sent as they come, ~ if it is not known)",
+                    f"the rate of '{name}' is missing (0 if its data is sent as it arrives, ~ if it is not known)",
                 )
         return tuple(
             m.Rate(known[name], rate.value) for name, rate in given.items() if name in known and rate.value is not None

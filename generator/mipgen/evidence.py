@@ -201,7 +201,9 @@ class _Example:
         try:
             split = codec.split(self.model, packet)
         except codec.CodecError as error:
-            printed = "" if "packet" in self.node else "; if it is printed so, give the right bytes in 'packet'"
+            printed = (
+                "" if "packet" in self.node else "; if the manual shows it this way, give the correct bytes in 'packet'"
+            )
             raise _Wrong(place, f"this is not a packet: {error}{printed}") from error
         stated = list(self.node.get("fields") or ())
         if stated and len(stated) != len(split):
@@ -264,7 +266,7 @@ def _digits(text: str) -> int:
 def _known(octets: Octets, place: m.Position) -> bytes:
     """The bytes, if none is open."""
     if None in octets:
-        raise _Wrong(place, "bytes are open in the print; give 'packet' with all of them but the checksum")
+        raise _Wrong(place, "the manual leaves bytes open; give 'packet' with all bytes except the checksum")
     return bytes(x or 0 for x in octets)
 
 
