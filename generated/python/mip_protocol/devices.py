@@ -828,7 +828,7 @@ CV7_GNSS_INS = Device(
         ),
         "nmea_output": Note(
             "NMEA output",
-            "Sentences of `3dm.nmea_message_format`. The talkers are GN (GNSS), GP (GPS), GA (Galileo) and GL (GLONASS). A sentence is sent only while its data are valid. A GNSS source has a base rate of 5 Hz, so its decimation must be 3 or more.",
+            "Sentences of `3dm.nmea_message_format`. The talkers are GN (GNSS), GP (GPS), GA (Galileo) and GL (GLONASS). A sentence is sent only while its data is valid. A GNSS source has a base rate of 5 Hz, so its decimation must be 3 or more.",
             (
                 ("Sentence", "Contents", "Talkers", "Sources"),
                 ("GGA", "GNSS fix", "GN, GP, GA, GL", "GNSS, filter"),

@@ -1057,7 +1057,7 @@ static const struct mip_profile_note cv7_gnss_ins_notes[] = {
      cv7_gnss_ins_gpio_behaviors_cells, 14, 4},
     {"nmea_output", "NMEA output",
      "Sentences of `3dm.nmea_message_format`. The talkers are GN (GNSS), GP (GPS), GA (Galileo) "
-     "and GL (GLONASS). A sentence is sent only while its data are valid. A GNSS source has a base "
+     "and GL (GLONASS). A sentence is sent only while its data is valid. A GNSS source has a base "
      "rate of 5 Hz, so its decimation must be 3 or more.",
      cv7_gnss_ins_nmea_output_cells, 11, 4},
     {"nmea_input", "NMEA input",

@@ -777,7 +777,7 @@ pub static CV7_AR: Device = Device {
 /// # NMEA output
 ///
 /// Sentences of [`mip_3dm::NmeaMessageFormat`](crate::mip_3dm::NmeaMessageFormat). The talkers are
-/// GN (GNSS), GP (GPS), GA (Galileo) and GL (GLONASS). A sentence is sent only while its data are
+/// GN (GNSS), GP (GPS), GA (Galileo) and GL (GLONASS). A sentence is sent only while its data is
 /// valid. A GNSS source has a base rate of 5 Hz, so its decimation must be 3 or more.
 ///
 /// | Sentence | Contents | Talkers | Sources |
