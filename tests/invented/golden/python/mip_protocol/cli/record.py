@@ -18,8 +18,9 @@ examples:
   mip record localhost:5000 -o log.bin --duration 60
   mip record /dev/ttyACM0 -o - | mip dump -
 
-Every byte is written as it arrives, including NMEA sentences and damaged packets; `mip cut` removes them.
-The file gets its name when the recording ends, also by Ctrl-C; until then it is FILE.NUMBER.part.
+Every byte is written as it arrives, including NMEA sentences and damaged packets; `mip cut`
+removes them. The file gets its name when the recording ends, also by Ctrl-C; until then it
+is FILE.NUMBER.part.
 """
 
 
