@@ -266,7 +266,7 @@ def units(model: m.Model, problems: Problems) -> None:
 
 
 def printed_lengths(model: m.Model, problems: Problems) -> None:
-    """A printed length either follows from the manual's own rule or has an erratum."""
+    """A length in a manual either follows from the manual's own rule or has an erratum."""
     rules = {x.id: x.lengths for x in model.protocol.manuals}
     claimed_by = {(e.manual, c.subject) for e in model.errata for c in e.claims if c.kind == "length"}
     differing = set()
@@ -337,7 +337,7 @@ def _same_length(printed: str, expected: str) -> bool:
 
 
 def printed_bytes(model: m.Model, problems: Problems) -> None:
-    """A print that differs from the right bytes has an erratum, and the reverse."""
+    """Bytes in a manual that differ from the correct ones have an erratum, and the reverse."""
     claimed = {c.subject for e in model.errata for c in e.claims if c.kind == "example"}
     by_id = {e.id: e for e in model.examples}
     differing = {e.id for e in model.examples if differences(e)}
@@ -358,7 +358,7 @@ def printed_bytes(model: m.Model, problems: Problems) -> None:
 
 
 def differences(e: m.Example) -> list[str]:
-    """How the prints of an example differ from its right bytes."""
+    """How the bytes of an example in the manual differ from the correct ones."""
     right = e.packet[4:-2] if e.role == "field" else e.packet
     found = []
     if e.string is not None:
