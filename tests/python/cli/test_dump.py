@@ -42,7 +42,7 @@ def test_what_is_wrong_with_a_packet() -> None:
     assert code == 0 and "malformed: a field of length 5 in 4 bytes" in out
     unknown = bytes(PacketBuilder(0x80).add(0x79, b"\1\2").add(0x04, b"\0").build())
     code, out, _ = mip("dump", unknown.hex())
-    assert "unknown field (0x80,0x79): 04 79 01 02" in out and "cannot be decoded: 12 bytes wanted, 1 left" in out
+    assert "unknown field (0x80,0x79): 04 79 01 02" in out and "cannot be decoded: 12 bytes needed, 1 left" in out
 
 
 @pytest.mark.parametrize("way", ["file", "pipe", "hexadecimal file", "hexadecimal pipe"])

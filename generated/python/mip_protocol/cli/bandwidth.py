@@ -133,7 +133,8 @@ def load(number: int, streams: list[Stream], base: float = 0) -> Load:
 
 
 def size_of(kind: type[Field], elements: int) -> int | None:
-    """The bytes of a field in a packet, with so many elements of its list; None if that varies."""
+    """The bytes of a field in a packet, with this number of elements of its list; None if that
+    varies."""
     total = 2
     for p in PARAMETERS[kind]:
         size = _size(p, elements)

@@ -118,7 +118,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 class _Bounds:
-    """Which packets are within the range that is asked for."""
+    """Which packets are within the requested range."""
 
     def __init__(self, options: argparse.Namespace, name: str, timed: bool) -> None:
         self.bytes: _Range = options.bytes or _Range(0, None)
@@ -178,7 +178,7 @@ def _kept(
 
 
 def _reduced(packet: Packet, selection: Selection) -> bytes:
-    """A packet with only the fields that are wanted; nothing if none are."""
+    """A packet with only the selected fields; nothing if it has none."""
     if selection.everything:
         return bytes(packet)
     fields = list(raw_fields(packet))

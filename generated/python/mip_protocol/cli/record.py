@@ -68,7 +68,7 @@ class _Recording:
         self._shown = self._start = time.monotonic()
 
     def write(self, out: IO[bytes]) -> None:
-        """Writes what comes until there is enough of it."""
+        """Writes the received bytes until there are enough."""
         options = self._options
         for data in ports.received(options.port, options, options.duration):
             keep = len(data)

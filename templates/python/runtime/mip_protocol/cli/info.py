@@ -96,7 +96,7 @@ def examine(name: str) -> Report:
 
 
 def _counted(report: Report, run: bytes, more: bytes) -> bytes:
-    """Counts what skipped bytes look like; returns those with which the next ones begin."""
+    """Counts what skipped bytes look like; returns those that precede the next ones."""
     cut = run.rfind(b"\n") + 1 if more else len(run)
     if len(run) - cut > LONGEST:
         cut = len(run)

@@ -1,4 +1,4 @@
-"""Values that people type, as parameters hold them."""
+"""Typed values, as values of parameters."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def command(kind: type[Command], words: Sequence[str]) -> Command:
 
 
 def usage(kind: type[Command]) -> str:
-    """Where people find what it takes."""
+    """Where to find its parameters."""
     return f"`mip fields {kind.NAME}` says what it takes"
 
 
@@ -60,7 +60,7 @@ def functions(kind: type[Command]) -> list[str]:
 
 
 def wanted(kind: type[Command], function: str) -> list[str]:
-    """The names of the values that a function takes; in brackets, if they may be left out."""
+    """The names of the values that a function takes; in brackets if they may be left out."""
     build = getattr(kind, function) if function else kind
     accepted = inspect.signature(build).parameters
     return [
@@ -111,7 +111,7 @@ def _assigned(
 
 
 def value(p: Parameter, text: str, before: Mapping[str, Any]) -> Any:
-    """What a text means for a parameter; `before` has the parameters in front of it."""
+    """The value of a text for a parameter; `before` has the parameters before it."""
     if p.kind == "switch":
         tag = before.get(p.tag)
         case = p.cases.get(int(tag)) if tag is not None else None
@@ -220,7 +220,7 @@ def _integer(text: str) -> int | None:
 
 
 def _named_number(text: str) -> int | None:
-    """The number of a set, or the descriptor of a field, where a byte is wanted."""
+    """The number of a set, or the descriptor of a field, where a byte is required."""
     try:
         number, descriptor = keys(text)[0]
     except Failure:

@@ -175,7 +175,7 @@ def _faults(options: argparse.Namespace, stack: ExitStack) -> Faults | None:
 
 
 def _known(profile: Device) -> str:
-    """How much a profile knows of its device, for those that are incomplete."""
+    """How complete a profile is, for those that are incomplete."""
     known = profile.fields | profile.perhaps.keys()
     commands = sum(1 for set, _ in known if set < 0x80)
     data = len(known) - commands

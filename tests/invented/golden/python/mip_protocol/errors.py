@@ -31,7 +31,7 @@ class Truncated(DecodeError):
     """The data ends too early."""
 
     def __init__(self, wanted: int, left: int) -> None:
-        super().__init__("truncated", f"{wanted} bytes wanted, {left} left")
+        super().__init__("truncated", f"{wanted} bytes needed, {left} left")
 
 
 class PacketError(DecodeError):

@@ -38,7 +38,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 class _Latest:
-    """The last field of a kind, and when the last ones came."""
+    """The last field of a kind, and the times of the last ones."""
 
     __slots__ = ("found", "times")
 

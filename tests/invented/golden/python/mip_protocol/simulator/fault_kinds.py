@@ -1,4 +1,4 @@
-"""The faults that there are, and how they are written on the command line."""
+"""The kinds of faults, and how they are written on the command line."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from ..errors import Failure
 
 @dataclass(frozen=True)
 class Kind:
-    """One kind of fault: what may suffer it, and how much of it there is at most by default."""
+    """One kind of fault: what it affects, and its maximum amount by default."""
 
     of: str
     description: str
@@ -20,7 +20,7 @@ class Kind:
     unit: str = ""
 
 
-#: What may suffer faults. A rate is the probability for each of these.
+#: What faults affect. A rate is the probability for each of these.
 CHANCES = {
     "packet": "packet that the device sends",
     "data": "packet of data, before its checksum is computed",
