@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from . import naming, parallel, render, templating
+from . import naming, parallel, render
 from .discovery import Source
 from .model import Model
 from .problems import Problem, Problems, SpecError

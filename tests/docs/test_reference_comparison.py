@@ -117,7 +117,7 @@ def test_rates(manual: Manual) -> None:
             rate = next((r.hertz for r in d.base_rates if r.set == s), None)
             has = any(x.field.set == s.number for x in d.supports)
             unknown = "?" if has else missing(d)
-            assert row[d.id] == (unknown if rate is None else f"{rate:g} Hz" if rate else "sent as it comes")
+            assert row[d.id] == (unknown if rate is None else f"{rate:g} Hz" if rate else "sent as it arrives")
 
 
 def test_ports(manual: Manual) -> None:

@@ -4470,9 +4470,9 @@ class ImuMessageFormat(Command[R]):
     `ImuMessageFormatResponse`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45,
     3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
 
-    The decimation is the base rate, as `GetImuBaseRate` reports it, divided by the wanted rate. The
-    list replaces the previous one. If any descriptor is unknown, the device refuses the command and
-    changes nothing.
+    The decimation is the base rate, as `GetImuBaseRate` reports it, divided by the desired rate.
+    The list replaces the previous one. If any descriptor is unknown, the device refuses the command
+    and changes nothing.
 
     - 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08)
     """
@@ -4586,7 +4586,7 @@ class GnssMessageFormat(Command[R]):
     `GnssMessageFormatResponse`. Supported by 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and
     3DM-RQ1-45-ST.
 
-    The decimation is the base rate, as `GetGnssBaseRate` reports it, divided by the wanted rate.
+    The decimation is the base rate, as `GetGnssBaseRate` reports it, divided by the desired rate.
 
     - mip-sdk-4: Gnss Message Format (0x0C,0x09)
     - 3dm-gx5-35: 4.2.6 GNSS Message Format (0x0C, 0x09)
@@ -4701,7 +4701,7 @@ class FilterMessageFormat(Command[R]):
     `FilterMessageFormatResponse`. Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-45, 3DM-RQ1-45-LT
     and 3DM-RQ1-45-ST.
 
-    The decimation is the base rate, as `GetFilterBaseRate` reports it, divided by the wanted rate.
+    The decimation is the base rate, as `GetFilterBaseRate` reports it, divided by the desired rate.
     The list replaces the previous one. If any descriptor is unknown, the device refuses the command
     and changes nothing.
 
@@ -5072,7 +5072,7 @@ class MessageFormat(Command[R]):
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `MessageFormatResponse`.
     Supported by 3DM-CV7-GNSS/INS.
 
-    The decimation is the base rate, as `GetBaseRate` reports it, divided by the wanted rate. List
+    The decimation is the base rate, as `GetBaseRate` reports it, divided by the desired rate. List
     shared descriptors (0xD0 and up) under the set whose packets will contain them, before the
     others.
 

@@ -718,7 +718,7 @@ static inline mip_error mip_3dm_get_gnss_base_rate_response_encode_inline(
  * Functions: write, read, save, load and default. Answered by mip_3dm_imu_message_format_response.
  * Supported by 3DM-GQ4-45, 3DM-GX5-15, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
- * The decimation is the base rate, as mip_3dm_get_imu_base_rate reports it, divided by the wanted
+ * The decimation is the base rate, as mip_3dm_get_imu_base_rate reports it, divided by the desired
  * rate.
  *
  * The list replaces the previous one. If any descriptor is unknown, the device refuses the command
@@ -846,7 +846,7 @@ static inline mip_error mip_3dm_imu_message_format_response_encode(
  * Functions: write, read, save, load and default. Answered by mip_3dm_gnss_message_format_response.
  * Supported by 3DM-GQ4-45, 3DM-GX5-35, 3DM-GX5-45, 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
- * The decimation is the base rate, as mip_3dm_get_gnss_base_rate reports it, divided by the wanted
+ * The decimation is the base rate, as mip_3dm_get_gnss_base_rate reports it, divided by the desired
  * rate.
  *
  * - mip-sdk-4: Gnss Message Format (0x0C,0x09)
@@ -977,7 +977,7 @@ static inline mip_error mip_3dm_gnss_message_format_response_encode(
  * 3DM-RQ1-45-LT and 3DM-RQ1-45-ST.
  *
  * The decimation is the base rate, as mip_3dm_get_filter_base_rate reports it, divided by the
- * wanted rate.
+ * desired rate.
  *
  * The list replaces the previous one. If any descriptor is unknown, the device refuses the command
  * and changes nothing.
@@ -1525,7 +1525,8 @@ static inline mip_error mip_3dm_get_base_rate_response_encode_inline(
  * Functions: write, read, save, load and default. Answered by mip_3dm_message_format_response.
  * Supported by 3DM-CV7-GNSS/INS.
  *
- * The decimation is the base rate, as mip_3dm_get_base_rate reports it, divided by the wanted rate.
+ * The decimation is the base rate, as mip_3dm_get_base_rate reports it, divided by the desired
+ * rate.
  *
  * List shared descriptors (0xD0 and up) under the set whose packets will contain them, before the
  * others.

@@ -613,7 +613,7 @@ record! {
     /// [`descriptors`](ImuMessageFormat::descriptors). Required for
     /// [write](types::FunctionSelector::WRITE).
     ///
-    /// - The decimation is the base rate, as [`GetImuBaseRate`] reports it, divided by the wanted
+    /// - The decimation is the base rate, as [`GetImuBaseRate`] reports it, divided by the desired
     ///   rate.
     /// - The list replaces the previous one. If any descriptor is unknown, the device refuses the
     ///   command and changes nothing.
@@ -681,7 +681,7 @@ record! {
     /// [`descriptors`](GnssMessageFormat::descriptors). Range: 0 to 82. Required for
     /// [write](types::FunctionSelector::WRITE).
     ///
-    /// - The decimation is the base rate, as [`GetGnssBaseRate`] reports it, divided by the wanted
+    /// - The decimation is the base rate, as [`GetGnssBaseRate`] reports it, divided by the desired
     ///   rate.
     ///
     /// Source: mip-sdk-4: Gnss Message Format (0x0C,0x09); 3dm-gx5-35: 4.2.6 GNSS Message Format
@@ -749,7 +749,7 @@ record! {
     /// [write](types::FunctionSelector::WRITE).
     ///
     /// - The decimation is the base rate, as [`GetFilterBaseRate`] reports it, divided by the
-    ///   wanted rate.
+    ///   desired rate.
     /// - The list replaces the previous one. If any descriptor is unknown, the device refuses the
     ///   command and changes nothing.
     ///
@@ -1000,7 +1000,7 @@ record! {
     /// [`descriptors`](MessageFormat::descriptors). Required for
     /// [write](types::FunctionSelector::WRITE).
     ///
-    /// - The decimation is the base rate, as [`GetBaseRate`] reports it, divided by the wanted
+    /// - The decimation is the base rate, as [`GetBaseRate`] reports it, divided by the desired
     ///   rate.
     /// - List shared descriptors (0xD0 and up) under the set whose packets will contain them,
     ///   before the others.
