@@ -72,9 +72,9 @@ class _Names:
             if "_" in found[0] or self.known(found[0]):
                 self.problem(node.position, f"'{found[0]}' is a name; put it in backticks: `{found[0]}`")
 
-        for words in self.titled(plain):
-            known = " or ".join(f"`{name}`" for name in self.titles[words.lower()])
-            self.problem(node.position, f"'{words}' is the title of a command; write {known}")
+        for title in self.titled(plain):
+            names = " or ".join(f"`{name}`" for name in self.titles[title.lower()])
+            self.problem(node.position, f"'{title}' is the title of a command; write {names}")
 
     def titled(self, text: str) -> Iterator[str]:
         """Commands that are named by their titles, as "the device reset command" or "the reply to device reset"."""
