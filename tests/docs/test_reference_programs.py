@@ -10,6 +10,7 @@ import sys
 import textwrap
 from pathlib import Path
 
+import crates
 import pytest
 from mipgen import codec
 from mipgen import model as m
@@ -247,7 +248,7 @@ def test_programs_in_python(manual: Manual, generated: Path, tmp_path: Path) -> 
 # --------------------------------------------------------------------------- Rust
 
 RUST_HEAD = """
-#![allow(unused_imports, clippy::all)]
+#![allow(warnings)]
 use mip_protocol::device::{Device, DeviceError, Port};
 use mip_protocol::{packets, Packet};
 
@@ -285,7 +286,8 @@ def rust_bytes(data: bytes) -> str:
     return f"&[{', '.join(map(str, data))}]"
 
 
-def test_programs_in_rust(manual: Manual, generated: Path, tmp_path: Path) -> None:
+@crates.group
+def test_programs_in_rust(manual: Manual, request: pytest.FixtureRequest) -> None:
     functions, calls = [], []
     for f in asked(manual):
         needs, body = program(manual, f, "rust")
@@ -300,29 +302,10 @@ def test_programs_in_rust(manual: Manual, generated: Path, tmp_path: Path) -> No
             assert lines.count("}\n") == 1 or lines.endswith("}\n")
             functions.append(f"fn {name}(packet: Packet) {{\n{seen}\n}}")
             calls.append(f"{name}(Packet::new({rust_bytes(sample(manual, f))}).unwrap());")
-    source = tmp_path / "programs.rs"
-    source.write_text("\n".join([RUST_HEAD, *functions, "fn main() {", *calls, "}"]), "utf-8")
-    features = re.findall(
-        r"^([\w-]+) = \[", (generated / "rust/Cargo.toml").read_text("utf-8").partition("[features]")[2], re.M
-    )
-    wanted = [
-        x for x in features if x not in ("defmt", "serde", "embedded-io", "embedded-io-async", "core-error", "default")
-    ]
-    flags = [flag for x in wanted for flag in ("--cfg", f'feature="{x}"')]
-    rustc = [need("rustc"), "--edition", "2021", "-C", "debuginfo=0", "--cap-lints", "allow"]
-    library = tmp_path / "libmip_protocol.rlib"
-    run(
-        *rustc,
-        "--crate-name",
-        "mip_protocol",
-        "--crate-type",
-        "lib",
-        *flags,
-        generated / "rust/src/lib.rs",
-        "-o",
-        library,
-    )
-    run(*rustc, "--extern", f"mip_protocol={library}", source, "-o", tmp_path / "programs")
-    done = subprocess.run([tmp_path / "programs"], capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stderr[-3000:]
+    source = "\n".join([RUST_HEAD, *functions, "fn main() {", *calls, "}"])
+    spec = request.node.callspec.params["manual"]
+    target = '[[bin]]\nname = "reference"\npath = "reference.rs"\ntest = false\n'
+    folder = crates.project(spec, "reference", target, files={"reference.rs": source.encode()})
+    done = crates.cargo(folder, "run", "--offline", "--quiet")
+    assert done.returncode == 0, done.stderr[-6000:]
     check(manual, done.stderr)
