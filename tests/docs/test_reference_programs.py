@@ -14,9 +14,8 @@ import crates
 import pytest
 from mipgen import codec
 from mipgen import model as m
-from mipgen.typical import Typical
 from reference import Manual, path_of, table_with, words
-from support import BUILD, SPECS, need
+from support import SPECS, mypy, need
 
 ACKNOWLEDGE = 0xF1
 
@@ -35,7 +34,7 @@ def program(manual: Manual, f: m.Field, language: str) -> tuple[list[str], str]:
 def ready(manual: Manual, f: m.Field) -> list[bytes]:
     """The packets that the program of a command sends: the first that the page has, and the first that asks."""
     packets = [bytes.fromhex(words(row["Packet"])) for row in table_with(manual.field(f), "Packet")]
-    shown = Typical(manual.model).shown(f)
+    shown = manual.typical.shown(f)
     return [packets[i] for i, c in enumerate(f.calls) if any(c is x for x in shown)]
 
 
@@ -45,13 +44,13 @@ def reply(manual: Manual, packet: bytes) -> bytes:
     (f,) = (x for x in manual.model.candidates(packet[2], descriptor) if x.role == m.COMMAND)
     values, _ = codec.decode(f, data)
     call = next(c for c in f.calls if (c.function and c.function.value) == values.get("function"))
-    typical = Typical(manual.model)
+    typical = manual.typical
     answers = [(r.layouts[0].descriptor, typical.data(r.layouts[0])) for r in typical.replies(f, call)]
     return codec.build(manual.model, packet[2], [(ACKNOWLEDGE, bytes([descriptor, 0])), *answers])
 
 
 def sample(manual: Manual, f: m.Field) -> bytes:
-    return Typical(manual.model).packet(f)
+    return manual.typical.packet(f)
 
 
 def run(*command: str | Path, **environment: str) -> str:
@@ -230,7 +229,7 @@ def test_programs_in_python(manual: Manual, generated: Path, tmp_path: Path) -> 
     path.write_text("\n\n".join([PY_HEAD, *functions, main]), "utf-8")
     for setting in (x for x in asked(manual) if x.role == m.COMMAND):  # it may be asked for once
         for c in setting.calls:
-            packet = Typical(manual.model).packet(setting, c)
+            packet = manual.typical.packet(setting, c)
             answers.setdefault(packet.hex(), reply(manual, packet).hex())
     (tmp_path / "answers.json").write_text(json.dumps(answers))
     done = subprocess.run(
@@ -239,10 +238,8 @@ def test_programs_in_python(manual: Manual, generated: Path, tmp_path: Path) -> 
     )  # fmt: skip
     assert done.returncode == 0, done.stderr[-4000:]
     check(manual, done.stderr)
-    run(
-        sys.executable, "-m", "mypy", "--strict", "--cache-dir", BUILD / f"docs/mypy-{generated.name}", path,
-        MYPYPATH=str(generated / "python"),
-    )  # fmt: skip
+    checked = mypy(generated / "python", path)
+    assert checked.returncode == 0, checked.stdout
 
 
 # --------------------------------------------------------------------------- Rust
