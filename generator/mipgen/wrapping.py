@@ -6,7 +6,6 @@ import re
 import textwrap
 from collections.abc import Sequence
 
-
 _OTHER_SPACE = re.compile(r"[\t\n\v\f\r]")
 
 
