@@ -45,7 +45,7 @@ class Docs:
             if p.derived:
                 description, said, notes = self.parameter(p, record)
                 texts = " ".join(filter(None, (description, said, *notes)))
-                found.append(f"On the wire there is also `{p.name}`: {texts}")
+                found.append(f"The wire format also contains `{p.name}`: {texts}")
         return found
 
     # ------------------------------------------------------------------ types and their parts

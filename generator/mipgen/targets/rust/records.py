@@ -176,7 +176,7 @@ class Records:
         return [x for x in self.members(record) if x.parameter.operation in group.body]
 
     def derives(self, record: Record) -> list[str]:
-        """The traits that a record derives besides those that all have."""
+        """The traits that a record derives besides those of all records."""
         selects = isinstance(record, m.Field) and record.selector
         default = ["Default"] if self.derives_default(record) and not selects else []
         return sorted([*default, *_derives(record.operations, record.max_size)])
@@ -190,13 +190,13 @@ class Records:
     def constructors(self, record: Record) -> list[Constructor]:
         if isinstance(record, m.Struct):
             call = m.Call(None, record.parameters, ())
-            return [self._constructor(record, call, "new", "Puts the values together.")]
+            return [self._constructor(record, call, "new", "Creates it from its values.")]
         if record.role != m.COMMAND:
             return []
         return [
             self._constructor(record, call, constructor(call.function), call.function.description)
             if call.function
-            else self._constructor(record, call, "new", "The command with its parameters.")
+            else self._constructor(record, call, "new", "Creates the command from its parameters.")
             for call in record.calls
         ]
 
