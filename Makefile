@@ -69,7 +69,8 @@ audit: $(VENV)/generator.stamp ## compare the specification with its sources: ma
 	@$(MIPGEN) audit --spec $(SPEC) $(addprefix --manual ,$(MANUALS)) $(addprefix --sdk ,$(SDK))
 
 # Each ends with a line that says what was run and what was left out; nothing is skipped in between.
-PYTEST = $(RUN) -m pytest -n $(JOBS) --dist loadgroup
+# Tests start many programs in Python: what is compiled is kept, even where Python is told to keep nothing.
+PYTEST = PYTHONDONTWRITEBYTECODE= $(RUN) -m pytest -n $(JOBS) --dist loadgroup
 
 .PHONY: test
 test: tools $(VENV)/development.stamp ## run the tests of all languages that need a C compiler and cargo only

@@ -10,6 +10,7 @@ from collections.abc import Iterator
 
 from mipgen import describe, render
 from mipgen import model as m
+from mipgen.typical import Typical
 from support import model
 
 ANCHOR = re.compile(r'<a id="([^"]*)"></a>')
@@ -127,6 +128,10 @@ def path_of(f: m.Field) -> str:
 class Manual:
     model: m.Model
     files: dict[str, bytes]
+
+    @functools.cached_property
+    def typical(self) -> Typical:
+        return Typical(self.model)
 
     @functools.cached_property
     def pages(self) -> dict[str, str]:
