@@ -113,6 +113,8 @@ def at(
     known = stamps(log, set, clock)
     if not len(known.packet) or not len(packet):
         return np.full(len(packet), _NONE, np.int64), np.zeros(len(packet), bool)
+    if np.array_equal(packet, known.packet):  # as in most logs
+        return known.value.copy(), np.ones(len(packet), bool)
     first = int(known.packet[0])
     inside = int(packet[0]) >= first and int(packet[-1]) <= int(known.packet[-1])
     if inside and len(known.by_packet) < 16 * len(packet):
