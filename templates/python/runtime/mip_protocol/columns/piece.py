@@ -15,10 +15,11 @@ NOTHING = np.zeros(0, np.uint8)
 class Piece:
     """The packets that begin in it, and their fields as soon as they are asked for."""
 
-    __slots__ = ("_sets", "at", "begin", "data", "end", "number", "runs")
+    __slots__ = ("_sets", "at", "begin", "data", "end", "number", "runs", "size")
 
-    def __init__(self, begin: int, number: int, at: Array, end: Array) -> None:
+    def __init__(self, begin: int, size: int, number: int, at: Array, end: Array) -> None:
         self.begin = begin  # in the file
+        self.size = size  # bytes that the packets begin in
         self.number = number  # of the first packet
         self.at, self.end = at, end  # of packets, in the piece
         self.data = NOTHING  # its bytes, while it is looked at
