@@ -30,27 +30,25 @@ PART = 1 << 22
 
 def survey(log: Log, selection: Selection) -> tuple[list[type[Field]], str | None] | None:
     """As `table.survey`; None if only the order of fields in a packet would tell."""
-    found: dict[type[Field], tuple[int, tuple[int, int]]] = {}
-    for count in log.types():
-        if count.type is not None and selection.has(count.set, count.descriptor):
-            first = int(log.column(count.type, count.set).packet[0])
-            one = (first, (count.set, count.descriptor))
-            found[count.type] = min(found.get(count.type, one), one)
-    order = {kind: (key, first) for kind, (first, key) in found.items()}
-    if len(set(order.values())) < len(order):
-        return None
-    return sorted(order, key=lambda kind: order[kind]), _clock(log)
-
-
-def _clock(log: Log) -> str | None:
-    """The first clock that has a valid time."""
-    sets = sorted({count.set for count in log.types() if count.set >= 0x80})
-    seen: set[str] = set()
+    found: dict[type[Field], tuple[tuple[int, int], int]] = {}
+    clocks: set[str] = set()
+    number = 0  # of the first packet of a part
     for part in log.parts():
-        seen |= {c for c in CLOCKS if any(times.read(part, number, c).some for number in sets)}
-        if next(iter(CLOCKS), None) in seen:
-            break
-    return next((clock for clock in CLOCKS if clock in seen), None)
+        first: dict[type[Field], tuple[int, tuple[int, int]]] = {}
+        for count in part.types():
+            key = (count.set, count.descriptor)
+            if count.type is not None and count.type not in found and selection.has(*key):
+                packet = int(part.column(count.type, count.set).packet[0])
+                first[count.type] = min(first.get(count.type, (packet, key)), (packet, key))
+        found |= {kind: (key, number + packet) for kind, (packet, key) in first.items()}
+        if next(iter(CLOCKS), None) not in clocks:
+            sets = sorted({count.set for count in part.types() if count.set >= 0x80})
+            clocks |= {c for c in CLOCKS if any(times.read(part, n, c).some for n in sets)}
+        number += part.packets
+    if len(set(found.values())) < len(found):
+        return None
+    best = next((clock for clock in CLOCKS if clock in clocks), None)
+    return sorted(found, key=lambda kind: found[kind]), best
 
 
 class Lines:
