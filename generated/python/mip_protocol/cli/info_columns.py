@@ -8,7 +8,7 @@ import numpy as np
 
 from ..columns import times
 from ..columns.scan import HEADER
-from ..packet import RawField
+from ..packet import OVERHEAD, RawField
 from ..sentences import Sentences
 from . import inputs, scan
 from .clocks import CLOCKS
@@ -86,7 +86,7 @@ def _add(report: Report, piece: Piece) -> None:
     for run in piece.runs or ():
         covered += np.bincount(run.packet, minlength=count) * (run.length + 2)
         fields.setdefault((run.set, run.descriptor), []).append(run)
-    report.malformed += int((covered != piece.end - piece.at - scan.OVERHEAD).sum())
+    report.malformed += int((covered != piece.end - piece.at - OVERHEAD).sum())
     for key, runs in fields.items():
         if key not in report.fields:
             report.fields[key] = Kind(_name(piece, runs))

@@ -9,7 +9,7 @@ import numpy as np
 
 from ..packet import MAX_PAYLOAD, OVERHEAD, SYNC
 from . import native
-from .native import Array
+from .native import Array as Array
 
 #: Bytes of a packet before its payload.
 HEADER = OVERHEAD - 2

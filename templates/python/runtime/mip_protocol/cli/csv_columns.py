@@ -126,9 +126,8 @@ class Lines:
                 rows &= holds
         cells = []
         for c in columns:
-            texts = _texts(
-                column[c.path][rows] if c.index is None else column[c.path][rows, c.index], c
-            )
+            held: Any = column[c.path]
+            texts = _texts(held[rows] if c.element is None else held[rows, c.element], c)
             if self._options.invalid == "mask" and c.name in valid:
                 holds = valid[c.name][rows].tolist()
                 texts = [text if there else "" for text, there in zip(texts, holds)]
@@ -177,7 +176,7 @@ class Lines:
 
 def _simple(column: LogColumn[Any], c: Column) -> bool:
     """Is there a number in each row, and one for its flag?"""
-    held = [(column[c.path], 1 if c.index is None else 2)]
+    held = [(column[c.path], 1 if c.element is None else 2)]
     if c.flag is not None:
         held.append((column[c.flag[0]], 1))
     return all(

@@ -50,7 +50,7 @@ class Intervals:
             times, offsets = times[1:], offsets[1:]
         if not len(times):
             return
-        before = np.concatenate(([self.last], times[:-1]))
+        before: Any = np.concatenate((np.array([self.last], np.int64), times[:-1]))
         if (np.abs(times.astype(np.float64) - before.astype(np.float64)) >= _EXACT).any():
             for time, offset in zip(times.tolist(), offsets.tolist()):
                 self.add(time, offset)

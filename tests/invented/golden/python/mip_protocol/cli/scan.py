@@ -76,7 +76,7 @@ class Damaged:
             if len(run) - found > 3 and run[found + 2] != 0:
                 self.count += 1
                 size = run[found + 3] + OVERHEAD
-                if run[found + size : found + size + 1] in (b"", b"\x75"):
+                if bytes(run[found + size : found + size + 1]) in (b"", b"\x75"):
                     at = found + size
         return at
 

@@ -25,7 +25,7 @@ class Column(NamedTuple):
     valid: Callable[[Any], bool] | None
     #: In `columns.Column`: the name, the element if it is one of several, and the flag with its name.
     path: str
-    index: int | None
+    element: int | None
     flag: tuple[str, Flag] | None
 
 
