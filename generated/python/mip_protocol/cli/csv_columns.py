@@ -176,16 +176,16 @@ class Lines:
 
 def _simple(column: LogColumn[Any], c: Column) -> bool:
     """Is there a number in each row, and one for its flag?"""
-    held = [(column[c.path], 1 if c.element is None else 2)]
+    held = [(c.path, 1 if c.element is None else 2)]
     if c.flag is not None:
-        held.append((column[c.flag[0]], 1))
-    return all(
-        isinstance(a, np.ndarray)
-        and not isinstance(a, np.ma.MaskedArray)
-        and a.dtype.kind in "iuf"
-        and a.ndim == dimensions
-        for a, dimensions in held
-    )
+        held.append((c.flag[0], 1))
+    for name, dimensions in held:
+        values_ = column[name] if name in column.names else None  # not of structures in an array
+        if not isinstance(values_, np.ndarray) or isinstance(values_, np.ma.MaskedArray):
+            return False
+        if values_.dtype.kind not in "iuf" or values_.ndim != dimensions:
+            return False
+    return True
 
 
 def _texts(numbers: Array, c: Column) -> list[str]:
