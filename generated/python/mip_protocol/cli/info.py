@@ -178,7 +178,7 @@ def _span(report: Report) -> Any:
     clock = report.clock
     if clock is None:
         if report.packets:
-            yield "time: none in it that is valid"
+            yield "time: no valid timestamps"
         return
     firsts = [i.first for i in report.times.values() if i.first is not None]
     lasts = [i.last for i in report.times.values() if i.last is not None]

@@ -14,7 +14,7 @@ _MOST = 1 << 16  # skipped bytes that are kept
 
 
 class Piece(NamedTuple):
-    """A packet, or bytes that belong to none (`packet` is None), at an offset of the stream."""
+    """A packet, or bytes outside packets (`packet` is None), at an offset of the stream."""
 
     offset: int
     data: bytes
@@ -44,7 +44,7 @@ class Scanner:
 
 
 class Damaged:
-    """How many packets the skipped bytes seem to have held, as far as their syncs are whole."""
+    """How many packets the skipped bytes seem to have contained, as far as their syncs are complete."""
 
     def __init__(self) -> None:
         self.count = 0
