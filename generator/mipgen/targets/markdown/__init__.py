@@ -16,7 +16,7 @@ from ... import describe
 from ... import model as m
 from ...naming import Identifier
 from ...render import File
-from . import answers, devices, examples, fields, packets, parameters, places, programs, related, sources, text, types
+from . import answers, devices, examples, fields, guides, packets, parameters, places, programs, related, sources, text, types
 from .index import Index
 from .places import Page, Thing
 
@@ -45,12 +45,14 @@ def files(model: m.Model) -> Iterator[File]:
             yield page(places.field_page(f), "field.md.j2", field=f)
     for d in model.devices:
         yield page(places.device_page(d), "device.md.j2", device=d)
+    for g in model.guides:
+        yield page(places.guide_page(g), "guide.md.j2", guide=g)
 
 
 def identifiers(model: m.Model) -> Iterator[Identifier]:
     """Anchors: two things of a page must not have the same."""
     things: list[Thing] = [model.protocol.acknowledge, model.protocol.function_selector, *model.all_types]
-    things += [*model.fields, *model.protocol.units, *model.protocol.frames, *model.examples, *model.errata]
+    things += [*model.fields, *model.protocol.units, *model.protocol.frames, *model.examples, *model.errata, *model.guides]
     for thing in things:
         page, anchor = places.place(thing, model)
         yield Identifier(page, anchor, getattr(thing, "name", anchor), getattr(thing, "position", None))
@@ -80,8 +82,13 @@ FILTERS: Filters = {
     "of_manual": sources.of_manual,
     "severities": sources.severities,
     "own_lines": sources.own_lines,
+    "heading": guides.heading,
+    "step_title": guides.title,
+    "bandwidth": guides.bandwidth,
+    "surely": guides.surely,
     "right_bytes": examples.right_bytes,
     "misprints": examples.misprints,
+    "of_sections": examples.of_sections,
 }
 
 #: Filters that need the page where they are used: links are relative to it.
@@ -125,6 +132,19 @@ FILTERS_OF_PAGE: Filters = {
     "subjects": sources.subjects,
     "device": examples.device,
     "packet_table": examples.packet_table,
+    "overview": guides.overview,
+    "streamed": guides.streamed,
+    "guide_programs": guides.programs,
+    "rates": guides.rates,
+    "doubts": guides.doubts,
+    "sent": guides.sent,
+    "answered": guides.answered,
+    "come": guides.come,
+    "changes": guides.changes,
+    "meanings": guides.meanings,
+    "added": guides.added,
+    "fact_table": guides.fact_table,
+    "see": guides.named,
 }
 
 

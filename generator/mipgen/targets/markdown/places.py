@@ -23,7 +23,7 @@ ERRATA = "docs/errata.md"
 EXAMPLES = "docs/examples.md"
 
 #: What has a place in the manual; a string is the path of a page, maybe with an anchor.
-Thing = m.Set | m.Field | m.Type | m.Device | m.Example | m.Erratum | m.Manual | m.Word | str
+Thing = m.Set | m.Field | m.Type | m.Device | m.Example | m.Erratum | m.Manual | m.Word | m.Guide | str
 
 
 def set_page(name: str) -> str:
@@ -43,6 +43,10 @@ def device_page(d: m.Device) -> str:
     return f"docs/devices/{d.id}.md"
 
 
+def guide_page(g: m.Guide) -> str:
+    return f"docs/guides/{g.name}.md"
+
+
 def place(thing: Thing, model: m.Model) -> tuple[str, str]:
     """The page of a thing, and its anchor there."""
     match thing:
@@ -56,6 +60,8 @@ def place(thing: Thing, model: m.Model) -> tuple[str, str]:
             return page, thing.full_name
         case m.Device():
             return device_page(thing), ""
+        case m.Guide():
+            return guide_page(thing), f"guide.{thing.name}"
         case m.Example():
             return EXAMPLES, f"example.{thing.id}"
         case m.Erratum():
@@ -81,6 +87,8 @@ def label(thing: Thing) -> str:
             return plain(f"{thing.title} ({of_set}{hexadecimal(thing.descriptor)})")
         case m.Device() | m.Word():
             return plain(thing.title)
+        case m.Guide():
+            return plain(thing.title[0].upper() + thing.title[1:])
         case m.Example() | m.Erratum() | m.Manual():
             return plain(thing.id)
         case str():

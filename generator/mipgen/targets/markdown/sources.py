@@ -23,7 +23,7 @@ def of_manual(things: Sequence[Any], manual: m.Manual) -> list[Any]:
 # --------------------------------------------------------------------------- citations
 
 
-def citations(page: Page, thing: m.Field | m.Type | m.Set | m.Chapter | m.Device) -> list[str]:
+def citations(page: Page, thing: m.Field | m.Type | m.Set | m.Chapter | m.Device | m.Guide) -> list[str]:
     """Where the manuals describe a thing, a line for each."""
     lines = []
     for s in getattr(thing, "sources", ()):

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from typing import Any
 
 from ... import model as m
-from ...typical import Typical, decimal, flags
+from ...typical import Given, Typical, decimal, flags, title_of
 from ...wrapping import call
 from .members import keyword_only, members
 from .names import class_name, constant, hides_builtin, home, member
@@ -14,6 +15,18 @@ from .names import class_name, constant, hides_builtin, home, member
 
 def command(f: m.Field, typical: Typical) -> str:
     """Sends it to a device."""
+    return _imports("\n".join(_sent(f, typical)))
+
+
+def sequence(steps: Sequence[tuple[m.Field, Given]]) -> str:
+    """Sends several commands; one that is not acknowledged raises an exception."""
+    lines = []
+    for i, (f, given) in enumerate(steps):
+        lines += [f"# {i + 1}: {title_of(f, given)}", *_sent(f, given)]
+    return _imports("\n".join(lines))
+
+
+def _sent(f: m.Field, typical: Typical) -> list[str]:
     lines = []
     for shown in typical.shown(f):
         values = typical.values(f, shown)
@@ -23,7 +36,7 @@ def command(f: m.Field, typical: Typical) -> str:
         before = "response = " if asks else ""
         lines.append(call(f"{before}device.request({_name(f)}{made}(", given, "))", 84))
         lines += ["print(response)"] if asks else []
-    return _imports("\n".join(lines))
+    return lines
 
 
 def data(f: m.Field) -> str:
