@@ -52,7 +52,7 @@ def files(model: m.Model) -> Iterator[File]:
 def identifiers(model: m.Model) -> Iterator[Identifier]:
     """Anchors: two things of a page must not have the same."""
     things: list[Thing] = [model.protocol.acknowledge, model.protocol.function_selector, *model.all_types]
-    things += [*model.fields, *model.protocol.units, *model.protocol.frames, *model.examples, *model.errata, *model.guides]
+    things += [*model.fields, *model.protocol.units, *model.protocol.frames, *model.examples, *model.errata]
     for thing in things:
         page, anchor = places.place(thing, model)
         yield Identifier(page, anchor, getattr(thing, "name", anchor), getattr(thing, "position", None))

@@ -61,7 +61,7 @@ def place(thing: Thing, model: m.Model) -> tuple[str, str]:
         case m.Device():
             return device_page(thing), ""
         case m.Guide():
-            return guide_page(thing), f"guide.{thing.name}"
+            return guide_page(thing), ""
         case m.Example():
             return EXAMPLES, f"example.{thing.id}"
         case m.Erratum():

@@ -22,20 +22,22 @@ def sequence(steps: Sequence[tuple[m.Field, Given]]) -> str:
     """Sends several commands; one that is not acknowledged raises an exception."""
     lines = []
     for i, (f, given) in enumerate(steps):
-        lines += [f"# {i + 1}: {title_of(f, given)}", *_sent(f, given)]
+        lines += [f"# {i + 1}: {title_of(f, given)}", *_sent(f, given, "print(")]
     return _imports("\n".join(lines))
 
 
-def _sent(f: m.Field, typical: Typical) -> list[str]:
+def _sent(f: m.Field, typical: Typical, before: str = "response = ") -> list[str]:
+    """The lines that send it; a response is kept, or it is printed at once."""
+    at_once = before == "print("
     lines = []
     for shown in typical.shown(f):
         values = typical.values(f, shown)
         given = [_argument(p, f, values) for p in shown.asked if not p.derived]
         made = f".{member(shown.function.name)}" if shown.function else ""
         asks = bool(typical.replies(f, shown))
-        before = "response = " if asks else ""
-        lines.append(call(f"{before}device.request({_name(f)}{made}(", given, "))", 84))
-        lines += ["print(response)"] if asks else []
+        head, tail = (before, ")" if at_once else "") if asks else ("", "")
+        lines.append(call(f"{head}device.request({_name(f)}{made}(", given, f")){tail}", 84))
+        lines += ["print(response)"] if asks and not at_once else []
     return lines
 
 
