@@ -116,7 +116,18 @@ def _only(s: Sequence, fields: dict[str, Field], devices: dict[str, Device]) -> 
     left = tuple(devices[d.id] for d in s.devices if d.id in devices)
     if not left or any(f.full_name not in fields for f in used):
         return None
-    return replace(s, devices=left)
+    return replace(s, devices=left, steps=tuple(_step(step, fields) for step in s.steps))
+
+
+def _step(step: Step, fields: dict[str, Field]) -> Step:
+    """The step with the fields of the part."""
+    response = step.response and _shown(step.response, fields)
+    data = tuple(replace(t, fields=tuple(_shown(x, fields) for x in t.fields)) for t in step.data)
+    return replace(step, command=fields[step.command.full_name], response=response, data=data)
+
+
+def _shown(shown: Shown, fields: dict[str, Field]) -> Shown:
+    return replace(shown, field=fields[shown.field.full_name])
 
 
 def _lost(m: Migration, fields: dict[str, Field], devices: dict[str, Device]) -> bool:

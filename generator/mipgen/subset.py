@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 
 from . import model as m
 from .errors import Failure
+from .guided import Guide
 from .problems import nearest
 
 
@@ -119,9 +120,7 @@ def _only(model: m.Model, names: set[str], devices: tuple[m.Device, ...]) -> m.M
     )
 
 
-def _guides(
-    guides: tuple[m.Guide, ...], fields: dict[str, m.Field], devices: tuple[m.Device, ...]
-) -> tuple[m.Guide, ...]:
+def _guides(guides: tuple[Guide, ...], fields: dict[str, m.Field], devices: tuple[m.Device, ...]) -> tuple[Guide, ...]:
     """What remains of the guides; they name only each other."""
     found = [g for guide in guides if (g := guide.only(fields, {d.id: d for d in devices})) is not None]
     names = {g.name for g in found}

@@ -14,7 +14,7 @@ import pytest
 from mipgen import codec
 from mipgen.guided import Guide, Sequence
 from mipgen.typical import Typical
-from reference import Manual, cells, prose, tables, words
+from reference import Manual, cells, path_of, prose, tables, words
 from support import BUILD, SPECS, need
 from test_reference_programs import C_HEAD, PY_HEAD, RUST_HEAD, reply, run, rust_bytes
 
@@ -83,7 +83,9 @@ def test_tables_of_bytes_are_whole(manual: Manual) -> None:
     """The bytes of each table are those of the packet above it."""
     for guide in manual.model.guides:
         text = page_of(manual, guide)
-        folded = re.findall(r"^```text\n([^`]*?)\n```\n\n<details markdown=\"1\">\n.*?\n\n(.*?)\n\n</details>", text, re.M | re.S)
+        folded = re.findall(
+            r"^```text\n([^`]*?)\n```\n\n<details markdown=\"1\">\n.*?\n\n(.*?)\n\n</details>", text, re.M | re.S
+        )
         assert len(folded) == len(re.findall(r"^```text$", text, re.M))
         for packet, rows in folded:
             bytes_ = [words(cells(line)[0]) for line in rows.split("\n")[2:]]
@@ -113,6 +115,30 @@ def test_a_migration_names_all_that_is_lost(manual: Manual) -> None:
         had, has = ({s.field.full_name for s in d.supports} for d in (guide.migration.before, guide.migration.after))
         told = page_of(manual, guide).partition("## What takes the place of what")[2].partition("\n## ")[0]
         assert {f"#{name})" for name in had - has} <= set(re.findall(r"#[\w.]+\)", told))
+
+
+def test_rates_and_bandwidth(manual: Manual) -> None:
+    """The formula of the manuals: 60 f + 10 (s1 f1 + s2 f2 + ...)."""
+    for _, guide, sequence in plays(manual):
+        part = words(part_of(manual, guide, sequence))
+        baud = 0.0
+        for stream in sequence.streams:
+            if stream.rate:
+                lengths = sum(len(data) + 2 for _, data in codec.split(manual.model, stream.packet))
+                baud += 60 * stream.rate + 10 * lengths * stream.rate
+                often = "Once per second" if stream.rate == 1 else f"{stream.rate} times per second"
+                assert f"{often}, a packet of {stream.set.title}" in part
+                for d in sequence.devices:
+                    base = next(r.hertz for r in d.base_rates if r.set.name == stream.set.name)
+                    assert f"{base} Hz / {stream.rate} Hz = decimation {base / stream.rate:g}" in part
+        assert (f"which need {baud:,.6g} baud." in part) == bool(baud)
+
+
+def test_fields_name_their_guides(manual: Manual) -> None:
+    for _, guide, sequence in plays(manual):
+        for f in [s.command for s in sequence.steps] + [x.field for t in sequence.streams for x in t.fields]:
+            told = re.findall(r"^Used in the guides: (.*)\.$", manual.page(path_of(f)), re.M)
+            assert f"guides/{guide.name}.md)" in told[0], f.full_name
 
 
 # --------------------------------------------------------------------------- programs

@@ -15,8 +15,8 @@ from typing import Any
 
 import pytest
 from jsonschema import Draft7Validator
-from mipgen import model as m
 from mipgen import guided, simulated
+from mipgen import model as m
 from mipgen.targets.json import document
 from support import ROOT, SPECS, model
 
@@ -29,7 +29,7 @@ DEFINITIONS: dict[type, str] = {
     m.Bitfield: "bitfield", m.Vector: "vector", m.Struct: "struct", m.Parameter: "parameter", m.Variant: "variant",
     m.Condition: "condition", m.Field: "field", m.Set: "set", m.Device: "device", m.Example: "example",
     m.Erratum: "erratum", simulated.Simulation: "simulation", m.Source: "source",
-    m.Guide: "guide", guided.Sequence: "guide_sequence", guided.Step: "guide_step", guided.Stream: "guide_data",
+    guided.Guide: "guide", guided.Sequence: "guide_sequence", guided.Step: "guide_step", guided.Stream: "guide_data",
     guided.Shown: "guide_field", guided.Migration: "guide_migration", guided.Change: "guide_change",
 }  # fmt: skip
 

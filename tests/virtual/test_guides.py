@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator
 from typing import Any
 
 import pytest
-from mipgen import codec
+from mipgen import codec, guided
 from mipgen import model as m
 from mipgen.guided import Sequence, Step, Stream
 from support import ROOT, model
@@ -25,7 +25,7 @@ LONG = 3.0
 #: The simulator knows no signals from outside, which would make the device send these.
 UNTRIED = {("events_and_gpio", "A packet of data at each falling edge of GPIO 1")}
 
-Played = tuple[m.Guide, Sequence, m.Device]
+Played = tuple[guided.Guide, Sequence, m.Device]
 
 
 def played() -> list[Played]:

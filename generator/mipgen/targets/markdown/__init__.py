@@ -16,7 +16,21 @@ from ... import describe
 from ... import model as m
 from ...naming import Identifier
 from ...render import File
-from . import answers, devices, examples, fields, guides, packets, parameters, places, programs, related, sources, text, types
+from . import (
+    answers,
+    devices,
+    examples,
+    fields,
+    guides,
+    packets,
+    parameters,
+    places,
+    programs,
+    related,
+    sources,
+    text,
+    types,
+)
 from .index import Index
 from .places import Page, Thing
 
@@ -145,6 +159,7 @@ FILTERS_OF_PAGE: Filters = {
     "added": guides.added,
     "fact_table": guides.fact_table,
     "see": guides.named,
+    "guides_with": guides.with_field,
 }
 
 

@@ -39,6 +39,16 @@ def named(page: Page, guide: Guide) -> list[str]:
     return [page.link(guides[name]) for name in guide.see if name in guides] + [page.link(f) for f in fields if f]
 
 
+def with_field(page: Page, f: m.Field) -> list[Guide]:
+    """The guides that use a field in a step or in data."""
+    return [g for g in page.model.guides if any(f.full_name in _used(s.steps) for s in g.sequences)]
+
+
+def _used(steps: Iterable[Step]) -> set[str]:
+    """The full names of the fields that are sent and that come as data."""
+    return {f.full_name for step in steps for f in (step.command, *(x.field for t in step.data for x in t.fields))}
+
+
 # --------------------------------------------------------------------------- packets
 
 
@@ -83,9 +93,7 @@ def come(page: Page, stream: Stream, steps: Steps) -> str:
     return _table(page, "data", stream.packet, [(x.field, x.values) for x in stream.fields], steps)
 
 
-def _table(
-    page: Page, role: Role, packet: bytes, fields: Iterable[tuple[m.Field, codec.Values]], steps: Steps
-) -> str:
+def _table(page: Page, role: Role, packet: bytes, fields: Iterable[tuple[m.Field, codec.Values]], steps: Steps) -> str:
     parts = tuple(
         m.ExampleField(f.full_name, f.descriptor, codec.encode(f, values), values, 0, None) for f, values in fields
     )
@@ -120,7 +128,7 @@ def streamed(page: Page, stream: Stream) -> str:
 def rates(page: Page, steps: Steps) -> list[str]:
     """How the rate of each stream comes about, on each device."""
     found = {
-        f"{inline(d.title)}, {page.link(s.set)}: {hertz(r)} / {_number(s.rate)} Hz = decimation {_number(r.hertz / s.rate)}"
+        f"{inline(d.title)}, {page.link(s.set)}: {hertz(r)} / {s.rate:g} Hz = decimation {r.hertz / s.rate:g}"
         for d in steps.devices
         for s in steps.streams
         for r in d.base_rates
@@ -137,8 +145,12 @@ def bandwidth(steps: Steps) -> str:
     each = [f"{_number(s.rate)} × {len(s.packet)}" for s in streams]
     whole = sum((s.rate or 0) * len(s.packet) for s in streams)
     fitting = _fitting(steps.devices[0], whole * BITS)
-    rate = f" The lowest rate of the {inline(fitting[0])} that does is {fitting[1]}." if fitting else ""
-    return f"{' + '.join(each)} = {_number(whole)} bytes per second, so {_number(whole * BITS)} baud or more.{rate}"
+    rate = (
+        f" On {inline(fitting[0])} of the {inline(steps.devices[0].title)}, use {fitting[1]} or more."
+        if fitting
+        else ""
+    )
+    return f"{' + '.join(each)} = {_number(whole)} bytes per second, which need {_number(whole * BITS)} baud.{rate}"
 
 
 def _fitting(d: m.Device, bits: float) -> tuple[str, int] | None:
@@ -154,7 +166,7 @@ def _number(value: float | None) -> str:
 
 def doubts(page: Page, steps: Steps) -> list[str]:
     """Why a device is only believed to take what the sequence uses."""
-    used = {s.command.full_name for s in steps.steps} | {x.field.full_name for t in steps.streams for x in t.fields}
+    used = _used(steps.steps)
     return [
         f"It is not certain that the {page.link(d)} has {page.link(s.field)}: {page.prose(s.evidence)}"
         for d in steps.devices
@@ -216,7 +228,8 @@ def changes(page: Page, guide: Guide) -> str:
     move = guide.migration
     assert move is not None
     rows = [
-        [page.links(x.fields), page.links(x.by) or "nothing", page.prose(x.note) if x.note else ""] for x in move.changes
+        [page.links(x.fields), page.links(x.by) or "nothing", page.prose(x.note) if x.note else ""]
+        for x in move.changes
     ]
     return table(rows, [inline(move.before.title), inline(move.after.title), "What is different"])
 
@@ -238,7 +251,7 @@ def meanings(page: Page, guide: Guide) -> str:
 
 
 def _reading(page: Page, v: m.DeviceVariant | None) -> str:
-    return page.say(describe.difference(v.variant, v.parameter, v.field, page.model)) if v else "as described"
+    return page.say(describe.difference(v.variant, v.parameter, v.field, page.model)) if v else "as on its page"
 
 
 def added(page: Page, guide: Guide) -> Iterator[str]:

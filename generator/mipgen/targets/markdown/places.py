@@ -11,6 +11,7 @@ from functools import cache
 from ... import describe
 from ... import model as m
 from ...describe import Ref
+from ...guided import Guide
 from .index import Index
 from .text import code, hexadecimal, inline, opening, plain
 
@@ -23,7 +24,7 @@ ERRATA = "docs/errata.md"
 EXAMPLES = "docs/examples.md"
 
 #: What has a place in the manual; a string is the path of a page, maybe with an anchor.
-Thing = m.Set | m.Field | m.Type | m.Device | m.Example | m.Erratum | m.Manual | m.Word | m.Guide | str
+Thing = m.Set | m.Field | m.Type | m.Device | m.Example | m.Erratum | m.Manual | m.Word | Guide | str
 
 
 def set_page(name: str) -> str:
@@ -43,7 +44,7 @@ def device_page(d: m.Device) -> str:
     return f"docs/devices/{d.id}.md"
 
 
-def guide_page(g: m.Guide) -> str:
+def guide_page(g: Guide) -> str:
     return f"docs/guides/{g.name}.md"
 
 
@@ -60,7 +61,7 @@ def place(thing: Thing, model: m.Model) -> tuple[str, str]:
             return page, thing.full_name
         case m.Device():
             return device_page(thing), ""
-        case m.Guide():
+        case Guide():
             return guide_page(thing), ""
         case m.Example():
             return EXAMPLES, f"example.{thing.id}"
@@ -87,7 +88,7 @@ def label(thing: Thing) -> str:
             return plain(f"{thing.title} ({of_set}{hexadecimal(thing.descriptor)})")
         case m.Device() | m.Word():
             return plain(thing.title)
-        case m.Guide():
+        case Guide():
             return plain(thing.title[0].upper() + thing.title[1:])
         case m.Example() | m.Erratum() | m.Manual():
             return plain(thing.id)
