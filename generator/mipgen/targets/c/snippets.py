@@ -32,12 +32,11 @@ def sequence(name: str, steps: Sequence[tuple[m.Field, Given]]) -> str:
     for i, (f, given) in enumerate(steps):
         before, asked = _call(f, given.call, given, "        " if i else "    ")
         title = f"/* {i + 1}: {title_of(f, given)} */"
+        body = "\n".join([*before, f"{'' if i else 'struct mip_result '}result = {asked}"]).split("\n")
         if i == 0:
-            lines += [f"    {line}" for line in (title, *before, f"struct mip_result result = {asked}")]
+            lines += [f"    {line}" for line in (title, *body)]
         else:
-            lines += ["    if (mip_succeeded(result)) { " + title]
-            lines += [f"        {line}" for line in "\n".join([*before, f"result = {asked}"]).split("\n")]
-            lines += ["    }"]
+            lines += [f"    if (mip_succeeded(result)) {{ {title}", *(f"        {line}" for line in body), "    }"]
     return "\n".join([*lines, "    return result;", "}"])
 
 
