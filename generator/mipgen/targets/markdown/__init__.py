@@ -101,6 +101,7 @@ FILTERS: Filters = {
     "step_title": guides.title,
     "bandwidth": guides.bandwidth,
     "surely": guides.surely,
+    "read": guides.read,
     "right_bytes": examples.right_bytes,
     "misprints": examples.misprints,
     "of_sections": examples.of_sections,

@@ -125,6 +125,11 @@ def streamed(page: Page, stream: Stream) -> str:
     return f"{often}, a packet of {page.link(stream.set)} comes with {fields}."
 
 
+def read(steps: Steps) -> list[m.Field]:
+    """The data fields that come, whose pages have programs that read them."""
+    return list({x.field.full_name: x.field for s in steps.streams for x in s.fields}.values())
+
+
 def rates(page: Page, steps: Steps) -> list[str]:
     """How the rate of each stream comes about, on each device."""
     found = {
