@@ -131,7 +131,7 @@ def test_rates_and_bandwidth(manual: Manual) -> None:
                 for d in sequence.devices:
                     base = next(r.hertz for r in d.base_rates if r.set.name == stream.set.name)
                     assert f"{base} Hz / {stream.rate} Hz = decimation {base / stream.rate:g}" in part
-        assert (f"which need {baud:,.6g} baud." in part) == bool(baud)
+        assert (f"which needs {baud:,.6g} baud." in part) == bool(baud)
 
 
 def test_fields_name_their_guides(manual: Manual) -> None:

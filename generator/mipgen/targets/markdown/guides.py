@@ -155,7 +155,7 @@ def bandwidth(steps: Steps) -> str:
         if fitting
         else ""
     )
-    return f"{' + '.join(each)} = {_number(whole)} bytes per second, which need {_number(whole * BITS)} baud.{rate}"
+    return f"{' + '.join(each)} = {_number(whole)} bytes per second, which needs {_number(whole * BITS)} baud.{rate}"
 
 
 def _fitting(d: m.Device, bits: float) -> tuple[str, int] | None:
