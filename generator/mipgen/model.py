@@ -16,6 +16,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Final, Literal, TypeVar
 
+from .guided import Guide
 from .simulated import Simulation
 
 COMMAND: Final = "command"
@@ -817,6 +818,7 @@ class Model:
     examples: tuple[Example, ...] = ()
     errata: tuple[Erratum, ...] = ()
     simulation: Simulation = field(default_factory=Simulation)
+    guides: tuple[Guide, ...] = ()
     tastes: tuple[tuple[str, str], ...] = ()  # programs that show the bindings with fields of this specification
 
     def taste(self, name: str) -> str:

@@ -18,7 +18,10 @@ from .nodes import Node
 from .problems import Problems, nearest
 
 #: Keys with texts for readers, and those with quotations of a manual.
-PROSE = ("description", "notes", "uncertain", "incomplete", "evidence", "deprecated", "note", "reason", "text")
+PROSE = (
+    "description", "notes", "uncertain", "incomplete", "evidence", "deprecated", "note", "reason", "text", "question",
+    "answer", "why", "before", "on_event",
+)  # fmt: skip
 QUOTATIONS = ("printed", "right")
 
 DESCRIPTOR = re.compile(r"\(0x(?P<set>[0-9A-Fa-f]{2}),\s?0x(?P<descriptor>[0-9A-Fa-f]{2})\)")

@@ -69,6 +69,25 @@ class Typical:
         return found
 
 
+@dataclass(frozen=True)
+class Given(Typical):
+    """Has the values that one field is sent with, in place of typical ones."""
+
+    call: m.Call
+    given: codec.Values
+
+    def values(self, f: m.Field, call: m.Call) -> codec.Values:
+        return self.given
+
+    def shown(self, f: m.Field) -> list[m.Call]:
+        return [self.call]
+
+
+def title_of(f: m.Field, given: Given) -> str:
+    """What a line of a program sends, in a comment."""
+    return f"{f.title}, {given.call.function.name}" if given.call.function else f.title
+
+
 def record(parameters: tuple[m.Parameter, ...]) -> codec.Values:
     """Values for some parameters, which do not contradict each other."""
     found: codec.Values = {}

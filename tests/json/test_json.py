@@ -15,8 +15,8 @@ from typing import Any
 
 import pytest
 from jsonschema import Draft7Validator
+from mipgen import guided, simulated
 from mipgen import model as m
-from mipgen import simulated
 from mipgen.targets.json import document
 from support import ROOT, SPECS, model
 
@@ -29,6 +29,8 @@ DEFINITIONS: dict[type, str] = {
     m.Bitfield: "bitfield", m.Vector: "vector", m.Struct: "struct", m.Parameter: "parameter", m.Variant: "variant",
     m.Condition: "condition", m.Field: "field", m.Set: "set", m.Device: "device", m.Example: "example",
     m.Erratum: "erratum", simulated.Simulation: "simulation", m.Source: "source",
+    guided.Guide: "guide", guided.Sequence: "guide_sequence", guided.Step: "guide_step", guided.Stream: "guide_data",
+    guided.Shown: "guide_field", guided.Migration: "guide_migration", guided.Change: "guide_change",
 }  # fmt: skip
 
 #: What an object has in another form than as an attribute of the model.
@@ -113,6 +115,7 @@ def test_everything_is_there(spec: str) -> None:
     assert [x["id"] for x in d["devices"]] == [x.id for x in of.devices]
     assert [x["id"] for x in d["examples"]] == [x.id for x in of.examples]
     assert [x["id"] for x in d["errata"]] == [x.id for x in of.errata]
+    assert [x["name"] for x in d["guides"]] == [x.name for x in of.guides]
 
 
 def objects(value: Any, path: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str, ...], dict[str, Any]]]:

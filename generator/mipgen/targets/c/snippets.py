@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 from ... import model as m
-from ...typical import Typical, decimal, flags
+from ...typical import Given, Typical, decimal, flags, title_of
 from ...wrapping import call
 from .calls import Call, calls
 from .literals import number, string
@@ -24,6 +25,21 @@ def command(f: m.Field, typical: Typical) -> str:
     return "\n".join(lines)
 
 
+def sequence(name: str, steps: Sequence[tuple[m.Field, Given]]) -> str:
+    """A function that sends several commands; it ends with the first one that is not acknowledged."""
+    needs = sorted({f'#include "mip/{module(f.set_name)}_commands.h"' for f, _ in steps})
+    lines = ['#include "mip/device.h"', *needs, "", f"struct mip_result {name}(struct mip_device *device) {{"]
+    for i, (f, given) in enumerate(steps):
+        before, asked = _call(f, given.call, given, "        " if i else "    ")
+        title = f"/* {i + 1}: {title_of(f, given)} */"
+        body = "\n".join([*before, f"{'' if i else 'struct mip_result '}result = {asked}"]).split("\n")
+        if i == 0:
+            lines += [f"    {line}" for line in (title, *body)]
+        else:
+            lines += [f"    if (mip_succeeded(result)) {{ {title}", *(f"        {line}" for line in body), "    }"]
+    return "\n".join([*lines, "    return result;", "}"])
+
+
 def data(f: m.Field) -> str:
     """Reads it from a field of a packet."""
     names = [f"value.{member(p.name)}" for p in members(f)]
@@ -38,7 +54,7 @@ def data(f: m.Field) -> str:
     ])  # fmt: skip
 
 
-def _call(f: m.Field, shown: m.Call, typical: Typical) -> tuple[list[str], str]:
+def _call(f: m.Field, shown: m.Call, typical: Typical, indent: str = "") -> tuple[list[str], str]:
     values = typical.values(f, shown)
     replies = typical.replies(f, shown)
     wanted = replies[0].layouts[0] if replies else None
@@ -60,7 +76,7 @@ def _call(f: m.Field, shown: m.Call, typical: Typical) -> tuple[list[str], str]:
     if chosen.response is not None:
         before.append(f"struct {field_name(chosen.response)} response;")
         given.append("&response")
-    return before, call(f"{chosen.name}(", given, ");", 80, comma="")
+    return before, call(f"{chosen.name}(", given, ");", 80 - len(indent), comma="")
 
 
 def _argument(p: m.Parameter, f: m.Field, value: Any) -> tuple[list[str], list[str]]:

@@ -11,6 +11,7 @@ import json
 from collections.abc import Iterable
 from typing import Any
 
+from ... import guided
 from ... import model as m
 from .names import symbols, type_name
 
@@ -27,6 +28,7 @@ LEFT_OUT: dict[type, tuple[str, ...]] = {
     m.Device: ("variants",),  # each is with its parameter
     m.Support: ("functions",),
     m.Variant: ("only",),
+    guided.Shown: ("data",),  # in the packet
 }
 
 
@@ -78,6 +80,7 @@ def document(model: m.Model) -> dict[str, Any]:
         "examples": plain(model.examples),
         "errata": plain(model.errata),
         "simulation": _attributes(model.simulation),
+        "guides": plain(model.guides),
     }
 
 

@@ -22,6 +22,7 @@ from . import (
     devices,
     examples,
     fields,
+    guides,
     indexes,
     packets,
     parameters,
@@ -68,6 +69,8 @@ def files(model: m.Model) -> Iterator[File]:
         yield page(places.comparison_page(name), f"compare/{name}.md.j2")
     for name in lists["indexes"]:
         yield page(places.index_page(name), f"indexes/{name}.md.j2")
+    for g in model.guides:
+        yield page(places.guide_page(g), "guide.md.j2", guide=g)
 
 
 def identifiers(model: m.Model) -> Iterator[Identifier]:
@@ -105,8 +108,14 @@ FILTERS: Filters = {
     "of_manual": sources.of_manual,
     "severities": sources.severities,
     "own_lines": sources.own_lines,
+    "heading": guides.heading,
+    "step_title": guides.title,
+    "bandwidth": guides.bandwidth,
+    "surely": guides.surely,
+    "read": guides.read,
     "right_bytes": examples.right_bytes,
     "misprints": examples.misprints,
+    "of_sections": examples.of_sections,
 }
 
 #: Filters that need the page where they are used: links are relative to it.
@@ -157,6 +166,20 @@ FILTERS_OF_PAGE: Filters = {
     "subjects": sources.subjects,
     "device": examples.device,
     "packet_table": examples.packet_table,
+    "overview": guides.overview,
+    "streamed": guides.streamed,
+    "guide_programs": guides.programs,
+    "rates": guides.rates,
+    "doubts": guides.doubts,
+    "sent": guides.sent,
+    "answered": guides.answered,
+    "come": guides.come,
+    "changes": guides.changes,
+    "meanings": guides.meanings,
+    "added": guides.added,
+    "fact_table": guides.fact_table,
+    "see": guides.named,
+    "guides_with": guides.with_field,
 }
 
 

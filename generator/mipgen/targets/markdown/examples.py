@@ -50,6 +50,12 @@ def misprints(x: m.Example) -> list[str]:
     return [plain(d) for d in differences(x)]
 
 
+def of_sections(found: Sequence[m.Example], manual: m.Manual) -> list[m.Example]:
+    """The examples of a manual in the order in which it prints them: that of its sections."""
+    order = {section: i for i, section in enumerate(manual.sections)}
+    return sorted((x for x in found if x.manual == manual.id), key=lambda x: order.get(x.section, -1))
+
+
 # --------------------------------------------------------------------------- tables of bytes
 
 

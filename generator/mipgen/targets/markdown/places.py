@@ -11,6 +11,7 @@ from functools import cache
 from ... import describe
 from ... import model as m
 from ...describe import Ref
+from ...guided import Guide
 from .index import Index
 from .text import code, hexadecimal, inline, opening, plain
 
@@ -41,7 +42,7 @@ INDEXES = {
 }
 
 #: What has a place in the manual; a string is the path of a page, maybe with an anchor.
-Thing = m.Set | m.Field | m.Type | m.Device | m.Example | m.Erratum | m.Manual | m.Word | str
+Thing = m.Set | m.Field | m.Type | m.Device | m.Example | m.Erratum | m.Manual | m.Word | Guide | str
 
 
 def set_page(name: str) -> str:
@@ -69,6 +70,10 @@ def device_page(d: m.Device) -> str:
     return f"docs/devices/{d.id}.md"
 
 
+def guide_page(g: Guide) -> str:
+    return f"docs/guides/{g.name}.md"
+
+
 def place(thing: Thing, model: m.Model) -> tuple[str, str]:
     """The page of a thing, and its anchor there."""
     match thing:
@@ -82,6 +87,8 @@ def place(thing: Thing, model: m.Model) -> tuple[str, str]:
             return page, thing.full_name
         case m.Device():
             return device_page(thing), ""
+        case Guide():
+            return guide_page(thing), ""
         case m.Example():
             return EXAMPLES, f"example.{thing.id}"
         case m.Erratum():
@@ -107,6 +114,8 @@ def label(thing: Thing) -> str:
             return plain(f"{thing.title} ({of_set}{hexadecimal(thing.descriptor)})")
         case m.Device() | m.Word():
             return plain(thing.title)
+        case Guide():
+            return plain(thing.title[0].upper() + thing.title[1:])
         case m.Example() | m.Erratum() | m.Manual():
             return plain(thing.id)
         case str():

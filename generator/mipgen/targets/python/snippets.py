@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from typing import Any
 
 from ... import model as m
-from ...typical import Typical, decimal, flags
+from ...typical import Given, Typical, decimal, flags, title_of
 from ...wrapping import call
 from .members import keyword_only, members
 from .names import class_name, constant, hides_builtin, home, member
@@ -14,16 +15,30 @@ from .names import class_name, constant, hides_builtin, home, member
 
 def command(f: m.Field, typical: Typical) -> str:
     """Sends it to a device."""
+    return _imports("\n".join(_sent(f, typical)))
+
+
+def sequence(steps: Sequence[tuple[m.Field, Given]]) -> str:
+    """Sends several commands; one that is not acknowledged raises an exception."""
+    lines = []
+    for i, (f, given) in enumerate(steps):
+        lines += [f"# {i + 1}: {title_of(f, given)}", *_sent(f, given, "print(")]
+    return _imports("\n".join(lines))
+
+
+def _sent(f: m.Field, typical: Typical, before: str = "response = ") -> list[str]:
+    """The lines that send it; a response is kept, or it is printed at once."""
+    at_once = before == "print("
     lines = []
     for shown in typical.shown(f):
         values = typical.values(f, shown)
         given = [_argument(p, f, values) for p in shown.asked if not p.derived]
         made = f".{member(shown.function.name)}" if shown.function else ""
         asks = bool(typical.replies(f, shown))
-        before = "response = " if asks else ""
-        lines.append(call(f"{before}device.request({_name(f)}{made}(", given, "))", 84))
-        lines += ["print(response)"] if asks else []
-    return _imports("\n".join(lines))
+        head, tail = (before, ")" if at_once else "") if asks else ("", "")
+        lines.append(call(f"{head}device.request({_name(f)}{made}(", given, f")){tail}", 84))
+        lines += ["print(response)"] if asks and not at_once else []
+    return lines
 
 
 def data(f: m.Field) -> str:

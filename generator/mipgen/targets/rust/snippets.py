@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from typing import Any
 
 from ... import model as m
-from ...typical import Typical, decimal, flags
+from ...typical import Given, Typical, decimal, flags, title_of
 from ...wrapping import call
 from .names import Record, constant, home, path, variant
 from .records import Records
@@ -19,17 +20,27 @@ class Snippets:
 
     def command(self, f: m.Field) -> str:
         """Sends it to a device."""
+        return _uses("\n".join(self._sent(f, self.typical)))
+
+    def sequence(self, steps: Sequence[tuple[m.Field, Given]]) -> str:
+        """Sends several commands; one that is not acknowledged returns its error."""
+        lines = []
+        for i, (f, given) in enumerate(steps):
+            lines += [f"// {i + 1}: {title_of(f, given)}", *self._sent(f, given)]
+        return _uses("\n".join(lines))
+
+    def _sent(self, f: m.Field, typical: Typical) -> list[str]:
         lines = []
         constructors = self.records.constructors(f)
-        for shown in self.typical.shown(f):
-            values = self.typical.values(f, shown)
+        for shown in typical.shown(f):
+            values = typical.values(f, shown)
             made = next(c for c in constructors if c.function == shown.function)
             arguments = [self._value(x.parameter.operation, values[x.parameter.name], f) for x in made.given]
-            asks = bool(self.typical.replies(f, shown))
+            asks = bool(typical.replies(f, shown))
             head = f"{'let response = device.request' if asks else 'device.run'}(&{_name(f)}::{made.name}("
             lines.append(call(head, arguments, "))?;", 84))
             lines += ['println!("{response:?}");'] if asks else []
-        return _uses("\n".join(lines))
+        return lines
 
     def data(self, f: m.Field) -> str:
         """Takes it from a packet."""
