@@ -325,7 +325,9 @@ impl PacketBuilder {
     fn seal(&mut self) {
         let end = self.end().min(MAX_PACKET);
         let (head, tail) = self.bytes.split_at_mut(end);
-        tail.iter_mut().zip(checksum(head)).for_each(|(byte, sum)| *byte = sum);
+        if let [a, b, ..] = tail {
+            [*a, *b] = checksum(head);
+        }
     }
 }
 
