@@ -443,7 +443,7 @@ impl<const N: usize> Client<N> {
     #[must_use]
     pub fn deadline(&self) -> Option<u32> {
         let deadlines = self.table().waiting().map(|slot| slot.deadline);
-        deadlines.reduce(|first, other| if has_passed(first, other) { other } else { first })
+        deadlines.reduce(|first, other| if has_passed(first, other) { first } else { other })
     }
 
     /// Begins a packet with commands of one descriptor set.
@@ -603,16 +603,15 @@ impl Slots {
     /// Looks for answers, and keeps which fields are part of one.
     fn receive(&mut self, mut fields: Fields<'_>) {
         self.taken = [0; 4];
-        let (mut at, mut next) = (0, fields.next());
-        while let Some(Ok(field)) = next {
-            next = fields.next();
-            let behind = next.as_ref().and_then(|field| field.as_ref().ok());
-            if let Some(whole) = self.answers(&field, behind) {
+        let mut at = 0;
+        while let Some(field) = fields.sound() {
+            let mut rest = fields.clone();
+            if let Some(whole) = self.answers(&field, rest.sound().as_ref()) {
                 self.take_field(at);
                 if whole {
                     at = at.wrapping_add(1);
                     self.take_field(at);
-                    next = fields.next();
+                    fields = rest;
                 }
             }
             at = at.wrapping_add(1);
@@ -639,8 +638,10 @@ impl Slots {
         };
         let (mut best, mut found) = (0, None);
         for slot in &mut self.slots {
-            let Some(kind) = slot.kind else { continue };
-            if !slot.is(State::Waiting) || (kind.set, kind.descriptor) != (field.set, command) {
+            let Some(kind) = slot.kind.filter(|_| slot.state.get() == State::Waiting) else {
+                continue;
+            };
+            if (kind.set, kind.descriptor) != (field.set, command) {
                 continue;
             }
             // Not `contains`, which is 180 bytes of code on a microcontroller.

@@ -112,7 +112,8 @@ where
         self.port.flush().await.map_err(DeviceError::Port)?;
         let mut now_ms = 0;
         while let Some(deadline) = self.core.client.deadline() {
-            let (mut backlog, mut sleep) = (BACKLOG, pin!((self.sleep)(deadline.wrapping_sub(now_ms))));
+            let (mut backlog, mut sleep) =
+                (BACKLOG, pin!((self.sleep)(deadline.wrapping_sub(now_ms))));
             while self.core.client.pending() > 0 {
                 if !read(&mut self.port, &mut self.core, sleep.as_mut(), &mut backlog).await? {
                     now_ms = deadline;

@@ -73,6 +73,11 @@ pub enum EncodeErrorKind {
     Set,
 }
 
+/// The data of a field are invalid: the [`Reader`](crate::Reader) that was reading them knows why.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Invalid;
+
 impl DecodeError {
     /// The same mistake in a field.
     #[must_use]
@@ -83,6 +88,11 @@ impl DecodeError {
         got: usize,
     ) -> Self {
         Self { kind, field, need, got }
+    }
+
+    /// May the data be those of another field?
+    pub(crate) fn is_other_layout(&self) -> bool {
+        self.kind == DecodeErrorKind::Constant
     }
 }
 

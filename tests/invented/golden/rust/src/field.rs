@@ -1,7 +1,7 @@
 //! The traits of fields, commands and responses.
 
 use crate::codec::{Reader, Wire, Writer};
-use crate::error::{DecodeError, DecodeErrorKind, EncodeError};
+use crate::error::{DecodeError, EncodeError};
 use core::ops::RangeInclusive;
 
 /// The type of one field: one descriptor of one descriptor set.
@@ -28,7 +28,7 @@ pub trait Field: Wire {
     #[inline]
     fn decode(data: &[u8]) -> Result<Self, DecodeError> {
         let mut reader = Reader::new(data);
-        Self::decode_from(&mut reader).map_err(|kind| reader.error(kind, Self::NAME))
+        Self::decode_from(&mut reader).map_err(|_| reader.error(Self::NAME))
     }
 
     /// Decodes, and returns the number of bytes left over, as newer firmware may append some.
@@ -37,7 +37,7 @@ pub trait Field: Wire {
         let mut reader = Reader::new(data);
         match Self::decode_from(&mut reader) {
             Ok(value) => Ok((value, reader.remaining())),
-            Err(kind) => Err(reader.error(kind, Self::NAME)),
+            Err(_) => Err(reader.error(Self::NAME)),
         }
     }
 
@@ -118,14 +118,18 @@ impl Response for () {
 impl<T: Field> Response for T {
     const DESCRIPTORS: &'static [u8] = &[T::DESCRIPTOR];
 
+    #[inline]
     fn from_field(field: &RawField<'_>) -> Option<Result<Self, DecodeError>> {
-        field.get().filter(|found| !is_other_layout(found))
+        if !field.is::<T>() {
+            return None;
+        }
+        let mut reader = Reader::new(field.data);
+        match T::decode_from(&mut reader) {
+            Ok(value) => Some(Ok(value)),
+            // Constants tell layouts of one descriptor apart.
+            Err(_) => Some(reader.error(T::NAME)).filter(|e| !e.is_other_layout()).map(Err),
+        }
     }
-}
-
-/// Constants tell layouts of one descriptor apart.
-fn is_other_layout<T>(decoded: &Result<T, DecodeError>) -> bool {
-    matches!(decoded, Err(error) if error.kind == DecodeErrorKind::Constant)
 }
 
 /// The role of a field.

@@ -148,7 +148,7 @@ fn decode<T: Listed>(data: &[u8]) -> Option<Result<(AnyField, usize), DecodeErro
     let mut reader = Reader::new(data);
     match T::decode_from(&mut reader) {
         Ok(value) => Some(Ok((value.into_any(), reader.remaining()))),
-        Err(kind) => Some(Err(reader.error(kind, T::NAME))),
+        Err(_) => Some(Err(reader.error(T::NAME))),
     }
 }
 
