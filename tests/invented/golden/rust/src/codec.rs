@@ -73,10 +73,21 @@ impl<'a> Reader<'a> {
     }
 
     /// The last mistake, as one of a field.
-    #[inline]
     #[must_use]
-    pub const fn error(&self, field: &'static str) -> DecodeError {
-        DecodeError::new(self.kind, field, self.need, self.got)
+    #[inline]
+    pub fn error(&self, field: &'static str) -> DecodeError {
+        let (mut need, mut got) = (self.need, self.got);
+        if self.kind == DecodeErrorKind::Truncated {
+            need = need.saturating_add(self.length.saturating_sub(self.data.len()));
+            got = self.length;
+        }
+        DecodeError::new(self.kind, field, need, got)
+    }
+
+    /// Constants tell layouts of one descriptor apart.
+    #[inline]
+    pub(crate) fn is_other_layout(&self) -> bool {
+        self.kind == DecodeErrorKind::Constant
     }
 
     #[inline]
@@ -91,9 +102,12 @@ impl<'a> Reader<'a> {
         if count <= self.data.len() {
             return Ok(());
         }
-        let read = self.length.saturating_sub(self.data.len());
-        Err(self.wrong(DecodeErrorKind::Truncated, read.saturating_add(count), self.length))
+        self.need = count; // behind what was read
+        Err(Invalid)
     }
+
+    // These are part of each value, and vanish where there are surely enough bytes. So they are
+    // there once at each place.
 
     /// The next `count` bytes.
     #[inline(always)]

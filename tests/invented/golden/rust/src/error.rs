@@ -89,11 +89,6 @@ impl DecodeError {
     ) -> Self {
         Self { kind, field, need, got }
     }
-
-    /// May the data be those of another field?
-    pub(crate) fn is_other_layout(&self) -> bool {
-        self.kind == DecodeErrorKind::Constant
-    }
 }
 
 impl EncodeError {

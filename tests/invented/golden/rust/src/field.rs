@@ -126,8 +126,8 @@ impl<T: Field> Response for T {
         let mut reader = Reader::new(field.data);
         match T::decode_from(&mut reader) {
             Ok(value) => Some(Ok(value)),
-            // Constants tell layouts of one descriptor apart.
-            Err(_) => Some(reader.error(T::NAME)).filter(|e| !e.is_other_layout()).map(Err),
+            Err(_) if reader.is_other_layout() => None,
+            Err(_) => Some(Err(reader.error(T::NAME))),
         }
     }
 }
@@ -188,9 +188,13 @@ impl RawField<'_> {
     #[must_use]
     pub fn has_layout_of<T: Field>(&self) -> bool {
         T::SIZES.contains(&self.data.len())
-            && T::CONSTANTS.iter().all(|(offset, bytes)| {
-                self.data.iter().skip(*offset).zip(bytes.iter()).all(|(here, byte)| here == byte)
-            })
+            && (T::CONSTANTS.is_empty() || self.has_constants(T::CONSTANTS))
+    }
+
+    fn has_constants(&self, constants: &[(usize, &[u8])]) -> bool {
+        constants.iter().all(|(offset, bytes)| {
+            self.data.iter().skip(*offset).zip(bytes.iter()).all(|(here, byte)| here == byte)
+        })
     }
 
     /// Decodes it, if it is a field of this type.
