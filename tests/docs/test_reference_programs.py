@@ -268,7 +268,7 @@ impl Port for Table {
         eprintln!("{} {hex}", self.name);
         Ok(())
     }
-    fn now_ms(&mut self) -> u64 {
+    fn now_ms(&mut self) -> u32 {
         0
     }
 }
