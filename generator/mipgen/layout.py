@@ -387,9 +387,9 @@ class _Build:
         above, below = meaning.open_limits(node, p, low, high, self.problem)
         magnitude = meaning.magnitude(node, p, self.problem)
         p = replace(p, minimum=low, maximum=high, above=above, below=below, magnitude=magnitude)
-        p = replace(p, reserved=meaning.reserved(node, p, self.problem))
         return replace(
             p,
+            reserved=meaning.reserved(node, p, self.problem),
             description=node.scalar("description", ""),
             units=meaning.units(node, p, words.units, self.problem),
             any_unit="unit" in node and node["unit"].value is None,
@@ -449,12 +449,15 @@ class _Build:
             self.vouch(self.whole)
         scope = self.types.scope(self.owner)
         self.done = [
-            replace(p, variants=variation.by_sibling(node, p, self.done, scope))
+            replace(p, variants=found) if (found := variation.by_sibling(node, p, self.done, scope)) else p
             for node, p in zip(self.nodes, self.done, strict=True)
         ]
         self.check_size()
         capacities = self.capacities()
-        parameters = tuple(replace(p, operation=with_capacity(p.operation, capacities)) for p in self.done)
+        parameters = tuple(
+            p if (op := with_capacity(p.operation, capacities)) is p.operation else replace(p, operation=op)
+            for p in self.done
+        )
         if self.functions:
             return self.with_selector(parameters)
         first = next((i for i, p in enumerate(parameters) if p.optional), len(parameters))
@@ -508,7 +511,7 @@ class _Build:
         return Record((selector, *parameters), (op, *self.groups(parameters, 0)), 1, whole)
 
     def groups(self, parameters: Sequence[m.Parameter], before: int) -> tuple[m.Operation, ...]:
-        """Parameters that come and go together: one each, but a counter keeps up to its array."""
+        """Parameters that are present or absent together: one each, but a counter stays with its array."""
         names = [p.name for p in parameters]
         found: list[m.Operation] = []
         i = 0
@@ -550,7 +553,7 @@ class _Build:
                 return
 
     def capacities(self) -> dict[str, int]:
-        """How many items each array of open length can hold at most, where nothing comes that may be absent."""
+        """The maximum number of items of each array of open length, if nothing that may be absent is present."""
         found = {}
         for i, p in enumerate(self.done):
             if isinstance(p.length, str):

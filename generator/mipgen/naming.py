@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from functools import cache
 
 from .model import Position
 from .problems import Problems
@@ -17,6 +18,7 @@ def upper(words: str) -> str:
     return words.upper()
 
 
+@cache
 def pascal(words: str) -> str:
     """
     >>> pascal("gps_time_update"), pascal("3dm"), pascal("matrix3f")
@@ -85,7 +87,7 @@ def lengths(target: str, identifiers: Iterable[Identifier], longest: int, proble
 
 
 def collisions(target: str, identifiers: Iterable[Identifier], problems: Problems) -> None:
-    """Two things of the specification must not become one name of a language."""
+    """Two things of the specification must not get the same name in a language."""
     seen: dict[tuple[str, str], Identifier] = {}
     for i in identifiers:
         other = seen.setdefault((i.scope, i.name), i)

@@ -38,7 +38,7 @@ class _Row:
     anchor: str  # empty in a structure, which is a part of several fields
 
     def ref(self, r: Ref) -> str:
-        """What is beside the parameter has its full name."""
+        """A sibling of the parameter has its full name."""
         if isinstance(r.thing, m.Bits) or (isinstance(r.thing, m.Parameter) and r.within is self.row.record):
             r = replace(r, words=self.row.beside(r.words))
         return self.page.ref(r)
@@ -108,7 +108,7 @@ def _extent(bytes_: str) -> str:
 def _size(row: Row) -> str:
     if row.size is not None:
         return _extent(str(row.size))
-    return REST if row.parameter and row.parameter.length == REST else "by case"
+    return REST if row.parameter and row.parameter.length == REST else "depends"
 
 
 def _type(page: Page, row: Row) -> str:

@@ -89,8 +89,9 @@ def label(thing: Thing) -> str:
 
 
 @cache
-def _relative(path: str, folder: str) -> str:
-    return posixpath.relpath(path, folder)
+def _relative(path: str, page: str) -> str:
+    """The path as a link on a page has it; most pages link the same few, and taking paths apart takes long."""
+    return "" if path == page else posixpath.relpath(path, posixpath.dirname(page))
 
 
 @dataclass(frozen=True)
@@ -109,7 +110,7 @@ class Page:
 
     def url(self, thing: Thing) -> str:
         target, anchor = place(thing, self.model)
-        path = "" if target == self.path else _relative(target, posixpath.dirname(self.path))
+        path = _relative(target, self.path)
         return f"{path}#{anchor}" if anchor else path or posixpath.basename(self.path)
 
     def link(self, thing: Thing, words: str | None = None) -> str:
@@ -122,11 +123,11 @@ class Page:
     # ----------------------------------------------------------------------- text of the specification
 
     def prose(self, text: str) -> str:
-        """A text of the specification; what it says of fields becomes links."""
+        """A text of the specification; references to fields become links."""
         return opening(self.say(describe.prose(text, self.model)))
 
     def quotation(self, text: str) -> str:
-        """What a manual prints; the descriptors in it become links."""
+        """A quotation of a manual; the descriptors in it become links."""
         return opening(self.say(describe.quotation(text, self.model)))
 
     def say(self, text: describe.Text, ref: Callable[[Ref], str] | None = None) -> str:
