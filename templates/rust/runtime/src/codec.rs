@@ -85,7 +85,7 @@ impl<'a> Reader<'a> {
         DecodeError::new(self.kind, field, need, got)
     }
 
-    /// Constants tell layouts of one descriptor apart.
+    /// Constants distinguish layouts of one descriptor.
     #[inline]
     pub(crate) fn is_other_layout(&self) -> bool {
         self.kind == DecodeErrorKind::Constant

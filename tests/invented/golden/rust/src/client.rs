@@ -383,7 +383,7 @@ pub const DEFAULT_TIMEOUT_MS: u32 = 1000;
 /// No deadline is further away, so that the time can wrap around.
 const FUTURE: u32 = u32::MAX >> 1;
 
-/// The time in so many milliseconds.
+/// The time after this number of milliseconds.
 pub(crate) fn after(now_ms: u32, wait_ms: u32) -> u32 {
     now_ms.wrapping_add(wait_ms.min(FUTURE))
 }
