@@ -266,7 +266,7 @@ impl Port for Table {
         eprintln!("{} {hex}", self.name);
         Ok(())
     }
-    fn now_ms(&mut self) -> u64 {
+    fn now_ms(&mut self) -> u32 {
         0
     }
 }
