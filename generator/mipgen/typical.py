@@ -175,9 +175,7 @@ def shown(p: m.Parameter, given: Any, factor: float) -> Any:
     ('0x3f802c29', ['0x3f800000', '0x40000000'])
     """
     op = p.operation
-    if isinstance(given, list):
-        if not isinstance(op, m.ArrayOp):
-            return [shown(p, one, factor) for one in given]
+    if isinstance(given, list) and isinstance(op, m.ArrayOp):
         return codec.canonical(op, [_scaled(p, one, factor) for one in given], p.name)
     if isinstance(op, m.ArrayOp) and op.count is not None:  # one number for all elements
         return codec.canonical(op, [_scaled(p, given, factor)] * op.count, p.name)
@@ -277,6 +275,7 @@ class _Record:
             return codec.canonical(p.operation, value, p.name)
         union = next((q for q in self.parameters if q.tag == p.name), None)
         if union is not None and p.name not in self.given and p.typical is None:
+            self.made_up.append(f"{self.path}{p.name}")
             return next((c for c in union.cases if c.parameter is not None), union.cases[0]).tag.value
         if isinstance(p.operation, m.SwitchOp):
             return self.alternative(p, p.operation.tag)
