@@ -292,9 +292,13 @@ class _Default:
                 span = f"[{_end(low)}, {_end(high)}]"
                 self.problem(node.position, f"the {self.what} of '{p.name}' is {value}, outside its range {span}")
             if p.above is not None and value <= p.above:
-                self.problem(node.position, f"the {self.what} of '{p.name}' is {value}, but must be greater than {p.above}")
+                self.problem(
+                    node.position, f"the {self.what} of '{p.name}' is {value}, but must be greater than {p.above}"
+                )
             if p.below is not None and value >= p.below:
-                self.problem(node.position, f"the {self.what} of '{p.name}' is {value}, but must be less than {p.below}")
+                self.problem(
+                    node.position, f"the {self.what} of '{p.name}' is {value}, but must be less than {p.below}"
+                )
 
 
 def _end(bound: Number | None) -> str:

@@ -17,10 +17,7 @@ FOR_EACH = "for_each"
 
 def resolve(roots: Sequence[Node], units: Node, model: m.Model, problems: Problems) -> Simulation:
     """Joins all files; each name may be given once."""
-    quantities = tuple(
-        _quantity(name, n, units, problems)
-        for name, n, _ in _entries(roots, "quantities", problems)
-    )
+    quantities = tuple(_quantity(name, n, units, problems) for name, n, _ in _entries(roots, "quantities", problems))
     effects = tuple(
         Effect(name, tuple(n["arguments"].plain()) if "arguments" in n else (), n["description"].value)
         for name, n, _ in _entries(roots, "effects", problems)

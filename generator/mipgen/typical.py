@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 import re
 import struct
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
@@ -29,6 +29,14 @@ class Typical:
     def values(self, f: m.Field, call: m.Call) -> codec.Values:
         """The values that a field requires if it is sent in this way, in the form of the codec."""
         return self._made(f, call, [])
+
+    def whole(self, f: m.Field, call: m.Call) -> codec.Values:
+        """The same without the function, and with those that are optional."""
+        found = self.values(f, call)
+        if call.optional:
+            asked = tuple(p for p in (*call.required, *call.optional) if p.constant is None)
+            found = _Record(asked, self._stated(f) | found, []).values()
+        return {name: value for name, value in found.items() if name != "function" or not f.selector}
 
     def made_up(self, f: m.Field, call: m.Call) -> list[str]:
         """The parameters among these, and members of their structures, whose values nothing states."""

@@ -354,6 +354,8 @@ record! {
         /// Send no acknowledge.
         pub suppress_ack: crate::Bool,
         /// Fields to send.
+        ///
+        /// Refers to fields of Sensor data.
         pub descriptors: crate::List<PollEntry, 83>,
     }
     wire 251 {
@@ -406,8 +408,8 @@ record! {
         pub suppress_ack: crate::Bool,
         /// Fields to send.
         ///
-        /// Uncertain: The SDK has a decimation in place of the reserved number and does not say
-        /// what a poll does with it.
+        /// Refers to fields of GNSS data. Uncertain: The SDK has a decimation in place of the
+        /// reserved number and does not say what a poll does with it.
         pub descriptors: crate::List<PollEntry, 83>,
     }
     wire 251 {
@@ -457,6 +459,8 @@ record! {
         /// Send no acknowledge.
         pub suppress_ack: crate::Bool,
         /// Fields to send.
+        ///
+        /// Refers to fields of Filter data.
         pub descriptors: crate::List<PollEntry, 83>,
     }
     wire 251 {
@@ -622,7 +626,7 @@ record! {
         pub function: types::FunctionSelector,
         /// Fields and decimations.
         ///
-        /// Required for [write](types::FunctionSelector::WRITE).
+        /// Refers to fields of Sensor data. Required for [write](types::FunctionSelector::WRITE).
         pub descriptors: Option<crate::List<types::DescriptorRate, 83>>,
     }
     wire 251 {
@@ -689,7 +693,7 @@ record! {
         pub function: types::FunctionSelector,
         /// Fields and decimations.
         ///
-        /// Required for [write](types::FunctionSelector::WRITE).
+        /// Refers to fields of GNSS data. Required for [write](types::FunctionSelector::WRITE).
         pub descriptors: Option<crate::List<types::DescriptorRate, 83>>,
     }
     wire 251 {
@@ -757,7 +761,7 @@ record! {
         pub function: types::FunctionSelector,
         /// Fields and decimations.
         ///
-        /// Required for [write](types::FunctionSelector::WRITE).
+        /// Refers to fields of Filter data. Required for [write](types::FunctionSelector::WRITE).
         pub descriptors: Option<crate::List<types::DescriptorRate, 83>>,
     }
     wire 251 {
@@ -913,11 +917,13 @@ record! {
     pub struct PollData {
         /// Data descriptor set.
         ///
-        /// Range: 128 to 254.
+        /// Range: 0x80 to 0xFE.
         pub descriptor_set: u8,
         /// Send no acknowledge.
         pub suppress_ack: crate::Bool,
         /// Field descriptors.
+        ///
+        /// Refers to fields of [`descriptor_set`](PollData::descriptor_set).
         pub descriptors: crate::List<u8, 250>,
     }
     wire 253 {
@@ -961,7 +967,7 @@ record! {
     pub struct GetBaseRate {
         /// Data descriptor set.
         ///
-        /// Range: 128 to 254.
+        /// Range: 0x80 to 0xFE.
         pub descriptor_set: u8,
     }
 }
@@ -1010,7 +1016,8 @@ record! {
         pub descriptor_set: Option<u8>,
         /// Fields and decimations.
         ///
-        /// Required for [write](types::FunctionSelector::WRITE).
+        /// Refers to fields of [`descriptor_set`](MessageFormat::descriptor_set). Required for
+        /// [write](types::FunctionSelector::WRITE).
         pub descriptors: Option<crate::List<types::DescriptorRate, 83>>,
     }
     wire 252 {
@@ -2967,9 +2974,10 @@ record! {
         /// Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05,
         /// magnetic field 0x06 or pressure 0x17.
         ///
-        /// On the [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): Field descriptor in the sensor
-        /// data set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure
-        /// 0x17; 0 means all of them, except for read.
+        /// Refers to fields of Sensor data. On the
+        /// [3DM-CV7-GNSS/INS](crate::devices::CV7_GNSS_INS): Field descriptor in the sensor data
+        /// set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17;
+        /// 0 means all of them, except for read.
         pub target_descriptor: Option<u8>,
         /// Whether the quantity is filtered.
         ///
@@ -3241,6 +3249,8 @@ record! {
         /// Descriptor set of the field.
         pub descriptor_set: Option<u8>,
         /// Field descriptor; 0 if the set is 0.
+        ///
+        /// Refers to fields of [`descriptor_set`](LowPassFilter::descriptor_set).
         pub field_descriptor: Option<u8>,
         /// Whether the field is filtered.
         ///
@@ -3404,6 +3414,8 @@ record! {
     #[derive(Default, Eq, Hash)]
     pub struct ImuMessageFormatResponse {
         /// Fields and decimations.
+        ///
+        /// Refers to fields of Sensor data.
         pub descriptors: crate::List<types::DescriptorRate, 84>,
     }
     wire 253 {
@@ -3432,6 +3444,8 @@ record! {
     #[derive(Default, Eq, Hash)]
     pub struct GnssMessageFormatResponse {
         /// Fields and decimations.
+        ///
+        /// Refers to fields of GNSS data.
         pub descriptors: crate::List<types::DescriptorRate, 84>,
     }
     wire 253 {
@@ -3459,6 +3473,8 @@ record! {
     #[derive(Default, Eq, Hash)]
     pub struct FilterMessageFormatResponse {
         /// Fields and decimations.
+        ///
+        /// Refers to fields of Filter data.
         pub descriptors: crate::List<types::DescriptorRate, 84>,
     }
     wire 253 {
@@ -3661,6 +3677,8 @@ record! {
     pub struct ImuLowPassFilterResponse {
         /// Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05,
         /// magnetic field 0x06 or pressure 0x17.
+        ///
+        /// Refers to fields of Sensor data.
         pub target_descriptor: u8,
         /// Whether the quantity is filtered.
         ///
@@ -3746,6 +3764,8 @@ record! {
         /// Data descriptor set; 0 means all of them (save, load, default).
         pub descriptor_set: u8,
         /// Fields and decimations.
+        ///
+        /// Refers to fields of [`descriptor_set`](MessageFormatResponse::descriptor_set).
         pub descriptors: crate::List<types::DescriptorRate, 83>,
     }
     wire 251 {
@@ -5502,6 +5522,8 @@ record! {
         /// Descriptor set of the field.
         pub descriptor_set: u8,
         /// Field descriptor; 0 if the set is 0.
+        ///
+        /// Refers to fields of [`descriptor_set`](LowPassFilterResponse::descriptor_set).
         pub field_descriptor: u8,
         /// Whether the field is filtered.
         pub enable: crate::Bool,
