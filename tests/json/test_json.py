@@ -33,7 +33,7 @@ DEFINITIONS: dict[type, str] = {
 
 #: What an object has in another form than as an attribute of the model.
 ADDED = {
-    "parameter": {"type", "cases"}, "field": {"symbols", "calls", "constants"}, "enum": {"symbols"},
+    "parameter": {"type", "cases"}, "field": {"symbols", "calls", "typical", "constants"}, "enum": {"symbols"},
     "bitfield": {"symbols"}, "struct": {"symbols"}, "variant": {"only"},
 }  # fmt: skip
 
